@@ -1,4 +1,4 @@
-// Opens the page of the gallery in Chromium as a person would: looks at it, presses keys, drags with the mouse and with a
+// Tests the page of the gallery in Chromium: compares pictures, presses keys, drags with the mouse and with a
 // finger, fills the screen, drops a file on it, and compares the states of all scenes with those that the program has natively.
 // node look_at_page.mjs ADDRESS CHROMIUM HASHES FOLDER, with playwright-core where node finds it from FOLDER.
 import { createRequire } from "node:module";
@@ -42,7 +42,7 @@ async function shows(page, name) {
   await page.waitForTimeout(1500);
 }
 
-// Waits until something is so, at most some seconds.
+// Waits until a condition holds, at most some seconds.
 async function becomes(page, is, seconds = 10) {
   for (let waited = 0; waited < 10 * seconds; waited++) {
     if (is(await state(page))) return true;
@@ -51,7 +51,7 @@ async function becomes(page, is, seconds = 10) {
   return false;
 }
 
-// How many colours a picture has: nothing drawn has one.
+// Number of colours of a picture: a blank one has one.
 async function colors(page, path) {
   const picture = (await page.screenshot({ path })).toString("base64");
   return page.evaluate(async (picture) => {
@@ -63,7 +63,7 @@ async function colors(page, path) {
   }, picture);
 }
 
-// Points of the page among which there is something to hold.
+// Points of the page, at one of which a body can be grabbed.
 function* grid(width, height) {
   for (let y = 0.85; y > 0.3; y -= 0.04) {
     for (let x = 0.1; x < 0.95; x += 0.06) yield [Math.round(x * width), Math.round(y * height)];

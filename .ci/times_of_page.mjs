@@ -1,6 +1,6 @@
 // Prints how long the last frames of scenes took on the page of the gallery in headless Chromium, as `gallery SCENE --times` does
-// of the window, and how long the steps of all scenes take that `gallery --hashes` makes: node times_of_page.mjs ADDRESS CHROMIUM FOLDER SECONDS SCENE..., with playwright-core where node finds it from
-// FOLDER.
+// of the window, and the time of the steps that `gallery --hashes` makes in all scenes.
+// node times_of_page.mjs ADDRESS CHROMIUM FOLDER SECONDS SCENE..., with playwright-core where node finds it from FOLDER.
 import { createRequire } from "node:module";
 import { join } from "node:path";
 

@@ -1,5 +1,5 @@
-//! A small beat-'em-up: walk, jump, punch, lift and throw, past a hole, a ball on a rope, a belt, a pond, a lift, a door and a press,
-//! against thugs who chase.
+//! A small beat-'em-up: walk, jump, punch, lift and throw, past a hole, a ball on a rope, a belt, a pond, a lift, a door and a
+//! press, against thugs who chase.
 //!
 //! `cargo run --release --example brawler` lets a script play it, and writes an animation and a page of stills.
 

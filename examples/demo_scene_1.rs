@@ -10,7 +10,7 @@ use examples::{Plane, RATE, Recorder, Result, SIZE, Stage, demo_scene_1, report,
 use twohalf::DepthScheme;
 use twohalf_render::SoftwareCanvas;
 
-/// Where the pictures go, seen from where the program was started.
+/// Folder of the pictures, relative to the working directory.
 const FOLDER: &str = "target/demo_scene_1";
 
 fn main() -> Result<()> {

@@ -1,8 +1,8 @@
-//! Demo Scene 2 of the thesis (4.2), both ways: objects that fall on two platforms, one raised and level, one a slope
-//! next to it, in 2D with Farseer's engine, and in 2.5D, where the platforms have depth and shadows.
+//! Demo Scene 2 of the thesis (4.2), both ways: objects that fall on two platforms, one raised and level, one a slope next to
+//! it. It runs in 2D with Farseer's engine, and in 2.5D, where the platforms have depth and shadows.
 //!
-//! `cargo run --release --example demo_scene_2` writes an animation and a page of stills of each; with `-- --debug` the
-//! debug view is drawn over the pictures in 2.5D.
+//! `cargo run --release --example demo_scene_2` writes an animation and a page of stills of each; with `-- --debug` the debug
+//! view is drawn over the pictures in 2.5D.
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +10,7 @@ use examples::{Plane, RATE, Recorder, Result, SIZE, Stage, demo_scene_2, report,
 use twohalf::DepthScheme;
 use twohalf_render::SoftwareCanvas;
 
-/// Where the pictures go, seen from where the program was started.
+/// Folder of the pictures, relative to the working directory.
 const FOLDER: &str = "target/demo_scene_2";
 
 fn main() -> Result<()> {

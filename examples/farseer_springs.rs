@@ -1,15 +1,18 @@
-//! Samples of the original with springs and with joints: levers, ropes and a ball on springs (Simple 6), spiders that
-//! bend their legs (Simple 7), and a vehicle in a track of hinged plates (Advanced 5).
+//! Samples of the original with springs and with joints.
 //!
-//! `cargo run --release --example farseer_springs` writes an animation and a page of stills of each; with `-- --debug`
-//! the original's debug view is drawn over the pictures.
+//! - Simple 6: levers, ropes and a ball on springs.
+//! - Simple 7: spiders that bend their legs.
+//! - Advanced 5: a vehicle in a track of hinged plates.
+//!
+//! `cargo run --release --example farseer_springs` writes an animation and a page of stills of each; with `-- --debug` the
+//! original's debug view is drawn over the pictures.
 
 use std::path::Path;
 
 use conformance::samples::sample;
 use examples::{Result, SampleFilm, wants_debug_view};
 
-/// Where the pictures go, seen from where the program was started.
+/// Folder of the pictures, relative to the working directory.
 const FOLDER: &str = "target/farseer_springs";
 
 fn main() -> Result<()> {

@@ -1,8 +1,8 @@
-//! Terrain and blots whose outlines are traced from pictures that the program paints when it starts, and what falls on
-//! them; then the original's sample with blots that are cut into convex pieces (Advanced 9).
+//! Terrain and blots whose outlines are traced from pictures that the program paints when it starts, and balls and crates that
+//! fall on them. The last scene is the original's sample with blots that are cut into convex pieces (Advanced 9).
 //!
-//! `cargo run --release --example farseer_terrain` writes an animation and a page of stills of each; with `-- --debug`
-//! the original's debug view is drawn over the pictures.
+//! `cargo run --release --example farseer_terrain` writes an animation and a page of stills of each; with `-- --debug` the
+//! original's debug view is drawn over the pictures.
 
 use std::path::Path;
 
@@ -13,10 +13,10 @@ use farseer_core::shape::{PolygonCreationAssistance, Vertices};
 use farseer_core::{BodyFactory, GeomFactory, GeomPlacement};
 use twohalf_render::{Canvas, Color, Point, SoftwareCanvas, Transform};
 
-/// Where the pictures go, seen from where the program was started.
+/// Folder of the pictures, relative to the working directory.
 const FOLDER: &str = "target/farseer_terrain";
 
-/// Edges of what the border leaves free: left, right, bottom.
+/// Edges of the area inside of the border in px: left, right, bottom.
 const FREE: [f32; 3] = [38.0, 986.0, 730.0];
 const SOIL: Color = Color::rgb(126, 92, 58);
 const GRASS: Color = Color::rgb(84, 150, 62);
@@ -50,13 +50,13 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// Height of the hills at a place, as y of the screen.
+/// Height of the hills at an x, as y of the screen.
 fn surface(x: f32) -> f32 {
     let t = (x - FREE[0]) / (FREE[1] - FREE[0]);
     600.0 + 70.0 * (7.0 * t + 0.4).cos() - 24.0 * (17.0 * t).sin() + 7.0 * (53.0 * t).sin()
 }
 
-/// Hills with a rock that looks like a mushroom, and an island above them, on nothing.
+/// Hills with a rock in the shape of a mushroom, and an island that floats above them.
 fn paint_terrain() -> Result<SoftwareCanvas> {
     let [width, height] = SCREEN.map(|side| side as u32);
     let mut canvas = SoftwareCanvas::new(width, height)?;
@@ -89,7 +89,7 @@ fn paint_terrain() -> Result<SoftwareCanvas> {
     Ok(canvas)
 }
 
-/// The outlines of all parts of a picture that are not transparent.
+/// The outlines of all opaque parts of a picture.
 fn trace(picture: &SoftwareCanvas) -> Result<Vec<Vertices>> {
     let mut texture =
         PolygonCreationAssistance::from_rgba(&picture.rgba8(), picture.width(), picture.height())?;
@@ -98,7 +98,7 @@ fn trace(picture: &SoftwareCanvas) -> Result<Vec<Vertices>> {
     Ok(Vertices::create_polygons(&texture)?)
 }
 
-/// What falls on the terrain.
+/// The terrain with the bodies that fall on it.
 fn terrain(picture: &SoftwareCanvas) -> Result<SampleScene> {
     let mut scene = SampleScene::new(150.0)?;
     for outline in trace(picture)? {
@@ -124,7 +124,7 @@ fn terrain(picture: &SoftwareCanvas) -> Result<SampleScene> {
     Ok(scene)
 }
 
-/// Adds a part of the ground, where it is in the picture.
+/// Adds a part of the ground, at its position in the picture.
 fn add_ground(scene: &mut SampleScene, outline: &Vertices) -> Result<()> {
     let simulator = scene.simulator_mut();
     let body = BodyFactory::create_polygon_body_in(simulator, outline, 1.0)?;

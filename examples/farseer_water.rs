@@ -1,14 +1,14 @@
-//! The original's water sample: a raft with a heap of blocks on water that makes waves where something dips in.
+//! The original's water sample: a raft with a heap of blocks on water that makes waves where bodies dip in.
 //!
-//! `cargo run --release --example farseer_water` writes an animation and a page of stills; with `-- --debug` the
-//! original's debug view is drawn over the pictures.
+//! `cargo run --release --example farseer_water` writes an animation and a page of stills; with `-- --debug` the original's
+//! debug view is drawn over the pictures.
 
 use std::path::Path;
 
 use conformance::samples::sample;
 use examples::{Result, SampleFilm, wants_debug_view};
 
-/// Where the pictures go, seen from where the program was started.
+/// Folder of the pictures, relative to the working directory.
 const FOLDER: &str = "target/farseer_water";
 
 fn main() -> Result<()> {

@@ -1,5 +1,5 @@
-//! A small pinball table: flippers on springs, bumpers, lights that are sensors, a ramp that is another collision category,
-//! and a score. Somebody plays who looks where the ball is.
+//! A small pinball table: flippers on springs, bumpers, lights that are sensors, a ramp that is another collision category, and
+//! a score. A script plays it by the position of the ball.
 //!
 //! `cargo run --release --example pinball` writes an animation and a page of stills.
 
@@ -9,7 +9,7 @@ use examples::pinball::{self, Pinball, RATE, TABLE};
 use examples::{Recorder, Result};
 use twohalf_render::{Canvas, SoftwareCanvas};
 
-/// Where the pictures go, seen from where the program was started.
+/// Folder of the pictures, relative to the working directory.
 const FOLDER: &str = "target/pinball";
 const SECONDS: u32 = 24;
 

@@ -1,4 +1,4 @@
-// What a step takes: node bench.mjs [FOLDER...] with packages to compare, by turns; the one beside this file if none is named.
+// Times of steps: node bench.mjs [FOLDER...] with packages to compare, by turns; the one beside this file if none is named.
 // Prints, for each scene and package, the least and the median time per step in microseconds over all rounds.
 
 import { pathToFileURL } from 'node:url';
@@ -61,7 +61,7 @@ for (const folder of folders) {
 for (const [scene, make] of Object.entries(SCENES)) {
   const runs = packages.map(({ folder, engine }) => ({ folder, simulator: make(engine), times: [], snapshots: [] }));
   const compared = runs.filter(({ simulator }) => simulator !== undefined);
-  // What has come to rest, and is compiled by then.
+  // A scene at rest, whose code is compiled by then.
   for (const { simulator } of compared) for (let step = 0; step < 300; step++) simulator.step(DT);
   for (let round = 0; round < ROUNDS; round++) {
     for (const { simulator, times, snapshots } of compared) {

@@ -1,9 +1,9 @@
-// Takes out of a module, read and written in the text of `wasm-dis`, what only the words of a panic need: nobody ever sees them.
+// Removes the code for the messages of panics from a module, in the text format of `wasm-dis`: no message is ever shown.
 // A panic ends in a trap, before and after.
 
 import { readFileSync } from 'node:fs';
 
-/** Expressions, each on lines of its own: its first line, and what it encloses, or null if that line is all of it. */
+/** Parses expressions, each on lines of its own: its first line, and the inner expressions, or null if it has one line. */
 function parse(lines) {
   const top = [];
   const open = [top];
@@ -34,7 +34,7 @@ const returns = ({ text, inner }) => text.startsWith('(return') || (inner ?? [])
 /** Whether a function ends in a trap, whichever way it goes: so do those that panic, and no others. */
 const isPanic = (definition) => isTrap(definition.inner?.at(-1)) && !returns(definition);
 
-/** Lets `list` trap where it would call one of `panics`, or leave a block for a trap. `leadsToTrap`: what follows `list` is one. */
+/** Puts traps in place of calls of `panics`, and of branches to a trap. `leadsToTrap`: the expression after `list` is a trap. */
 function shorten(list, panics, leadsToTrap, doomed) {
   for (let index = list.length - 1; index >= 0; index--) {
     const expression = list[index];
@@ -47,7 +47,7 @@ function shorten(list, panics, leadsToTrap, doomed) {
       const isDoomed = isBlock && (index + 1 < list.length ? isTrap(list[index + 1]) : leadsToTrap);
       if (isDoomed) doomed.add(name);
       shorten(inner, panics, isDoomed, doomed);
-      // What is compressed holds the same few bytes at each check, not a way out that differs from each to the next.
+      // So the same few bytes follow each check, not branches with different depths: they compress better.
       if (text === `(br_if ${name}` && doomed.has(name)) {
         list[index] = { text: '(if', inner: [...inner, { text: '(then', inner: [TRAP] }] };
       }
@@ -97,8 +97,8 @@ for (const definition of functions) {
   else shorten(definition.inner, panics, false, new Set());
 }
 
-/** By name without its hash and without what it drops, then by parameters, then by size: what is alike lies side by side, and
- * compresses better. */
+/** Orders by name without its hash and without dropped parts, then by parameters, then by size: similar functions are
+ * neighbours, and compress better. */
 function compare(one, other) {
   for (const [at, mine] of one.order.entries()) {
     if (mine !== other.order[at]) return mine < other.order[at] ? -1 : 1;

@@ -1,4 +1,4 @@
-//! Demo Scene 1 of the thesis, in 2D and in 2.5D: what there is at its start.
+//! Demo Scene 1 of the thesis, in 2D and in 2.5D: its initial state.
 
 use farseer_core::math::scalar::{cos, sin};
 use twohalf::DepthScheme;
@@ -24,7 +24,7 @@ pub fn plane() -> Result<Plane> {
 
 /// Direction of the Z axis in degrees.
 const ANGLE: i32 = 62;
-/// Z of the horizon.
+/// Z of the horizon in px.
 const HORIZON: f32 = 300.0;
 
 const STARTS: &[Start] = &[
@@ -63,7 +63,7 @@ pub fn depth(scheme: DepthScheme, wants_debug_view: bool) -> Result<Stage> {
     Ok(stage)
 }
 
-/// Draws what lies behind the scene in 2.5D: the ground, and the sky above its horizon.
+/// Draws the background of the scene in 2.5D: the ground, and the sky above its horizon.
 ///
 /// # Errors
 /// None with this horizon.

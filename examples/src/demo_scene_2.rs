@@ -1,4 +1,4 @@
-//! Demo Scene 2 of the thesis, in 2D and in 2.5D: what there is at its start.
+//! Demo Scene 2 of the thesis, in 2D and in 2.5D: its initial state.
 
 use farseer_core::math::scalar::sin;
 use twohalf::DepthScheme;
@@ -9,7 +9,7 @@ use crate::{Plane, Result, Stage, Start, draw_hills};
 /// Tilt of the slope in rad.
 const TILT: f32 = 0.347;
 
-/// A level platform at the left, a slope next to it, and what falls on them.
+/// A level platform at the left, a slope next to it, and objects that fall on them.
 ///
 /// # Errors
 /// None with these sizes.
@@ -35,7 +35,7 @@ pub fn plane() -> Result<Plane> {
 
 /// Direction of the Z axis in degrees.
 const ANGLE: i32 = 62;
-/// Z of the horizon.
+/// Z of the horizon in px.
 const HORIZON: f32 = 300.0;
 
 const STARTS: &[Start] = &[
@@ -58,13 +58,13 @@ const STARTS: &[Start] = &[
     Start::ball(22.0, [20.0, 0.0, 110.0], [75.0, 0.0, 8.0]),
     Start::ball(20.0, [440.0, 0.0, 5.0], [0.0, 0.0, 80.0]),
     Start::ball(18.0, [200.0, 0.0, 245.0], [120.0, 0.0, 0.0]),
-    // A stack of crates at the right, for what comes down.
+    // A stack of crates at the right, for objects that come down.
     Start::crate_box([50.0, 44.0], [590.0, 0.0, 165.0], [0.0; 3]),
     Start::crate_box([44.0, 40.0], [594.0, 44.0, 165.0], [0.0; 3]),
     Start::crate_box([46.0, 46.0], [680.0, 120.0, 60.0], [0.0; 3]).turned(0.4),
 ];
 
-/// A raised level platform at the left, a slope next to it down to the ground, a hedge at the horizon, and what falls.
+/// A raised level platform at the left, a slope next to it down to the ground, a hedge at the horizon, and falling objects.
 ///
 /// # Errors
 /// None with these sizes.
@@ -80,7 +80,7 @@ pub fn depth(scheme: DepthScheme, wants_debug_view: bool) -> Result<Stage> {
     Ok(stage)
 }
 
-/// Draws what lies behind the scene in 2.5D: the ground, and the sky with hills above its horizon.
+/// Draws the background of the scene in 2.5D: the ground, and the sky with hills above its horizon.
 ///
 /// # Errors
 /// None with this horizon.

@@ -21,7 +21,7 @@ pub use stage::{Shape, Stage, Start};
 
 use twohalf_render::{Color, RenderError, Sprite, SpriteBatch, Texture2D};
 
-/// What an example can fail with.
+/// Result with any error of an example.
 pub type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
 /// Steps per second of all scenes.
@@ -51,7 +51,7 @@ pub fn wants_debug_view() -> Result<bool> {
 pub struct Look {
     /// The picture that turns with the object.
     pub texture: Texture2D,
-    /// Light that lies on it and does not turn.
+    /// Light on its surface that does not turn with it.
     pub light: Option<Texture2D>,
 }
 
@@ -101,7 +101,7 @@ pub fn wood(index: usize) -> Color {
     WOODS[index % WOODS.len()]
 }
 
-/// What happened, in words.
+/// The result of a film, in words.
 pub fn report(
     title: &str,
     summary: &Summary,

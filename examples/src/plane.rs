@@ -10,19 +10,19 @@ use crate::{GRAVITY, Look, RATE, Result, SIZE, palette, wood};
 const FLOOR: f32 = 50.0;
 /// Width and height of the walls at both ends of the floor in px.
 const WALL: [f32; 2] = [14.0, 300.0];
-/// Friction and restitution of everything.
+/// Friction and restitution coefficients of all geoms.
 const SURFACE: [f32; 2] = [0.5, 0.5];
-/// Colour of what does not move.
+/// Colour of static bodies.
 const EARTH: Color = Color::rgb(150, 118, 80);
-/// From which height in px on an object counts as being in the air at the end.
+/// Height in px from which on an object counts as being in the air at the end.
 const ON_THE_FLOOR: f32 = 1.5;
 
-/// A 2D simulator with a floor between two walls, and what is in it.
+/// A 2D simulator with a floor between two walls, and its objects.
 #[derive(Debug, Clone)]
 pub struct Plane {
     simulator: PhysicsSimulator,
     looks: Vec<(BodyId, Look)>,
-    /// What does not move: size, middle and rotation.
+    /// Static boxes: size, middle and rotation.
     fixed: Vec<([f32; 2], [f32; 2], f32)>,
     most_contacts: usize,
 }
@@ -109,7 +109,7 @@ impl Plane {
         self.most_contacts = self.most_contacts.max(self.simulator.counters().contacts_solved);
     }
 
-    /// Draws the sky and what does not move.
+    /// Draws the sky and the static bodies.
     pub fn draw_backdrop(&self, canvas: &mut dyn Canvas) {
         canvas.clear(Color::rgb(196, 220, 238));
         for &([width, height], middle, rotation) in &self.fixed {
@@ -120,7 +120,7 @@ impl Plane {
         }
     }
 
-    /// Draws what moves.
+    /// Draws the dynamic bodies.
     pub fn draw(&self, canvas: &mut dyn Canvas) {
         let mut batch = SpriteBatch::begin();
         for (body, look) in &self.looks {

@@ -12,20 +12,20 @@ use stage::RecipeStage;
 
 /// Steps per second.
 const RATE: f32 = 120.0;
-/// Width and height of a moment, px, and what is between two.
+/// Width and height of a moment's picture, px, and the gap between two.
 const MOMENT: [u32; 2] = [216, 150];
 const GAP: u32 = 4;
 
-/// What lets a scene go on by a step of so many seconds.
+/// Makes a step of so many seconds.
 type Step = Box<dyn FnMut(&mut RecipeStage, f32) -> Result<()>>;
 
 /// A recipe of the documentation, and its picture.
 pub struct Recipe {
     /// The anchor of its heading in the documentation, and the name of its picture.
     pub name: &'static str,
-    /// When the moments are that are shown, s, ascending, and what is said to them.
+    /// Times of the three moments in s, ascending, with their captions.
     moments: [(f32, &'static str); 3],
-    /// X of the middle of the picture.
+    /// X of the middle of the picture in px.
     middle: f32,
     make: fn(&mut RecipeStage) -> Result<Step>,
 }
@@ -37,11 +37,11 @@ impl Recipe {
     /// Plays it, and draws three moments side by side.
     ///
     /// # Errors
-    /// What the engine refuses: nothing, with these scenes.
+    /// A refusal of the engine: none with these scenes.
     pub fn draw(&self) -> Result<SoftwareCanvas> {
         let mut stage = RecipeStage::new(self.middle)?;
         let mut step = (self.make)(&mut stage)?;
-        // What was made enters.
+        // Created objects enter.
         stage.simulator.update(0.0);
         let mut picture = SoftwareCanvas::new(3 * MOMENT[0] + 2 * GAP, MOMENT[1])?;
         picture.clear(Color::WHITE);
@@ -124,7 +124,7 @@ mod tests {
             let shades: Vec<u8> = drawn.rgba8().into_iter().map(|channel| channel | 0b111).collect();
             let far = |(a, b): (&u8, &u8)| a.abs_diff(*b) > 24;
             let differing = kept.rgba8().iter().zip(&shades).filter(|pair| far(*pair)).count();
-            // What has been changed is to be drawn again: `cargo run --release --example recipe_pictures`.
+            // A changed picture is to be drawn again: `cargo run --release --example recipe_pictures`.
             assert!(
                 differing < shades.len() / 50,
                 "{}: {differing} of {} numbers",

@@ -10,7 +10,7 @@ use crate::Result;
 
 /// Frames per second of the animations.
 const FRAME_RATE: u32 = 20;
-/// Height of what [`draw_caption`] writes, px.
+/// Height of the text of [`draw_caption`], px.
 const CAPTION: f32 = 32.0;
 
 /// Films a simulation.
@@ -30,7 +30,7 @@ pub struct Recorder {
     pub stills: &'static [f32],
 }
 
-/// What came of it.
+/// Result of a film.
 #[derive(Debug)]
 pub struct Summary {
     /// The animation.
@@ -44,11 +44,10 @@ pub struct Summary {
 }
 
 impl Recorder {
-    /// Steps and draws a scene, and writes its animation and contact sheet into a folder. `backdrop` is what every
-    /// picture begins with.
+    /// Steps and draws a scene, and writes its animation and contact sheet into a folder. Every picture begins with `backdrop`.
     ///
     /// # Errors
-    /// A file that cannot be written, or what `step` or `draw` fails with.
+    /// A file that cannot be written, or an error of `step` or `draw`.
     pub fn film<S>(
         &self,
         folder: &Path,
@@ -74,7 +73,7 @@ impl Recorder {
             if stills.next_if(|&&due| due <= time).is_some() {
                 sheet.add(&canvas, format!("t = {time:.2} s"));
             }
-            // In the lower left corner: games show at the top how they stand.
+            // In the lower left corner: games show their score at the top.
             let below = Transform::translation([0.0, height as f32 - CAPTION]);
             draw_caption(&mut View::new(&mut canvas).camera(&below), &format!("t = {time:.2} s"));
             animation.add_frame(&canvas)?;

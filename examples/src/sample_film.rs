@@ -12,7 +12,7 @@ use crate::{Recorder, Result};
 /// Steps per second of the sample scenes.
 const SAMPLE_RATE: u32 = 100;
 
-/// What is filmed of a sample scene, and for how long.
+/// Options of the film of a sample scene.
 #[derive(Debug)]
 pub struct SampleFilm {
     /// Begins the names of the files.
@@ -27,17 +27,17 @@ pub struct SampleFilm {
     pub wants_debug_view: bool,
 }
 
-/// A scene at work, and the most contacts that a step solved.
+/// A running scene, and the greatest number of contacts that a step solved.
 struct Filmed<'a> {
     scene: &'a mut SampleScene,
     most_contacts: usize,
 }
 
 impl SampleFilm {
-    /// Films a scene into a folder; answers with a report.
+    /// Films a scene into a folder; returns a report.
     ///
     /// # Errors
-    /// A file that cannot be written, or what the scene fails with.
+    /// A file that cannot be written, or an error of the scene.
     pub fn film(&self, folder: &Path, title: &str, scene: &mut SampleScene) -> Result<String> {
         let size = SCREEN.map(|side| side as u32);
         let mut backdrop = SoftwareCanvas::new(size[0], size[1])?;

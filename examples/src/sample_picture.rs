@@ -1,4 +1,4 @@
-//! What a sample scene looks like: its geoms, water, springs and joints.
+//! Drawing of a sample scene: its geoms, water, springs and joints.
 
 use conformance::samples::{Figure, Look, Rgba, SCREEN, SampleScene, wave_of};
 use farseer_core::math::Vector2;
@@ -9,7 +9,7 @@ use twohalf_render::{Canvas, Color, Point, Transform};
 
 /// Colour of the water: aquamarine, half of it.
 const WATER: Color = Color::rgba(127, 255, 212, 128);
-/// Where the lower part of the border begins; the water behind it is not drawn.
+/// Y in px of the upper edge of the lower border; the water behind it is not drawn.
 const FLOOR: f32 = SCREEN[1] - 38.0;
 /// Colour of springs.
 const SPRING: Color = Color::rgb(168, 24, 40);
@@ -94,7 +94,7 @@ fn draw_coil(start: Point, end: Point, canvas: &mut dyn Canvas) {
     let [dx, dy] = [end[0] - start[0], end[1] - start[1]];
     let length = dx.hypot(dy);
     let turns = (length / TURN).floor().clamp(1.0, MOST_TURNS);
-    // As high as a turn is long when at rest: flatter when it is stretched.
+    // The height at rest is that of a turn: flatter when it is stretched.
     let height = (0.4 * TURN).min(0.5 * length / turns);
     let across = if length > 0.0 { [-dy / length * height, dx / length * height] } else { [0.0; 2] };
     let corners = 4 * turns as u32;

@@ -1,4 +1,4 @@
-//! What stands behind a 2.5D scene.
+//! The background of a 2.5D scene.
 
 use twohalf_render::{
     Canvas, Color, GroundBackdrop, Point, SoftwareCanvas, Text, Texture2D, Transform, draw_ground_backdrop,
@@ -88,7 +88,8 @@ pub(crate) fn city_at_dusk(zoom: f32) -> Result<Texture2D> {
     Ok(canvas.to_texture()?)
 }
 
-/// The evening sky and the ground under it, of the size of a picture, painted once: rows of colour take longer than a picture of them.
+/// The evening sky and the ground under it, of the size of a picture, painted once: rows of colour take longer than a picture
+/// of them.
 pub(crate) fn sky_at_dusk([width, height]: [u32; 2], depth: f32) -> Result<Texture2D> {
     let mut canvas = SoftwareCanvas::new(width, height)?;
     let dusk = GroundBackdrop { lines: Color::TRANSPARENT, ..GroundBackdrop::dusk(depth, 90.0) };

@@ -11,25 +11,25 @@ use twohalf_render::{
 
 use crate::{GRAVITY, Look, RATE, Result, SIZE, palette, wood};
 
-/// Layer depth of what lies on the ground.
+/// Layer depth of drawings on the ground, dimensionless.
 const ON_THE_GROUND: f32 = 1.0;
-/// Friction of everything but what says otherwise.
+/// Friction coefficient of all objects without another setting.
 const FRICTION: f32 = 0.5;
-/// Bounciness of balls, and of crates and platforms.
+/// Restitution coefficients of balls, and of crates and platforms.
 const RESTITUTION: [f32; 2] = [0.6, 0.25];
-/// From which height in px over what is beneath it on an object counts as being in the air at the end.
+/// Height in px over the surface beneath it from which on an object counts as being in the air at the end.
 const ON_THE_SURFACE: f32 = 1.5;
 
-/// Shape, place over the ground and velocity along X, up and along Z of an object.
+/// Shape, position over the ground and velocity along X, up and along Z of an object.
 #[derive(Debug, Clone, Copy)]
 pub struct Start {
     /// Shape.
     pub shape: Shape,
-    /// X, height of the lowest point, and Z.
+    /// X, height of the lowest point, and Z, in px.
     pub place: [f32; 3],
     /// Velocity along X, up and along Z, px/s.
     pub velocity: [f32; 3],
-    /// Friction of the object; that of its ground is the usual one.
+    /// Friction coefficient of the object; that of its ground is the usual one.
     pub friction: f32,
 }
 
@@ -94,7 +94,7 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// An empty stage whose Z axis points `angle` degrees counterclockwise from the x axis.
+    /// An empty stage whose Z axis has an angle of `angle` degrees counterclockwise from the x axis.
     ///
     /// # Errors
     /// An angle out of range.
@@ -113,7 +113,7 @@ impl Stage {
         })
     }
 
-    /// Adds a platform: its width, height and depth, its place, and its tilt in rad, clockwise.
+    /// Adds a platform: its width, height and depth, its position, and its tilt in rad, clockwise.
     ///
     /// # Errors
     /// A size out of range.
@@ -179,7 +179,7 @@ impl Stage {
         Ok(())
     }
 
-    /// Lets everything enter; nothing moves.
+    /// Adds all waiting objects without moving any.
     pub fn begin(&mut self) {
         self.simulator.update(0.0);
     }
@@ -199,7 +199,7 @@ impl Stage {
             match *drawable {
                 Drawable::Platform(id) => self.draw_platform(&mut batch, id, layer(place)),
                 Drawable::Body(id) => {
-                    // A shadow lies right before what it falls on, or on the ground, behind everything.
+                    // A shadow is right before the object that it falls on, or on the ground, behind everything.
                     let surface = self.simulator.surface_beneath_body(id);
                     let below = surface.and_then(|surface| match surface.partner {
                         ContactTarget::Platform(id) => Some(Drawable::Platform(id)),

@@ -1,4 +1,4 @@
-//! Getters and setters of numbers that refuse what is not finite.
+//! Getters and setters of numbers; the setters refuse values that are not finite.
 
 /// A getter and a checked setter for each field.
 macro_rules! checked_properties {
@@ -12,7 +12,7 @@ macro_rules! checked_properties {
         #[doc = concat!("Sets [`", stringify!($field), "`](Self::", stringify!($field), ").")]
         ///
         /// # Errors
-        /// What is not finite.
+        /// A value that is not finite.
         pub fn $setter(&mut self, value: f32) -> $crate::error::Result<()> {
             self.$field = $crate::math::finite::finite(stringify!($field), value)?;
             Ok(())

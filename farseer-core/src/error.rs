@@ -1,6 +1,6 @@
-//! What can be wrong with an argument.
+//! Errors: reasons why a call was refused.
 
-/// Why a call was refused. A refused call has changed nothing.
+/// Why a call was refused. A refused call has changed no state.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -11,22 +11,22 @@ pub enum Error {
         argument: &'static str,
         /// The value that was given.
         value: String,
-        /// What would have been accepted.
+        /// The condition that the argument must meet.
         requirement: &'static str,
     },
-    /// An id names something that was disposed. (An id means something only in the simulator that made it and in
-    /// its clones and saves; in another one it may be stale, or name another object.)
+    /// An id names an object that was disposed. (An id is valid only in the simulator that made it and in its clones
+    /// and saves; in another one it may be stale, or name another object.)
     #[error("{argument} is stale: what it named was disposed")]
     StaleId {
         /// Name of the argument.
         argument: &'static str,
     },
-    /// An id names something of another kind.
+    /// An id names an object of another kind.
     #[error("{argument} is no {expected}")]
     WrongKind {
         /// Name of the argument.
         argument: &'static str,
-        /// What was asked for.
+        /// The expected kind.
         expected: &'static str,
     },
     /// A joint or spring that was made without its bodies has not been given all of them yet.
@@ -40,15 +40,15 @@ pub enum Error {
     /// The broad phase can be chosen only while no geom is in the simulation.
     #[error("the geom list must be empty when the broad phase collider is set")]
     GeomListNotEmpty,
-    /// The chosen [`Methods`](crate::Methods) do not have it.
+    /// The chosen [`Methods`](crate::Methods) do not support it.
     #[error("the {methods} methods have no {what}")]
     NotSupported {
-        /// What was asked for.
+        /// The feature that was asked for.
         what: &'static str,
         /// The methods that were chosen.
         methods: &'static str,
     },
-    /// A callback that is asked about no collision has set how one goes.
+    /// A callback for something else than a collision has tried to change a collision.
     #[error("there is no collision here: that can be set in `on_collision` alone")]
     NoCollision,
     /// A geom made under separating axes has no distance grid to share with a clone.
@@ -57,14 +57,14 @@ pub enum Error {
         /// Name of the argument.
         argument: &'static str,
     },
-    /// It would cost more than the simulator's [`Limits`](crate::Limits) allow.
+    /// The call would cost more than the simulator's [`Limits`](crate::Limits) allow.
     #[error("{limit} would be {needed}, but at most {allowed} is allowed: see `Limits`, which can be raised")]
     LimitExceeded {
         /// Name of the limit: a field of [`Limits`](crate::Limits).
         limit: &'static str,
-        /// What was asked for.
+        /// The amount that the call needs, in the unit of the limit.
         needed: u64,
-        /// What is allowed.
+        /// The amount that the limit allows: a number in the same unit.
         allowed: u64,
     },
     /// A snapshot was made by another version of its format.
@@ -78,7 +78,7 @@ pub enum Error {
     /// A saved simulator contradicts itself.
     #[error("the saved simulator is damaged: {reason}")]
     DamagedSave {
-        /// What is wrong with it.
+        /// Description of the contradiction.
         reason: &'static str,
     },
 }

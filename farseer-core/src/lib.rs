@@ -3,23 +3,22 @@
 //! Farseer Physics (2009) was the 2D physics engine of the XNA years. The [faithful](Methods::Faithful) set of methods
 //! reproduces all of it, number by number, behind an API its users recognise: bodies and geoms, joints, springs,
 //! controllers, paths, polygon tools, the debug view. The [precise](Methods::Precise) set is an engine of its own for the
-//! same objects: faster, more accurate, with sleep and continuous collision detection. In this order the crate wants to be:
+//! same objects: faster, more accurate, with sleep and continuous collision detection. The goals of the crate, in this order:
 //!
 //! 1. **exact**: given the same calls, every position, velocity and callback of the faithful set is that of the original,
-//!    on every platform, in every build; the precise set gives the same bits on all of them, too;
+//!    on every platform, in every build. The precise set gives the same bits on all of them, too.
 //! 2. **safe**: bad input is an error that names the argument, a failed call changes nothing, NaN never spreads,
-//!    stale ids are noticed;
-//! 3. **fast**: flat arrays that are reused, no allocation in a settled scene, and whatever can be computed side by
-//!    side without changing a bit is.
+//!    stale ids are refused.
+//! 3. **fast**: flat arrays that are reused, no allocation in a settled scene, SIMD lanes wherever they change no bit.
 //!
 //! | in this manual | |
 //! |---|---|
 //! | this page | [first program](#a-first-program), [the update](#what-an-update-does), [methods to choose from](#methods-to-choose-from), [where they fail](#where-they-fail), [joints, springs, controllers](#joints-springs-controllers), [units](#units-and-axes), [bad input](#bad-input), [determinism](#determinism), [saving](#saving) |
 //! | [`guide::porting`] | from C# to Rust, member by member, with a small game before and after |
-//! | [`guide::choosing`] | which set of methods for which game, what the precise set chooses by itself, and where each fails |
-//! | [`guide::differences`] | where this does something else than the original, and why |
-//! | [`guide::quirks`] | oddities that were kept, and what to do about them |
-//! | [`guide::out_of_scope`] | what is not there on purpose, and what to use instead |
+//! | [`guide::choosing`] | which set of methods for which game, the solver selection of the precise set, and limits of each |
+//! | [`guide::differences`] | differences from the original, and their reasons |
+//! | [`guide::quirks`] | oddities of the original that were kept, and workarounds |
+//! | [`guide::out_of_scope`] | features left out on purpose, and replacements |
 //!
 //! # A first program
 //!
@@ -51,10 +50,10 @@
 //! # Ok::<(), farseer_core::Error>(())
 //! ```
 //!
-//! A [`Body`] has mass, place and motion; a [`Geom`] is an outline that is attached to one and says how it collides. A
-//! body may have any number of geoms, or none. Both live in the [`PhysicsSimulator`] under ids, as joints, springs and
-//! controllers do. [Factories](BodyFactory) make the usual ones; methods ending in `_in` also add them. What is
-//! [added](PhysicsSimulator::add) takes part from the next update on.
+//! A [`Body`] has mass, pose and velocity; a [`Geom`] is an outline on a body, with friction, restitution and a collision
+//! filter. A body may have any number of geoms, or none. Both live in the [`PhysicsSimulator`] under ids, as joints, springs
+//! and controllers do. [Factories](BodyFactory) make the usual ones; methods ending in `_in` also add them. An
+//! [added](PhysicsSimulator::add) object takes part from the next update on.
 //!
 //! # What an update does
 //!
@@ -63,32 +62,32 @@
 //! | stage | what happens | chosen by |
 //! |---|---|---|
 //! | [`process_queues`](PhysicsSimulator::process_queues) | objects enter and leave | |
-//! | [`find_pairs`](PhysicsSimulator::find_pairs) | which boxes overlap | [`BroadPhaseCollider`] |
-//! | [`collide_pairs`](PhysicsSimulator::collide_pairs) | where shapes touch; callbacks | [`NarrowPhaseCollider`] |
-//! | [`apply_forces`](PhysicsSimulator::apply_forces) | controllers, then springs; then impulses, gravity and drag become velocity | [`ControllerKind`], [`SpringKind`] |
-//! | [`pre_step`](PhysicsSimulator::pre_step) | joints, then contacts are prepared, and the impulses of the last update act again | [`FrictionType`] |
-//! | [`solve_iteration`](PhysicsSimulator::solve_iteration) | joints, then contacts push and rub; repeated | [`JointKind`], [`iterations`](PhysicsSimulator::set_iterations) |
-//! | [`integrate`](PhysicsSimulator::integrate) | velocity becomes position, geoms follow | |
+//! | [`find_pairs`](PhysicsSimulator::find_pairs) | broad phase: pairs of overlapping bounding boxes | [`BroadPhaseCollider`] |
+//! | [`collide_pairs`](PhysicsSimulator::collide_pairs) | narrow phase: contacts of the pairs; callbacks | [`NarrowPhaseCollider`] |
+//! | [`apply_forces`](PhysicsSimulator::apply_forces) | controllers, then springs; then impulses, gravity and drag change velocities | [`ControllerKind`], [`SpringKind`] |
+//! | [`pre_step`](PhysicsSimulator::pre_step) | joints, then contacts are prepared; warm start: the impulses of the last update act again | [`FrictionType`] |
+//! | [`solve_iteration`](PhysicsSimulator::solve_iteration) | joints, then contacts apply impulses (normal and friction); repeated | [`JointKind`], [`iterations`](PhysicsSimulator::set_iterations) |
+//! | [`integrate`](PhysicsSimulator::integrate) | velocities change positions; geoms follow | |
 //!
-//! So contacts are found where things were at the end of the last update, and forces given between two updates act in the
-//! next one. Everything goes in the order of the lists; pairs in the order in which they were found.
+//! So contacts are those of the poses at the end of the last update, and forces that are set between two updates act in the
+//! next one. Objects act in the order of their lists; pairs in the order in which the broad phase found them.
 //!
 //! [`update_with`](PhysicsSimulator::update_with) calls an [`EventHandler`] back from these stages;
-//! [`events`](PhysicsSimulator::events) lists afterwards what happened. Between the stages an engine on top may
+//! [`events`](PhysicsSimulator::events) lists the events afterwards. Between the stages an engine on top may
 //! [filter pairs](EventHandler::accepts_pair), take [arbiters](PhysicsSimulator::leave_to_engine) over and work on
-//! [the velocities](PhysicsSimulator::solver_place) the solver has.
+//! the solver's [velocities](PhysicsSimulator::solver_place).
 //!
 //! # Methods to choose from
 //!
 //! The defaults are the original's. [`Methods`] are all of them in one value; each has a setter of its own, too. Figures on
-//! this page were measured with this crate; those in code are measured again whenever its tests run.
+//! this page were measured with this crate; the tests measure the figures in code again.
 //!
 //! ## Faithful or precise
 //!
 //! [`Methods::Faithful`], the default, is the original to the bit: for games that were balanced with it.
 //! [`Methods::Precise`] takes the same bodies, geoms, joints, springs, controllers and handlers, and is faster and more
-//! accurate than the original could be: for everybody else. What every setting means to it is in its table. Both can be
-//! chosen between updates, at any time; [which when](guide::choosing) has a page.
+//! accurate: for all other games. Its table lists the meaning of every setting. The set can be changed between updates, at any
+//! time; [a page](guide::choosing) compares the two.
 //!
 //! ```
 //! use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};
@@ -124,9 +123,9 @@
 //!
 //! | method | good for | not so good when |
 //! |---|---|---|
-//! | [`SelectiveSweep`](BroadPhaseCollider::SelectiveSweep), the default | everything; scenes that spread along one axis | crowds overlap along both axes: of the pairs that overlap along the better one all are looked at |
-//! | [`SweepAndPrune`](BroadPhaseCollider::SweepAndPrune) | slow scenes: sorted lists are kept from update to update | geoms come and go: whenever one leaves, all pairs are forgotten, and what rests goes on only as long as it keeps touching |
-//! | [`SpatialHash`](BroadPhaseCollider::SpatialHash) | many things of about one size | sizes differ: cells are twice the mean longer side, and a floor is entered in every cell it covers |
+//! | [`SelectiveSweep`](BroadPhaseCollider::SelectiveSweep), the default | everything; scenes that spread along one axis | crowds overlap along both axes: all pairs that overlap along the better axis are tested |
+//! | [`SweepAndPrune`](BroadPhaseCollider::SweepAndPrune) | slow scenes: sorted lists are kept from update to update | geoms come and go: whenever one leaves, all pairs are dropped, and contacts persist only while the geoms touch |
+//! | [`SpatialHash`](BroadPhaseCollider::SpatialHash) | many geoms of about one size | sizes differ: cells are twice the mean longer side, and a floor is entered in every cell it covers |
 //! | [`BruteForce`](BroadPhaseCollider::BruteForce) | a few dozen geoms; comparing | n geoms are n (n - 1) / 2 pairs: 499,500 for 1,000. The only one that never [doubles a pair](guide::quirks#pairs-and-contacts) when a geom is removed |
 //!
 //! ## Narrow phase
@@ -135,11 +134,11 @@
 //!
 //! | method | how | good for | fails |
 //! |---|---|---|---|
-//! | [`DistanceGrid`](NarrowPhaseCollider::DistanceGrid), the default | a grid of distances to each outline, made once; the vertices of each geom are looked up in the grid of the other. Every contact has its own depth | any simple outline, also concave | on what is thinner than a cell; on outlines that cross without a vertex in the other; at half the speed of the other (see [walls](#walls)) |
-//! | [`Sat`](NarrowPhaseCollider::Sat) | separating axes: one per edge. All contacts of a pair have one depth | convex outlines; stacks; fast things; nothing to store | on concave outlines: they are taken for filled. Cut them with [`create_sat_polygon_geom_in`](GeomFactory::create_sat_polygon_geom_in) |
+//! | [`DistanceGrid`](NarrowPhaseCollider::DistanceGrid), the default | a grid of distances to each outline, made once; the vertices of each geom are looked up in the grid of the other. Every contact has its own depth | any simple outline, also concave | on outlines thinner than a cell; on outlines that cross without a vertex in the other; at half the speed of the other (see [walls](#walls)) |
+//! | [`Sat`](NarrowPhaseCollider::Sat) | separating axes: one per edge. All contacts of a pair have one depth | convex outlines; stacks; fast bodies; no memory per geom | on concave outlines: notches count as solid. Cut them with [`create_sat_polygon_geom_in`](GeomFactory::create_sat_polygon_geom_in) |
 //!
-//! A ball in a cup shows the concave case, and a thin bar the cell size, which is a tenth of the shorter side of the
-//! geom's box *as it lies in the world* when it is made:
+//! A ball in a cup shows the concave case, and a thin bar the cell size. The default cell size is a tenth of the shorter side
+//! of the geom's bounding box *in the world* at its creation:
 //!
 //! ```
 //! # use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, Vertices, math::Vector2};
@@ -186,38 +185,39 @@
 //!
 //! ## Friction
 //!
-//! [`set_friction_type`](PhysicsSimulator::set_friction_type). Friction is Coulomb's: along the surface at most the
-//! coefficient times what presses. A geom's own coefficient is 0 unless it is set.
+//! [`set_friction_type`](PhysicsSimulator::set_friction_type). Friction is Coulomb's: the tangential impulse is at most the
+//! coefficient times the normal impulse. A geom's own coefficient is 0 unless it is set.
 //!
 //! | type | coefficient of a pair | good for |
 //! |---|---|---|
 //! | [`Average`](FrictionType::Average), the default | the mean | one coefficient per material; ice under a rubber tyre still grips |
-//! | [`Minimum`](FrictionType::Minimum) | the smaller one | slippery things that are slippery on everything |
+//! | [`Minimum`](FrictionType::Minimum) | the smaller one | materials that are slippery on every other material |
 //!
 //! It is read when the boxes of two geoms begin to overlap; setting it later acts on later pairs. Restitution is always the
 //! mean, and read in every update.
 //!
 //! ## Iterations and the other settings
 //!
-//! | setting | default | more of it |
+//! | setting | default | effect of a greater value |
 //! |---|---|---|
 //! | [`iterations`](PhysicsSimulator::set_iterations) | 5 | firmer stacks and chains; time in proportion |
-//! | [`max_contacts_to_detect`](PhysicsSimulator::set_max_contacts_to_detect) | 10 | finds the deepest of outlines with many vertices; less is faster and rougher |
+//! | [`max_contacts_to_detect`](PhysicsSimulator::set_max_contacts_to_detect) | 10 | finds the deepest contacts of outlines with many vertices; a smaller value is faster and less accurate |
 //! | [`max_contacts_to_resolve`](PhysicsSimulator::set_max_contacts_to_resolve) | 4 | rarely useful: the deepest come first |
-//! | [`bias_factor`](PhysicsSimulator::set_bias_factor) | 0.8 | part of an overlap that is undone per update: overlaps go faster, less is softer |
-//! | [`allowed_penetration`](PhysicsSimulator::set_allowed_penetration) | 0.05 | overlap that is left alone, so that contacts last. In length units: set it if yours are metres |
+//! | [`bias_factor`](PhysicsSimulator::set_bias_factor) | 0.8 | fraction of the penetration that an update corrects: penetration vanishes faster; a smaller value is softer |
+//! | [`allowed_penetration`](PhysicsSimulator::set_allowed_penetration) | 0.05 | penetration that is not corrected, so that contacts persist. In length units: set it if yours are metres |
 //!
 //! # Where they fail
 //!
-//! The methods of the faithful set fail where the original's did. What can be done is smaller steps, more iterations, another method, or a scene
-//! that does not ask for it.
+//! The methods of the faithful set fail where the original's did. Remedies are smaller steps, more iterations, another method,
+//! or a change of the scene.
 //!
 //! ## Walls
 //!
-//! What moves too far per update gets to the far side of a wall's middle, and is pushed out there. The first whole number
-//! of units per update at which one of 100 balls, or boxes, started at 100 places, got through:
+//! A body that moves too far per update crosses the middle of a wall and is pushed out on the far side (tunnelling). The table
+//! has the first whole number of length units per update at which one of 100 balls or boxes, started at 100 places, got
+//! through:
 //!
-//! | wall | thing | distance grid, ball | distance grid, box | SAT, ball |
+//! | wall | body | distance grid, ball | distance grid, box | SAT, ball |
 //! |---|---|---|---|---|
 //! | 20 | 20 | 12 | 12 | 20 |
 //! | 20 | 10 | 11 | 10 | 16 |
@@ -226,7 +226,7 @@
 //! | 4 | 20 | 6 | 9 | 12 |
 //!
 //! So stay below a **quarter** of both thicknesses together with the distance grid, and below **half** of them with SAT.
-//! With dt = 0.01 and walls and things of 20 that is a speed of 1,000 or 2,000.
+//! With dt = 0.01 and walls and bodies of 20 that is a speed of 1,000 or 2,000.
 //!
 //! ```
 //! # use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, NarrowPhaseCollider, PhysicsSimulator, math::Vector2};
@@ -256,8 +256,8 @@
 //!
 //! ## Stacks
 //!
-//! The column of the example below, which is not that of the stability map: equal boxes of 20 with friction 0.5 on a floor,
-//! gravity 100, 1,000 updates of 0.01; tried were 3 to 10, 12, 15 and 20:
+//! The column of the example below, which is not that of the stability map. It has equal boxes of 20 with friction 0.5 on a
+//! floor, gravity 100, 1,000 updates of 0.01. Heights of 3 to 10, 12, 15 and 20 boxes were tried:
 //!
 //! | iterations | distance grid: stand | fall | SAT: stand | fall |
 //! |---|---|---|---|---|
@@ -299,11 +299,11 @@
 //!
 //! ## Chains
 //!
-//! Joints pull with impulses, too, and their error is undone with the [bias factor](Joint::set_bias_factor): 0.2, or 0.8
-//! for what is fixed to the world. With few iterations long chains do not pass it on far enough, and swing up. Bodies of 20
-//! that hang straight down on revolute joints, 5 iterations: six hang still for 1,000 updates, ten get faster and faster.
-//! Ten hang still with 10 iterations, or a softness of 0.05 in every joint. Chains of [`ComplexFactory`] have a softness of
-//! 0.05 and a bias factor of 0.01.
+//! Joints apply impulses, too, and the [bias factor](Joint::set_bias_factor) corrects their error: 0.2, or 0.8 for joints to
+//! the world. With few iterations the impulses do not propagate far enough along long chains, and the chains swing up. For
+//! example, bodies of 20 hang straight down on revolute joints, with 5 iterations. Six of them stay at rest for 1,000 updates;
+//! ten get faster and faster. Ten stay at rest with 10 iterations, or with a softness of 0.05 in every joint. Chains of
+//! [`ComplexFactory`] have a softness of 0.05 and a bias factor of 0.01.
 //!
 //! ```
 //! # use farseer_core::{BodyFactory, BodyId, JointFactory, PhysicsSimulator, math::Vector2};
@@ -335,9 +335,9 @@
 //!
 //! ## Springs and drag
 //!
-//! A spring of constant k and damping d on a mass m is stable while `k dt² / m + 2 d dt / m < 4`; beyond that it throws the
-//! body away. Linear drag c is while `c dt / m < 2`. With dt = 0.01 and mass 1: an undamped constant below 40,000, a
-//! drag below 200.
+//! A spring of constant k and damping d on a mass m is stable while `k dt² / m + 2 d dt / m < 4`; beyond that its amplitude
+//! grows without bound. Linear drag c is stable while `c dt / m < 2`. With dt = 0.01 and mass 1: an undamped constant below
+//! 40,000, a drag below 200.
 //!
 //! ```
 //! # use farseer_core::{BodyFactory, FixedLinearSpring, PhysicsSimulator, SpringFactory, math::Vector2};
@@ -388,11 +388,11 @@
 //!
 //! # Joints, springs, controllers
 //!
-//! Joints hold bodies together by impulses in every iteration, springs pull at them by a force per update, controllers
-//! do anything, first of all, in every update. Each kind has its type; [`joint_as`](PhysicsSimulator::joint_as),
-//! [`spring_as`](PhysicsSimulator::spring_as) and [`controller_as`](PhysicsSimulator::controller_as) answer with it.
+//! Joints constrain bodies by impulses in every iteration. Springs apply a force per update. Controllers run before both in
+//! every update and may change any object. Each kind has its type; [`joint_as`](PhysicsSimulator::joint_as),
+//! [`spring_as`](PhysicsSimulator::spring_as) and [`controller_as`](PhysicsSimulator::controller_as) return it.
 //!
-//! | joint | holds | between |
+//! | joint | constrains | between |
 //! |---|---|---|
 //! | [`RevoluteJoint`] | a common point: a hinge | two bodies |
 //! | [`FixedRevoluteJoint`] | a point of the body at a point of the world | body and world |
@@ -413,12 +413,12 @@
 //! | [`FluidDragController`] | buoyancy and drag in an [`AabbFluidContainer`], a wave, or a container of the game |
 //! | [`WaveController`] | a water surface with waves |
 //! | [`GravityController`] | points and bodies attract |
-//! | [`InactivityController`] | what is slow for long is disabled, and woken by what comes near |
+//! | [`InactivityController`] | disables bodies that are slow for long, and wakes them when others come near |
 //! | [`ScalingController`] | proposes longer steps when the machine is slow |
-//! | [`UserController`] | what the game does: wind, magnets, currents |
+//! | [`UserController`] | code of the game: wind, magnets, currents |
 //!
 //! Joints and springs with a [`breakpoint`](Joint::set_breakpoint) break. [`ComplexFactory`] and [`Path`] make rows of
-//! bodies linked by joints or springs: chains, ropes, bridges, tracks. [`MousePicker`] draws bodies along with a spring.
+//! bodies linked by joints or springs: chains, ropes, bridges, tracks. [`MousePicker`] drags bodies by a spring.
 //!
 //! ```
 //! use farseer_core::{BodyFactory, Event, JointFactory, PhysicsSimulator, math::Vector2};
@@ -448,27 +448,27 @@
 //!
 //! # Units and axes
 //!
-//! Lengths are in whatever unit the user takes for them (pixels or metres), seconds, radians and any unit of mass;
-//! be consistent. Axes are those of the screen: x right, y down, so that positive angles turn clockwise to the eye. Some
+//! Lengths are in the user's unit (pixels or metres), times in seconds, angles in radians, masses in any unit; be consistent.
+//! Axes are those of the screen: x right, y down, so that positive angles turn clockwise to the eye. Some
 //! defaults fit pixels: the allowed penetration of 0.05, the inactivity controller's distances and speeds, the slop of 0.01
 //! of limit joints, the sizes of the debug view. [`ConvertUnits`](math::ConvertUnits) converts.
 //!
 //! # Bad input
 //!
-//! - Constructors and structural setters answer with a [`Result`]; the [`Error`] names argument and value, and nothing has
+//! - Constructors and structural setters return a [`Result`]; the [`Error`] names argument and value, and nothing has
 //!   changed.
 //! - Setters that games call in every frame, such as [`Body::set_position`], change nothing when they are given NaN or
 //!   infinity; the next update reports [`Event::RejectedInput`].
-//! - What would become NaN inside of an update does not: [`Event::NotFinite`] and its like name the body, joint, spring or
-//!   controller.
-//! - The id of something disposed is stale: an error, or `None`. Only indexing, `simulator[body]`, panics.
+//! - State that would become NaN inside of an update keeps its last finite value: [`Event::NotFinite`] and its like name the
+//!   body, joint, spring or controller.
+//! - The id of a disposed object is stale: an error, or `None`. Only indexing, `simulator[body]`, panics.
 //!
 //! # Determinism
 //!
-//! The same calls give the same bits on every platform and in every build: `f32` throughout, one rounding per operation in
-//! the original's order, no fused multiply-add, trigonometry from `libm`, no iteration over hash maps, no clock, no global
-//! state, no random numbers. Two runs differ only if their calls do, in their order too. A simulator may be moved to another
-//! thread; several do not disturb each other.
+//! The same calls give the same bits on every platform and in every build. Arithmetic is `f32` throughout, with one rounding
+//! per operation in the original's order, no fused multiply-add, and trigonometry from `libm`. There is no iteration over hash
+//! maps, no clock, no global state and no random number. Two runs differ only if their calls do, in their order too. A
+//! simulator may be moved to another thread; several do not disturb each other.
 //!
 //! ```
 //! # use farseer_core::PhysicsSimulator;
@@ -478,16 +478,16 @@
 //!
 //! # Saving
 //!
-//! [`snapshot`](PhysicsSimulator::snapshot) is the whole simulator as bytes, with version and checksum;
-//! [`restore`](PhysicsSimulator::restore) goes on from there with the same bits, and refuses what was cut or altered. With
-//! any other format of `serde` a simulator can be serialised as well; what is loaded is checked. What was disposed, moved
-//! or refused since the last update is in it, and is told by the next one. Handlers, a game's own controllers and
-//! containers, and the events of the last update are not; a [`Path`] and the game's own ids are saved beside it, by
+//! [`snapshot`](PhysicsSimulator::snapshot) is the complete simulator as bytes, with version and checksum.
+//! [`restore`](PhysicsSimulator::restore) continues from there with the same bits, and refuses truncated or altered bytes. A
+//! simulator can be serialised with any other format of `serde` as well; loaded data are checked. Disposals, moves and
+//! refusals since the last update are included: the next update reports them. Handlers, a game's own controllers and
+//! containers, and the events of the last update are not included. A [`Path`] and the game's own ids are saved beside it, by
 //! `serde`.
 //!
 //! Ids made after the snapshot may name other objects once it is restored: forget them,
-//! [clear](BodyInterpolation::clear) what [`BodyInterpolation`] remembers and [forget](MousePicker::forget) what a
-//! [`MousePicker`] holds. The picker's spring is in the snapshot: release it before, or save the picker beside.
+//! [clear](BodyInterpolation::clear) the poses of [`BodyInterpolation`] and [forget](MousePicker::forget) the body of a
+//! [`MousePicker`]. The picker's spring is in the snapshot: release it before, or save the picker beside.
 //!
 //! ```
 //! # use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};
@@ -508,13 +508,13 @@
 //!
 //! # More
 //!
-//! [`Dispatch`] has handlers of single geoms, [`SideTable`] what a game knows of objects, [`EventLog`] the events of several
-//! updates; [`FixedStepClock`] and [`BodyInterpolation`] are for the game loop, [`ray_cast`](PhysicsSimulator::ray_cast),
-//! [`query_aabb`](PhysicsSimulator::query_aabb), [`collide`](PhysicsSimulator::collide) and
-//! [`overlaps`](PhysicsSimulator::overlaps) for looking around, [`PhysicsSimulatorView`] for looking in. [`Vertices`] has
-//! the polygon tools, [`math`] the original's vectors, matrices and interpolation.
+//! [`Dispatch`] has handlers of single geoms, [`SecondaryMap`] a game's data of objects, [`EventLog`] the events of several
+//! updates. [`FixedStepClock`] and [`BodyInterpolation`] are for the game loop. Queries are
+//! [`ray_cast`](PhysicsSimulator::ray_cast), [`query_aabb`](PhysicsSimulator::query_aabb),
+//! [`collide`](PhysicsSimulator::collide) and [`overlaps`](PhysicsSimulator::overlaps); [`PhysicsSimulatorView`] is the debug
+//! view. [`Vertices`] has the polygon tools, [`math`] the original's vectors, matrices and interpolation.
 //!
-//! The documents in `docs/farseer-2.1.3` of the repository say what the original does in every detail; this documentation
+//! The documents in `docs/farseer-2.1.3` of the repository describe the original in every detail; this documentation
 //! refers to them as *behaviour chapters*.
 
 #![forbid(unsafe_code)]
@@ -524,36 +524,34 @@ pub mod guide;
 pub mod math;
 pub mod shape;
 
-mod beside;
 mod body;
+mod broad_phase;
 mod checked_properties;
+mod contact_solver;
 mod contacts;
 mod controllers;
 mod debug_view;
 mod factories;
+mod former_names;
 mod geom;
 mod joints;
 mod limits;
 mod methods;
+mod narrow_phase;
 mod object_id;
 mod objects;
-mod pairs;
 mod path;
 mod pipeline;
 mod precise;
 mod report;
 mod simulator;
-mod solve;
 mod springs;
 mod storage;
-mod touch;
+mod utilities;
 
-pub use beside::{
-    BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,
-    FluidHandler, InterpolatedPose, MousePicker, ObjectHandler, SeparationHandler, SideTable, Subscription,
-    TableId, snapshot,
-};
 pub use body::{Body, BodyId};
+pub use broad_phase::{SelectiveSweepOrder, SweepEnd};
+pub use contact_solver::{SolverBody, SolverBodyIndex};
 pub use contacts::{ArbiterRef, Contact, ContactId, GeomPairBitmap, PairId, index_of_safe};
 pub use controllers::{
     AabbFluidContainer, Controller, ControllerId, ControllerKind, ControllerType, FluidContainer,
@@ -563,6 +561,8 @@ pub use controllers::{
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use factories::{BodyFactory, GeomFactory, JointFactory, SpringFactory};
+#[allow(deprecated)]
+pub use former_names::*;
 pub use geom::distance_grid::DistanceGrid;
 pub use geom::filter::CollisionFilter;
 pub use geom::outline::Outline;
@@ -575,34 +575,38 @@ pub use joints::{
     WeldJoint,
 };
 pub use limits::Limits;
-pub use methods::{BroadPhaseCollider, CollisionCategory, IslandChoice, Methods, NarrowPhaseCollider};
+pub use methods::{BroadPhaseCollider, CollisionCategory, Methods, NarrowPhaseCollider, SolverChoice};
 pub use object_id::ObjectId;
 pub use objects::{GeomPlacement, GeomPointPair, Objects, RayCastHit, TypedJointId, TypedSpringId};
-pub use pairs::{SelectiveSweepOrder, SweepEnd};
 pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
 #[doc(hidden)]
-pub use precise::space::forms::{SpaceFoot, SpaceForm, apart_in_space};
-#[doc(hidden)]
-pub use precise::space::parts::{
-    Fixture, FixtureMotion, FixtureSwing, SpaceBody, SpaceChange, SpacePartner, SpacePoint, SpaceProfile,
-    SpaceTarget, SpaceTouch, SpaceUpright, Swings,
+pub use precise::depth::interface::{
+    DepthBodyState, DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget, DepthShape,
+    DepthTarget, HingeFeature, VerticalShape, WorldBox, WorldBoxHinge, WorldBoxMotion,
 };
-pub use precise::{Island, IslandCost, IslandMethod, IslandResidual, WhyAwake, WhyMethod};
+#[doc(hidden)]
+pub use precise::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
+pub use precise::{AwakeReason, Island, IslandCost, IslandResidual, IslandSolver, SolverReason};
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
 pub use simulator::{
-    Constraints, Context, EventHandler, PhysicsSimulator, SavedSimulator, SolvedBodies, UserController,
+    Context, EventHandler, ExternalConstraints, PhysicsSimulator, SavedSimulator, SolverBodiesView,
+    UserController,
 };
-pub use solve::{SolverBody, SolverPlace};
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
 };
 #[doc(hidden)]
 pub use storage::order;
-pub use storage::refusals::{ArgumentNames, Refusals};
+pub use storage::rejected_arguments::{ArgumentNames, RejectedArguments};
+pub use utilities::{
+    BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,
+    FluidHandler, InterpolatedPose, MapId, MousePicker, ObjectHandler, SecondaryMap, SeparationHandler,
+    Subscription, snapshot,
+};
 
 /// The example of the README is run with those of the documentation.
 #[cfg(doctest)]

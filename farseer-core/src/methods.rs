@@ -21,7 +21,7 @@ use crate::{Error, Result};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Methods {
-    /// Those of Farseer Physics 2.1.3, bit for bit (behaviour chapters 03 to 08). The default, with the original's broad
+    /// The methods of Farseer Physics 2.1.3, bit for bit (behaviour chapters 03 to 08). The default, with the original's broad
     /// and narrow phase.
     Faithful {
         /// Which pairs may touch.
@@ -29,68 +29,16 @@ pub enum Methods {
         /// Where they touch.
         narrow: NarrowPhaseCollider,
     },
-    /// Faster and more accurate than the original could be, and not its bits: true circles and convex pieces, contacts that
-    /// persist, and solvers that are chosen by what hangs together: exact ones, and substeps whose springs learn their load. It
-    /// takes the same bodies, geoms, springs and
-    /// controllers, asks the same handlers and tells the same events.
+    /// A second engine behind the same API: faster and more accurate than the original, with other bits. It has true circles and
+    /// convex pieces, persistent contacts, substeps with soft constraints, articulated bodies, and a direct solver for islands. It takes
+    /// the same bodies, geoms, joints, springs, controllers and handlers, and reports the same events.
     ///
-    /// | setting | with the precise set |
-    /// |---|---|
-    /// | [`enabled`](crate::PhysicsSimulator::enabled), [`gravity`](crate::PhysicsSimulator::gravity), [`Limits`](crate::Limits) | as in the faithful set |
-    /// | [`iterations`](crate::PhysicsSimulator::iterations) | substeps of an update, 1 at least; 4 is what to begin with. More than three bodies that joints tie together and nothing touches take as few of them as their swing allows, and, if they are no more than fifty, up to twice as many where they whip |
-    /// | [`friction_type`](crate::PhysicsSimulator::friction_type), coefficients of geoms | as in the faithful set; changes count at once |
-    /// | [`bias_factor`](crate::PhysicsSimulator::bias_factor), [`allowed_penetration`](crate::PhysicsSimulator::allowed_penetration) | other values are refused with [`Error::NotSupported`]: overlaps are undone by springs of their own, and none is left alone. What was set before this set was chosen stays, for the way back |
-    /// | [`max_contacts_to_detect`](crate::PhysicsSimulator::max_contacts_to_detect), [`max_contacts_to_resolve`](crate::PhysicsSimulator::max_contacts_to_resolve) | contacts of two convex pieces, by the smaller of both: two at most, the deepest first; with 0 nothing touches |
-    /// | broad and narrow phase | the one is refused with [`Error::NotSupported`], the other refused and [reported](crate::Event::RejectedInput) |
-    /// | distance grids and their cell sizes | made and kept for the faithful set, and not asked |
-    /// | [`set_box_radius`](crate::Objects::set_box_radius) | queries see it; pairs are those of the outline |
-    /// | [`set_matrix`](crate::Objects::set_matrix) | queries see it; contacts are those of the body's pose |
-    /// | a negative step, stages called one by one | refused and [reported](crate::Event::RejectedInput) |
-    /// | a negative mass, an inverse inertia that is not a normal number | no push moves or turns the body: `f32::MAX` as the moment of inertia keeps it from turning |
-    /// | a static body's velocity | a conveyor belt, as in the faithful set |
-    /// | chains of edges | [made](crate::GeomFactory::create_chain_geom) and kept only here |
-    /// | [one-way geoms](crate::Objects::set_one_way) | only here: the faithful set refuses them with [`Error::NotSupported`] |
-    /// | joints | A tree of joints that nothing touches is an articulated body, solved exactly. In 2D, closed loops and joints of bodies that touch something are rows beside the contacts of their island, solved together where that pays. Soft joints, and those of islands that this does not pay for, are soft constraints in the same passes as the contacts, once per substep. A free tree with motors, limits or greatest impulses is solved together in several parts of the step, and swings like one without them |
-    /// | springs | undamped ones swing with their own frequency and keep their swing, whatever steps come; one that is too stiff for a step is as stiff as it bears, and comes to rest if steps are not equal. In 2D a spring of a body that something touches or a joint holds is solved with contacts and joints, exact at rest however stiff it is: it damps what swings |
-    /// | [`breakpoint`](crate::Joint::breakpoint) | as in the faithful set, but a joint breaks before it acts once more; there is hardly any error to measure, so see [`greatest_force`](crate::Joint::greatest_force) |
-    /// | [`softness`](crate::Joint::softness), [`bias_factor`](crate::Joint::bias_factor) of joints | a soft joint of a point or distance yields to a steady load as far as it does in the faithful set; its bias factor counts from 0 to 1; that of a hard one, and softness of an angle, mean nothing |
-    /// | `max_impulse` of joints | the greatest impulse of a substep, not of an iteration: times substeps and divided by the step it is the greatest torque. Of an island that is solved as a whole, an angle with a finite one is sought as in the faithful set, by the speed of its error times [`bias_factor`](crate::Joint::bias_factor) divided by the step; one without bound is reached at once, without speed. So a figure that jumps by angle joints whose targets change needs a finite one: a figure of mass 8 with knees bent by 1.6 rad, gravity 900 px/s², bias factor 0.2, lifts its feet by 25 px in the faithful set (5 iterations, any impulse of 5,000 and more), here by 6 px without bound, 36 px with 5,000 and 92 px with 200,000 (4 substeps) |
-    /// | [motors](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits) of revolute joints, [prismatic](crate::PrismaticJoint) joints | only here: the faithful set refuses them with [`Error::NotSupported`] |
-    /// | [callbacks of a geom](crate::Geom::set_collision_callbacks_enabled), friction, restitution and tangent speed [set by a handler](crate::Context::set_contact_friction) | as in the faithful set |
-    /// | [sleep](crate::PhysicsSimulator::set_sleep_enabled) | only here: bodies that hang together by contacts, joints or springs sleep when all of them have moved slower, for half a second, than a hundredth of the speed that a fall over one length unit would give them, and no contact still settles. What sleeps costs nothing, and is told of only where a handler is asked about touches. It wakes when one of them is edited, pushed by other forces than it fell asleep under, touched by what is awake, refused by a handler or loses what holds it. What a motor, a belt or a kinematic body moves does not sleep, however slowly, unless it is stalled: slower than a hundredth of its drive |
-    /// | [island choice](crate::PhysicsSimulator::set_island_choice) | only here: whether islands are solved as a whole where that pays, never, or wherever that can be |
-    /// | [bullets](crate::Body::is_bullet) | only here: continuous collision. No dynamic body passes through a static, kinematic or sleeping one, however fast either of the two moves, and no bullet through a dynamic one: the time of impact is that of their relative motion. A kinematic body drives before it all that it meets on its way, awake or asleep; contacts push from that update on. Limits: a body that two immovable ones press against each other can be passed by one of them, and a kinematic body that turns by more than one radian in an update can leave a body behind. A sensor that a fast body crosses within one update hears of it, of no contacts, at the end of the update |
-    /// | tiles | only here: boxes, circles, capsules and polygons slide over flush static or kinematic neighbours without being stopped by their seams. Gaps and steps up to 1/64 of the length unit count as flush |
-    /// | [kinematic](crate::Body::is_kinematic) bodies, [gravity scale](crate::Body::gravity_scale) | moved as in the faithful set; for what kinematic bodies meet see bullets |
-    ///
-    /// **Which island is solved how.** What hangs together, and does not bounce in this update, is solved as
-    /// a whole where that pays. Of what hangs together by contacts alone and was put in its place at rest (slower than a quarter of a unit per second) that is all
-    /// without rings, such as columns, with heavy things on light ones too, and high walls, card houses and pyramids of 40 bodies
-    /// or more; of what has fallen together, columns of 16 bodies or more; of 400 bodies at most, and narrow enough. That stands
-    /// as rigid bodies do, with an overlap below a thousandth of a px where one unit is 32 px, whatever the substeps. Moving or
-    /// not, so is what bears something more than one and a half times as heavy as itself: without rings, if it is three bodies
-    /// or more; and what something 16 times as heavy jams, with rings if it is 24 bodies at most. While more than 64 bodies are
-    /// awake, what bears is asked for only in every 16th update, and only 16 times as heavy counts. Where an
-    /// engine adds a depth axis, it is what bears something more than one and a half times as heavy alone.
-    /// In 2D an island with joints, or with springs at bodies that something touches or holds, is solved as a whole, too, whatever
-    /// moves in it and whatever it weighs, unless a joint in it is soft, or is a point with a greatest impulse. It has a budget for that: five times what passes would cost (ten times
-    /// where one of two bodies that touch or are joined is more than 16 times as heavy), and 300 updates of passes more. Once these are used up, or if it cannot be solved so, it goes by passes for 64 updates, then for 128, then for 255;
-    /// for fewer again after quiet updates.
-    /// Everything else, and for two seconds what takes long to solve, goes by passes over all contacts.
-    /// [`islands`](crate::PhysicsSimulator::islands) tells which is which, why, and what it took, and
-    /// [`island_residual`](crate::PhysicsSimulator::island_residual) what is left of an error.
-    /// [`set_island_choice`](crate::PhysicsSimulator::set_island_choice) chooses for all of a scene instead.
-    ///
-    /// Geoms of the circle factory with eight edges or more are true circles, with fewer the polygons that they look like;
-    /// those of the capsule factory are true capsules. Concave outlines are cut into convex pieces, and nothing catches on the
-    /// cuts; those of more than 1,000 corners, and those that cross themselves, are taken for filled up to their convex hull.
-    /// Collisions are events when two geoms begin to touch and separations when they end, whichever of their pieces it is;
-    /// handlers are asked in every update in which they do, unless the callbacks of both are switched off: such pairs cost
-    /// nothing. What a handler refuses, and contacts that it takes off the
-    /// list, push nothing in that update. World vertices and boxes of geoms are computed when somebody asks for them.
+    /// The guide has chapters on its [`settings`](crate::guide::settings), [`solvers`](crate::guide::solvers),
+    /// [`joints`](crate::guide::joints), [sleeping and continuous collision](crate::guide::sleep_and_ccd) and
+    /// [`events`](crate::guide::events); [`choosing`](crate::guide::choosing) says where it fails.
     Precise {
-        /// Size of things that a player looks at, in the user's length unit: how near and how slow is near and slow enough.
-        /// 32 for games in px, 1 for games in metres; things of a thirtieth to three hundred times this size behave well.
+        /// Size of the objects that a player looks at, in the user's length units, > 0. Thresholds of distance and speed scale with it.
+        /// 32 for games in px, 1 for games in metres; bodies of a thirtieth to three hundred times this size behave well.
         length_unit: f32,
     },
 }
@@ -192,19 +140,23 @@ impl Methods {
     }
 }
 
-/// How the precise set solves islands, the bodies that contacts and joints connect: see
-/// [`set_island_choice`](crate::PhysicsSimulator::set_island_choice).
+/// Which solver the precise set uses for islands, the sets of bodies that contacts and joints connect: see
+/// [`set_solver_choice`](crate::PhysicsSimulator::set_solver_choice).
+#[doc(alias = "IslandChoice")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-pub enum IslandChoice {
-    /// Each island by the cheapest method that is exact enough: [as a whole where that pays](Methods::Precise). The default.
+pub enum SolverChoice {
+    /// Each island by the cheapest solver that is exact enough: [the direct solver where it pays](Methods::Precise). The default.
     #[default]
-    ByItself,
-    /// By passes over all contacts, whatever stands there.
-    Passes,
-    /// As a whole wherever that can be: 2 to 400 bodies, in updates in which none of them bounces, that no soft joint holds, and
-    /// narrow enough for a factor of the matrix; in 2D also closed loops of joints, of any number of bodies. What has rings and moves
-    /// takes far longer so than by passes.
-    Whole,
+    #[serde(rename = "ByItself")]
+    Auto,
+    /// Every island with contacts by the iterative solver: soft constraints in substeps.
+    #[serde(rename = "Passes")]
+    Iterative,
+    /// The direct solver wherever it can be used: islands of 2 to 400 bodies, without soft joints, in updates without restitution, and
+    /// narrow enough for a sparse factorisation. In 2D it also takes closed loops of joints with any number of bodies. Moving islands with contact
+    /// cycles take far longer so than by the iterative solver.
+    #[serde(rename = "Whole")]
+    Direct,
 }
 
 /// Where two geoms touch: the method of the narrow phase.
@@ -314,7 +266,7 @@ impl CollisionCategory {
     }
 }
 
-/// The categories by name, `CAT1 | CAT3`; `NONE` and `ALL`. The bit that is no category is shown as `0x80000000`.
+/// The categories by name, `CAT1 | CAT3`; `NO_ENTRY` and `ALL`. The bit that is no category is shown as `0x80000000`.
 ///
 /// ```
 /// use farseer_core::CollisionCategory;

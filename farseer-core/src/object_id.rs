@@ -1,4 +1,4 @@
-//! Ids of everything that can be added.
+//! Ids of all objects that can be added to a simulator.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use crate::geom::GeomId;
 use crate::joints::JointId;
 use crate::springs::SpringId;
 
-/// Names anything that can be added to a simulator.
+/// Id of an object that can be added to a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum ObjectId {

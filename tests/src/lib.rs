@@ -1,4 +1,4 @@
-//! Conformance: scenes, what the original did with them, and the programs and tests that compare.
+//! Conformance: scenes, recordings of the original's behaviour in them, and the programs and tests that compare.
 
 pub mod check;
 pub mod compare;

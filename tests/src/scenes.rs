@@ -1,16 +1,16 @@
 //! Scenes made by programs, shared by tests, benchmarks and charts.
 //!
-//! Lengths are pixels: boxes of about 20, circles of radius about 10, gravity 150 px/s² downwards, steps of
-//! 0.01 s. Sizes and places vary slightly from one thing to the next, so that no two edges lie exactly at the
-//! same place (which the default broad phase of the original cannot order, behaviour chapter 08). They vary
-//! by a fixed sequence and not by chance: a scene is the same whenever and wherever it is made.
+//! Lengths are pixels: boxes of about 20, circles of radius about 10, gravity 150 px/s² downwards, steps of 0.01 s. Sizes and
+//! positions vary slightly from one body to the next, so that no two edges coincide exactly (which the default broad phase of
+//! the original cannot order, behaviour chapter 08). They vary by a fixed sequence and not by chance: a scene is always and
+//! everywhere the same.
 
 use crate::scene::{BodyShape, BodySpec, GeomShape, GeomSpec, Scene};
 use farseer_core::math::Vector2;
 
 /// Gravity of the scenes in px/s².
 const GRAVITY: f32 = 150.0;
-/// Edges of a circle's outline.
+/// Number of edges of a circle's outline.
 const EDGES: i32 = 12;
 
 /// A pyramid of boxes on a floor: `base` boxes in the lowest row, one less in each row above, `base * (base +
@@ -26,7 +26,7 @@ pub fn pyramid(base: usize) -> Scene {
         let height = SIZE + 0.05 * vary(index, 1);
         let width = SIZE + 0.5 * vary(index, 2);
         let x = 1.1 * SIZE * from_centre + 0.2 * vary(index, 3);
-        // Each row presses a little into the one below, so that all touch in the first step.
+        // Each row overlaps the one below slightly, so that all touch in the first step.
         let y = -(SIZE - 0.05) * (row as f32 + 0.5);
         let body = add(&mut scene, BodyShape::Rectangle { width, height, mass: 1.0 }, Vector2::new(x, y));
         add_geom(&mut scene, body, GeomShape::Rectangle { width, height }, 0.7, 0.0);
@@ -34,8 +34,8 @@ pub fn pyramid(base: usize) -> Scene {
     scene
 }
 
-/// Rows of a triangle, the longest first, each with one place less than the one before: the row of every place, and how
-/// many places it is to the right of the middle.
+/// Rows of a triangle, the longest first, each with one position less than the one before: the row of every position, and its
+/// distance to the right of the middle, in positions.
 pub fn triangle(rows: usize) -> impl Iterator<Item = (usize, f32)> {
     (0..rows).flat_map(move |row| {
         let middle = (rows - row - 1) as f32 / 2.0;
@@ -70,8 +70,8 @@ pub fn circles_in_a_pit(count: usize) -> Scene {
     scene
 }
 
-/// A number between -1 and 1 that differs for every index (up to rounding): multiples of an irrational
-/// number, less their whole part.
+/// A number between -1 and 1 that differs for every index (up to rounding): multiples of an irrational number, less their
+/// integer part.
 pub fn vary(index: usize, sequence: u32) -> f32 {
     let step = match sequence {
         1 => 0.618_033_988_749_895,
@@ -88,7 +88,7 @@ fn wall(scene: &mut Scene, position: Vector2, width: f32, height: f32) {
     add_geom(scene, body, GeomShape::Rectangle { width, height }, 0.5, 0.1);
 }
 
-/// Adds a body; gives its index.
+/// Adds a body; returns its index.
 fn add(scene: &mut Scene, shape: BodyShape, position: Vector2) -> usize {
     scene.bodies.push(BodySpec { position: Some(position), ..BodySpec::new(shape) });
     scene.bodies.len() - 1

@@ -15,7 +15,7 @@ use farseer_core::shape::Vertices;
 use flate2::read::GzDecoder;
 use serde_json::{Map, Value};
 
-/// What one call of a function was given and gave.
+/// Recorded arguments and results of one call of a function.
 #[derive(Debug)]
 pub struct Case {
     /// The arguments.
@@ -57,7 +57,7 @@ pub fn cases(file: &str, fn_name: &str) -> Vec<Case> {
     found
 }
 
-/// Runs a test on all cases of a function and makes sure that it has looked at all results.
+/// Runs a test on all cases of a function and asserts that it has read all results.
 pub fn check(file: &str, fn_name: &str, test: impl Fn(&Case)) {
     for case in cases(file, fn_name) {
         test(&case);
@@ -131,7 +131,7 @@ impl Fields {
         self.value(key).as_bool().unwrap_or_else(|| panic!("{} {key} is no truth value", self.name))
     }
 
-    /// A whole number.
+    /// An integer.
     #[track_caller]
     pub fn integer(&self, key: &str) -> i32 {
         let number = self.value(key).as_i64().and_then(|n| i32::try_from(n).ok());
@@ -202,7 +202,7 @@ pub fn vertices(words: &str) -> Vertices {
     floats.chunks_exact(2).map(|xy| Vector2::new(xy[0], xy[1])).collect()
 }
 
-/// What can be compared with a record.
+/// A value that can be compared with a record.
 pub trait Words {
     /// Its floats in the order of the record.
     fn words(&self) -> Vec<f32>;

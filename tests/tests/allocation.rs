@@ -1,4 +1,4 @@
-//! Once a scene has settled, an update allocates nothing.
+//! Updates of a settled scene allocate no memory.
 //!
 //! A program of its own: a program has one allocator, and this one counts.
 
@@ -82,7 +82,7 @@ fn settled_scene(methods: Methods) -> PhysicsSimulator {
 }
 
 #[test]
-fn the_counter_counts() {
+fn the_counter_counts_allocations() {
     assert_eq!(calls(|| drop(std::hint::black_box(Box::new(1)))), 2);
     assert_eq!(calls(|| ()), 0);
 }
@@ -117,7 +117,7 @@ fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
 }
 
 #[test]
-fn the_order_of_drawing_is_found_again_without_allocating() {
+fn the_drawing_order_is_sorted_again_without_allocation() {
     let (mut simulator, _) = depth::busy_scene();
     simulator.update(0.01);
     let mut order = twohalf::DrawOrder::default();
@@ -136,7 +136,7 @@ fn an_update_with_handlers_of_every_geom_allocates_nothing() {
         });
     }
     let mut count = 0;
-    // The first one makes room for lists of contacts.
+    // The first one grows the lists of contacts.
     simulator.update_with(0.01, &mut dispatch.with(&mut count));
     let calls = calls(|| (0..300).for_each(|_| simulator.update_with(0.01, &mut dispatch.with(&mut count))));
     assert!(count > 300 * 40, "all are asked in every update");
@@ -144,7 +144,7 @@ fn an_update_with_handlers_of_every_geom_allocates_nothing() {
 }
 
 #[test]
-fn going_back_to_a_settled_scene_by_clone_from_allocates_nothing() {
+fn restoring_a_settled_scene_by_clone_from_allocates_nothing() {
     let mut scenes: Vec<_> = NARROW_PHASES
         .map(|narrow| settled_scene(plane::faithful(BroadPhaseCollider::default(), narrow)))
         .into_iter()
@@ -164,7 +164,7 @@ fn going_back_to_a_settled_scene_by_clone_from_allocates_nothing() {
 }
 
 #[test]
-fn what_stands_on_a_one_way_geom_and_what_is_in_it_allocate_nothing() {
+fn bodies_on_and_in_a_one_way_geom_allocate_nothing() {
     let mut simulator = simulator_with(300.0, Methods::PRECISE);
     simulator.set_sleep_enabled(false);
     let (_, platform) = add_floor(&mut simulator, (400.0, 40.0), v(0.0, 0.0));
@@ -184,7 +184,7 @@ fn what_stands_on_a_one_way_geom_and_what_is_in_it_allocate_nothing() {
 fn a_bridge_with_the_precise_set_allocates_nothing() {
     let mut simulator = PhysicsSimulator::new(v(0.0, 300.0)).unwrap();
     simulator.set_methods(Methods::PRECISE).unwrap();
-    // What sleeps takes no step.
+    // A sleeping world makes no step.
     simulator.set_sleep_enabled(false);
     let mut joints = Vec::new();
     let mut planks: Vec<farseer_core::BodyId> = Vec::new();
@@ -216,7 +216,7 @@ fn callbacks_of_the_precise_set_allocate_nothing() {
     assert_eq!((0..100).map(|_| calls(|| simulator.update_with(0.01, &mut Silent))).sum::<usize>(), 0);
 }
 
-/// Edits whatever it is told of, and changes nothing.
+/// A handler that makes edits without effect in every callback.
 struct Silent;
 impl EventHandler for Silent {
     fn on_body_updated(&mut self, context: &mut Context<'_>, body: farseer_core::BodyId) {
@@ -225,7 +225,7 @@ impl EventHandler for Silent {
     }
 }
 
-/// Sets how every collision goes.
+/// Sets the friction and restitution of every collision.
 struct Setting;
 impl EventHandler for Setting {
     fn on_collision(
@@ -273,9 +273,9 @@ fn edits_and_their_reports_allocate_nothing_after_the_first() {
     assert_eq!(calls, 0);
 }
 
-/// While things move new pairs are met, but what the pairs need is kept from earlier ones.
+/// New pairs are found while bodies move, but the memory of earlier ones is reused.
 #[test]
-fn a_lively_scene_allocates_less_and_less() {
+fn a_lively_scene_allocates_less_over_time() {
     for methods in faithful_methods() {
         let mut simulator = lively_scene(methods, 11);
         let mut calls_of =
@@ -285,7 +285,7 @@ fn a_lively_scene_allocates_less_and_less() {
     }
 }
 
-/// Every kind of joint, spring and controller, some updates old. Nothing comes to rest here: a wave carries everything.
+/// Every kind of joint, spring and controller, some updates old. No body comes to rest here: a wave carries everything.
 fn linked_scene() -> PhysicsSimulator {
     let mut simulator = simulator_with(100.0, Default::default());
     let s = &mut simulator;
@@ -352,7 +352,7 @@ fn an_update_with_joints_springs_and_controllers_allocates_nothing() {
 }
 
 #[test]
-fn telling_of_joints_and_springs_allocates_nothing() {
+fn callbacks_of_joints_and_springs_allocate_nothing() {
     #[derive(Default)]
     struct Told {
         joints: usize,
@@ -387,7 +387,7 @@ fn telling_of_joints_and_springs_allocates_nothing() {
 }
 
 #[test]
-fn looking_at_a_settled_scene_allocates_nothing() {
+fn queries_of_a_settled_scene_allocate_nothing() {
     let mut simulator = settled_scene(Default::default());
     let mut interpolation = BodyInterpolation::new();
     interpolation.remember(&simulator);
@@ -434,7 +434,7 @@ fn walking_and_jumping_among_crates_allocates_nothing() {
     let figure = depth::crate_box(&mut simulator, [20.0, 40.0], [40.0, 40.0, 200.0]);
     simulator.body_mut(figure).unwrap().core_mut().set_moment_of_inertia(1e20).unwrap();
     let mut walker = twohalf::CharacterController::new(twohalf::CharacterSettings::default());
-    // What the updates need for pairs that come and go is another matter.
+    // Updates whose pairs change may allocate.
     let mut walk = |steps: usize| -> usize {
         (0..steps)
             .map(|step| {
@@ -483,7 +483,7 @@ fn an_update_of_a_settled_scene_with_depth_allocates_nothing() {
 }
 
 #[test]
-fn doors_that_swing_and_that_are_pressed_allocate_nothing() {
+fn swinging_and_pressed_doors_allocate_nothing() {
     use twohalf_factories::{SwingDoor, spawn_swing_door};
     depth::with_scheme(twohalf::DepthScheme::Precise, || {
         let mut simulator = settled_scene_with_depth();
@@ -505,7 +505,7 @@ fn doors_that_swing_and_that_are_pressed_allocate_nothing() {
 }
 
 #[test]
-fn bodies_that_are_watched_that_stand_still_and_that_are_slow_cost_no_allocation() {
+fn crush_monitored_stopped_and_slowed_bodies_allocate_nothing() {
     depth::with_scheme(twohalf::DepthScheme::Precise, || {
         let mut simulator = settled_scene_with_depth();
         simulator.set_sleep_enabled(false);

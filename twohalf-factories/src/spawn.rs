@@ -66,7 +66,7 @@ pub struct Figure;
 
 impl Prism {
     /// A box of width, height and depth in px, of mass 1, friction 0.4, without restitution.
-    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    #[expect(clippy::new_ret_no_self, reason = "all kinds have the same constructors")]
     pub fn new(size: [f32; 3]) -> Thing {
         Thing::of(Shape::Box { size })
     }
@@ -81,7 +81,7 @@ impl Prism {
 impl Cylinder {
     /// An upright cylinder: a radius and a height in px, of mass 1, friction 0.4, without restitution. It
     /// [stays upright](DepthProfile::Cylinder).
-    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    #[expect(clippy::new_ret_no_self, reason = "all kinds have the same constructors")]
     pub fn new(radius: f32, height: f32) -> Thing {
         Thing::of(Shape::Upright(DepthProfile::Cylinder { radius, height }))
     }
@@ -90,7 +90,7 @@ impl Cylinder {
 impl Capsule {
     /// An upright capsule: a radius, and a height in px that is at least twice that, of mass 1, friction 0.4,
     /// without restitution. It [stays upright](DepthProfile::Capsule).
-    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    #[expect(clippy::new_ret_no_self, reason = "all kinds have the same constructors")]
     pub fn new(radius: f32, height: f32) -> Thing {
         Thing::of(Shape::Upright(DepthProfile::Capsule { radius, height }))
     }
@@ -98,7 +98,7 @@ impl Capsule {
 
 impl Ball {
     /// A ball of a radius in px, of mass 1, friction 0.4, without restitution; solid, with 2/5 m r².
-    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    #[expect(clippy::new_ret_no_self, reason = "all kinds have the same constructors")]
     pub fn new(radius: f32) -> Thing {
         Thing::of(Shape::Ball { radius })
     }
@@ -109,7 +109,7 @@ impl Figure {
     /// diameter is the mean of width and depth: two of them slide past each other and round corners, where
     /// boxes would catch. It needs [`DepthScheme::Precise`](twohalf::DepthScheme::Precise), as
     /// [walking](TwoHalfPhysicsSimulator::walk) does; with other schemes use an upright [`Prism`].
-    #[expect(clippy::new_ret_no_self, reason = "all things are told the same")]
+    #[expect(clippy::new_ret_no_self, reason = "all kinds have the same constructors")]
     pub fn new([width, height, depth]: [f32; 3]) -> Thing {
         let size = Some([width, height, depth]).filter(|size| size.iter().all(|&side| side > 0.0));
         // A size out of range becomes NaN, which `spawn` refuses.

@@ -67,7 +67,7 @@ impl InterpolatedPose3D {
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Interpolation3D {
-    /// Poses sorted by object, and those of the update before.
+    /// Poses after the last update and after the update before, sorted by object.
     tracks: Vec<Track>,
     last: Vec<Track>,
 }

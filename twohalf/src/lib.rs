@@ -350,7 +350,7 @@
 //!   70 each carry a character of that mass that jumps once a second, 12 px beside their centres. In ten
 //!   seconds they move by 0.1 px at 60 Hz and by 1.2 px at 30 Hz. Lighter ones, of 3 to 35, hardly move:
 //!   bodies that carry more than one and a half times their own mass go to the [direct
-//!   solver](farseer_core::IslandMethod::Whole). Islands with a ball, with a contact along Z, or with cycles
+//!   solver](farseer_core::IslandSolver::Direct). Islands with a ball, with a contact along Z, or with cycles
 //!   and more than 24 bodies do not; their towers may fall.
 //! - **Floors and walls of static bodies trip in X and Y** with the faithful scheme, as in the 2D engine.
 //!   Their seams stop sliding objects, and the lower corner of a wall can hold a character that jumps against

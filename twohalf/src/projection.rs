@@ -117,7 +117,7 @@ impl Projection {
         [x + z * self.slope, f64::from(self.height) + y - z]
     }
 
-    /// Whether the projection of a point of the plane at depth `z` is finite.
+    /// Returns whether the projection of a point of the plane at depth `z` is finite.
     pub(crate) fn appears(&self, plane: Vector2, z: f32) -> bool {
         self.on_screen(plane, z).iter().all(|&number| (number as f32).is_finite())
     }
@@ -129,7 +129,7 @@ impl Projection {
     }
 }
 
-/// Nearest finite f32: sums of far coordinates may exceed its range.
+/// Returns the nearest finite f32 of a number: sums of far coordinates may exceed the range of f32.
 fn finite_f32(number: f64) -> f32 {
     if number.is_nan() { f32::NAN } else { number.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32 }
 }
@@ -138,8 +138,8 @@ fn check_height(height: i32) -> Result<i32> {
     if height > 0 { Ok(height) } else { Err(invalid("height", height, "greater than 0")) }
 }
 
-/// Cotangent of whole degrees. The exact values keep the straight axes straight, which a rounded quotient
-/// does not.
+/// Returns the cotangent of whole degrees, dimensionless. Exact values at 45, 90 and 135 degrees keep these axes exact, unlike
+/// a rounded quotient.
 fn cotangent(degrees: i32) -> f64 {
     match degrees {
         45 => 1.0,
@@ -152,7 +152,8 @@ fn cotangent(degrees: i32) -> f64 {
     }
 }
 
-/// Converts between the frame of the plane with depth, y down, and the world, Y up.
+/// Converts a vector between the frame of the plane with depth (y down) and the world (Y up), in both directions: y changes its
+/// sign.
 pub(crate) fn to_world(v: Vector3) -> Vector3 {
     Vector3::new(v.x, -v.y, v.z)
 }

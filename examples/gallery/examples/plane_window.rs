@@ -35,7 +35,7 @@ async fn main() -> Result<()> {
     }
 }
 
-/// Adds a box of a width and a height, with its middle at a place, in px.
+/// Adds a box of a width and a height, with its middle at a position, in px.
 fn add_box(simulator: &mut PhysicsSimulator, size: (f32, f32), place: (f32, f32)) -> Result<BodyId> {
     let body = BodyFactory::create_rectangle_body_in(simulator, size.0, size.1, 1.0)?;
     simulator[body].set_position(Vector2::new(place.0, place.1));

@@ -1,5 +1,5 @@
 // The page round the gallery: a list of scenes with pictures, an address for each of them, and a bar while it loads.
-// `gl.js`, which lies before this file, gives `load`, which starts the program, and `wasm_exports`, what it offers.
+// `gl.js`, which is loaded before this file, has `load`, which starts the program, and `wasm_exports`, its functions.
 "use strict";
 
 const element = (id) => document.getElementById(id);
@@ -33,7 +33,7 @@ function start() {
   starting ??= (async () => {
     const answer = await fetch("gallery.wasm");
     if (!answer.ok) throw new Error(`gallery.wasm: ${answer.status}`);
-    // Of a compressed answer the length is that of the compressed bytes: the size was noted when the page was built.
+    // The length of a compressed response is that of the compressed bytes: the size was written when the page was built.
     const { size } = await (await fetch("size.json")).json();
     const parts = [];
     let received = 0;
@@ -69,7 +69,7 @@ async function follow() {
   const isShown = scene >= 0;
   element("stage").hidden = !isShown;
   element("list").hidden = isShown;
-  // What nobody sees costs no battery.
+  // A hidden gallery uses no battery.
   if (typeof wasm_exports !== "undefined") wasm_exports.gallery_rest(Number(!isShown));
   if (!isShown) return;
   const program = await start();
@@ -78,8 +78,8 @@ async function follow() {
   element("glcanvas").focus();
 }
 
-// What was chosen in the program itself goes into the address: when it has changed there, so that an address that was just
-// chosen, and that the program has not heard of yet, stays.
+// A scene that was chosen in the program itself goes into the address. It is written only when it has changed there, so that a new
+// address that the program has not read yet stays.
 let before = -1;
 setInterval(() => {
   if (element("stage").hidden || typeof wasm_exports === "undefined") return;
@@ -90,7 +90,7 @@ setInterval(() => {
   before = shown;
 }, 250);
 
-// Of Escape, which ends the full screen, nobody hears but the page.
+// Escape ends the full screen; only the page gets that event.
 document.addEventListener("fullscreenchange", () => {
   if (!document.fullscreenElement && typeof wasm_exports !== "undefined") wasm_exports.gallery_has_left_full_screen();
 });

@@ -12,15 +12,15 @@ use crate::state;
 
 /// Frames per second of a game.
 const FRAME_RATE: f64 = 60.0;
-/// Pictures that are timed.
+/// Number of pictures that are timed.
 const PICTURES: u32 = 5;
 
-/// What came of a scene.
+/// Measurements of a scene.
 #[derive(Debug, Clone)]
 pub struct Figures {
     /// Its name.
     pub name: String,
-    /// Bodies of all that is shown.
+    /// Number of bodies in all halves of the show.
     pub bodies: usize,
     /// Mean ms of a step.
     pub step: f64,
@@ -30,10 +30,10 @@ pub struct Figures {
     pub picture: f64,
 }
 
-/// Steps a scene for so many simulated seconds, and draws it.
+/// Steps a scene for a number of simulated seconds, and draws it.
 ///
 /// # Errors
-/// What the scene fails with.
+/// An error of the scene.
 pub fn bench(scene: &GalleryScene, seconds: f32) -> Result<Figures> {
     let mut show = scene.build()?;
     let steps = (seconds * show.rate() as f32).max(1.0) as u32;

@@ -1,4 +1,4 @@
-//! What can be asked for on the command line.
+//! Options of the command line.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -51,7 +51,7 @@ struct Arguments {
     pictures: Option<PathBuf>,
 }
 
-/// Does what the arguments say.
+/// Runs the program with the options of the command line.
 pub(crate) fn run() -> ExitCode {
     match obey(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
@@ -170,7 +170,7 @@ fn write_pictures(all: &[GalleryScene], folder: &std::path::Path) -> Result<()> 
     Ok(())
 }
 
-/// Does something with each scene, and says how far it is.
+/// Calls a function with each scene, and prints the progress.
 fn with_progress<T>(
     all: &[GalleryScene],
     mut work: impl FnMut(&GalleryScene) -> Result<T>,

@@ -12,25 +12,25 @@ use crate::show::Show;
 
 /// Frames per second.
 const FRAME_RATE: u32 = 20;
-/// Stills on a contact sheet.
+/// Number of stills on a contact sheet.
 const STILLS: u32 = 9;
 /// Sizes that a film may have, px.
 const SIZES: std::ops::RangeInclusive<u32> = 100..=4000;
 
-/// What is filmed.
+/// Options of a film.
 #[derive(Debug, Clone)]
 pub struct Film {
     /// Simulated time in s, greater than 0.
     pub seconds: f32,
-    /// The animation; the contact sheet goes beside it, with `_stills` in its name.
+    /// The file of the animation; the contact sheet goes beside it, with `_stills` in its name.
     pub out: PathBuf,
     /// Largest side in px, 100 to 4000; a scene that is smaller is shown as it is.
     pub largest: u32,
-    /// What is shown of what the engines work with.
+    /// Layers of engine data that are drawn.
     pub layers: Layers,
 }
 
-/// What was written.
+/// The files that were written.
 #[derive(Debug, Clone)]
 pub struct Filmed {
     /// The animation.
@@ -42,10 +42,11 @@ pub struct Filmed {
 }
 
 impl Film {
-    /// Steps and draws a scene; `tell` hears after each frame how many are done, and of how many.
+    /// Steps and draws a scene; after each frame `tell` gets the number of frames that are done and of all.
     ///
     /// # Errors
-    /// A time that is not greater than 0 or more than an hour, a size out of range, a file that cannot be written, and what the scene fails with.
+    /// A time that is not greater than 0 or more than an hour, a size out of range, a file that cannot be written, and an error
+    /// of the scene.
     pub fn film(&self, scene: &GalleryScene, mut tell: impl FnMut(u32, u32)) -> Result<Filmed> {
         if !(self.seconds > 0.0 && self.seconds <= 3600.0) {
             return Err(
@@ -86,7 +87,7 @@ impl Film {
 /// A picture of a scene after some seconds, `width` px wide.
 ///
 /// # Errors
-/// A width out of range, and what the scene fails with.
+/// A width out of range, and an error of the scene.
 pub fn picture(scene: &GalleryScene, seconds: f32, width: u32) -> Result<SoftwareCanvas> {
     let mut show = scene.build()?;
     let steps = (seconds * show.rate() as f32) as u32;
@@ -102,7 +103,7 @@ fn draw(show: &Show, canvas: &mut SoftwareCanvas, layers: Layers) -> Result<()> 
     show.draw(canvas, [[0.0; 2], size], layers)
 }
 
-/// As large as the scene, if that is not too large.
+/// A canvas of the size of the scene, up to a limit.
 fn canvas_for(show: &Show, largest: u32) -> Result<SoftwareCanvas> {
     let [width, height] = show.size();
     let zoom = (largest as f32 / width.max(height)).min(1.0);

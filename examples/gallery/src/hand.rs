@@ -1,4 +1,4 @@
-//! Taking hold of things with the mouse or a finger.
+//! Grabbing of bodies with the mouse or a finger.
 
 use farseer_core::{MousePicker, PhysicsSimulator};
 use twohalf::{BodyId, Drawable, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -6,28 +6,28 @@ use twohalf_render::Point;
 
 use crate::play::WorldMut;
 
-/// How strongly what is held is pulled, per mass: acceleration per px, and per px/s.
+/// Stiffness and damping of the pull on the grabbed body, per mass: acceleration per px, and per px/s.
 const PULL: [f32; 2] = [500.0, 40.0];
 
-/// A hand that takes hold of one thing at a time.
+/// A hand that grabs one body at a time.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Hand {
-    /// What the 2D engine offers for it.
+    /// The picker of the 2D engine.
     picker: MousePicker,
     held: Option<Held>,
 }
 
-/// What is held in the 2.5D engine.
+/// The grabbed body in the 2.5D engine.
 #[derive(Debug, Clone, Copy)]
 struct Held {
     body: BodyId,
-    /// From the body to where it was taken hold of, px of the screen.
+    /// Vector from the body to the grabbed point, px of the screen.
     grip: Vector2,
     target: Vector2,
 }
 
 impl Hand {
-    /// Takes hold of what can be moved at a point, px of the simulator's screen; answers whether there is something.
+    /// Grabs a movable body at a point, px of the simulator's screen; returns whether there is one.
     pub(crate) fn grab(&mut self, world: WorldMut<'_>, at: Point) -> bool {
         let at = Vector2::from(at);
         match world {
@@ -61,7 +61,7 @@ impl Hand {
         Ok(self.picker.pick(simulator, at)?.is_some())
     }
 
-    /// Moves what is held towards a point.
+    /// Moves the grabbed body towards a point.
     pub(crate) fn drag(&mut self, world: WorldMut<'_>, to: Point) {
         if !to.iter().all(|number| number.is_finite()) {
             return;
@@ -77,7 +77,7 @@ impl Hand {
         }
     }
 
-    /// Lets go: what was held flies on as fast as it was moved.
+    /// Releases the grabbed body: it flies on as fast as it was moved.
     pub(crate) fn release(&mut self, world: WorldMut<'_>) {
         if let WorldMut::Plane(simulator) = world {
             self.picker.release(simulator);
@@ -85,14 +85,14 @@ impl Hand {
         self.held = None;
     }
 
-    /// Pulls at what is held; before every step.
+    /// Applies the pull to the grabbed body; before every step.
     pub(crate) fn pull(&mut self, world: WorldMut<'_>) {
         if let (WorldMut::Depth(simulator), Some(held)) = (world, self.held) {
             pull(simulator, held);
         }
     }
 
-    /// Whether something is held.
+    /// Whether a body is grabbed.
     pub(crate) fn is_holding(&self) -> bool {
         self.held.is_some() || self.picker.spring().is_some()
     }
@@ -104,7 +104,7 @@ fn pull(simulator: &mut TwoHalfPhysicsSimulator, held: Held) {
     let way = held.target - held.grip - body.position();
     let (velocity, mass) = (body.velocity3d(), body.mass());
     let [stiffness, damping] = PULL;
-    // Y is up, and the screen's y is down. What is held keeps its depth.
+    // Y is up, and the screen's y is down. The grabbed body keeps its depth.
     let push = Vector3::new(stiffness * way.x, gravity.y - stiffness * way.y, 0.0) - velocity * damping;
     body.apply_force3d(push * mass);
 }

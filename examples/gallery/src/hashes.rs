@@ -1,4 +1,4 @@
-//! Hashes of scenes after so many steps, to be compared between a window and a page.
+//! Hashes of scenes after a number of steps, for comparison between a window and a page.
 
 use examples::Result;
 
@@ -13,7 +13,7 @@ const STEPS: u32 = 600;
 const FEW_STEPS: u32 = 60;
 const MANY: usize = 5000;
 
-/// What became of half a scene with a set of methods.
+/// Hash of half a scene with a set of methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Hashed {
     /// `2D` or `2.5D`.
@@ -34,10 +34,10 @@ impl Hashed {
     }
 }
 
-/// Plays each half of a scene from its start with each set that it has, but none twice, and hashes what becomes of it.
+/// Plays each half of a scene from its start with each set that it has, but none twice, and hashes its state.
 ///
 /// # Errors
-/// What the scene fails with.
+/// An error of the scene.
 pub fn of(scene: &GalleryScene) -> Result<Vec<Hashed>> {
     let mut all: Vec<Hashed> = Vec::new();
     for half in scene.build()?.halves() {

@@ -1,6 +1,6 @@
-//! Keys, whatever they are pressed on: a keyboard, or a button on a screen.
+//! Keys of any source: a keyboard, or a button on a screen.
 
-/// What can be pressed.
+/// A key or button.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Key {
@@ -18,13 +18,13 @@ pub enum Key {
     Punch,
     /// Lifts and throws.
     Grab,
-    /// Stops the time, and lets it go on.
+    /// Pauses and resumes.
     Pause,
     /// One step.
     Step,
     /// Slow motion.
     Slow,
-    /// From the start.
+    /// Restarts the scene.
     Restart,
     /// Back in time, for as long as it is held.
     Rewind,
@@ -38,13 +38,13 @@ pub enum Key {
     Contacts,
     /// Islands by how they are solved.
     Islands,
-    /// What sleeps.
+    /// Marks on sleeping bodies.
     Sleep,
     /// Joints and springs.
     Joints,
     /// How long frames take.
     Graph,
-    /// What keys do.
+    /// The list of keys.
     Help,
     /// All of the screen.
     Full,
@@ -71,17 +71,17 @@ impl KeySet {
         self.0 >> key as u8 & 1 == 1
     }
 
-    /// What is in this set or in the other.
+    /// The keys that are in this set or in the other.
     pub fn or(self, other: KeySet) -> KeySet {
         KeySet(self.0 | other.0)
     }
 
-    /// What is in this set and not in the other.
+    /// The keys that are in this set and not in the other.
     pub fn without(self, other: KeySet) -> KeySet {
         KeySet(self.0 & !other.0)
     }
 
-    /// Whether nothing is in it.
+    /// Whether the set is empty.
     pub fn is_empty(self) -> bool {
         self.0 == 0
     }
@@ -95,12 +95,12 @@ impl FromIterator<Key> for KeySet {
     }
 }
 
-/// What a game asks about.
+/// Input of a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Keys {
-    /// What is down.
+    /// Keys that are down.
     pub held: KeySet,
-    /// What went down since the last step.
+    /// Keys that went down since the last step.
     pub pressed: KeySet,
 }
 

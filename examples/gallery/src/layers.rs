@@ -1,6 +1,6 @@
-//! What the engines work with, drawn over a scene, layer by layer.
+//! Engine data drawn over a scene, layer by layer.
 
-use farseer_core::{DebugShape, Island, IslandMethod, PhysicsSimulator, PhysicsSimulatorView};
+use farseer_core::{DebugShape, Island, IslandSolver, PhysicsSimulator, PhysicsSimulatorView};
 use twohalf::TwoHalfPhysicsSimulator;
 use twohalf_render::{Canvas, Color, DebugView, Point, Transform, draw_debug_view};
 
@@ -18,13 +18,13 @@ const ASLEEP: Color = Color::rgba(110, 150, 255, 200);
 pub struct Layers {
     /// Outlines of geoms.
     pub outlines: bool,
-    /// Boxes of geoms; with depth, the room that they take up.
+    /// AABBs of geoms; with depth, the boxes in space.
     pub boxes: bool,
     /// Contacts of the last step.
     pub contacts: bool,
-    /// What hangs together, in a colour for how it was solved.
+    /// Islands, in a colour for their solver.
     pub islands: bool,
-    /// A mark on what sleeps.
+    /// A mark on sleeping bodies.
     pub sleep: bool,
     /// Joints and springs.
     pub joints: bool,
@@ -138,10 +138,10 @@ impl Layers {
 /// A frame round the pictures of an island, in the colours of the 2D engine's view.
 fn frame(simulator: &TwoHalfPhysicsSimulator, island: &Island, canvas: &mut dyn Canvas) {
     let color = match island.method {
-        IslandMethod::Asleep => Color::rgb(60, 110, 255),
-        IslandMethod::Flight => Color::rgb(150, 150, 150),
-        IslandMethod::Swing => Color::rgb(170, 80, 220),
-        IslandMethod::Whole => Color::rgb(40, 200, 80),
+        IslandSolver::Asleep => Color::rgb(60, 110, 255),
+        IslandSolver::Ballistic => Color::rgb(150, 150, 150),
+        IslandSolver::Articulated => Color::rgb(170, 80, 220),
+        IslandSolver::Direct => Color::rgb(40, 200, 80),
         _ => Color::rgb(255, 150, 30),
     };
     let geoms = island.bodies.iter().flat_map(|&body| simulator.core().geoms_of(body));
@@ -156,7 +156,7 @@ fn frame(simulator: &TwoHalfPhysicsSimulator, island: &Island, canvas: &mut dyn 
     }
 }
 
-/// A Z, as of somebody who sleeps.
+/// A Z, the sign of sleep.
 fn mark([x, y]: Point, canvas: &mut dyn Canvas) {
     let zigzag = [[x - 4.0, y - 4.0], [x + 4.0, y - 4.0], [x - 4.0, y + 4.0], [x + 4.0, y + 4.0]];
     if zigzag.iter().flatten().all(|number| number.is_finite()) {

@@ -2,15 +2,15 @@
 
 use twohalf_render::{Point, Transform};
 
-/// Largest magnification.
+/// Largest magnification, a factor.
 const MOST: f32 = 20.0;
 
-/// Which part of a picture is seen.
+/// The visible part of a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lens {
-    /// How much larger than the whole picture would be, from 1.
+    /// Magnification relative to the complete picture, a factor of 1 or more.
     zoom: f32,
-    /// What is in the middle: parts of the picture's width and height.
+    /// Middle of the visible part: fractions of the picture's width and height.
     middle: Point,
 }
 
@@ -27,8 +27,8 @@ impl Lens {
         self.zoom
     }
 
-    /// So many times as close, the point at these parts of the picture staying where it is. A factor that is not greater than
-    /// 0, or no number, changes nothing.
+    /// Multiplies the magnification by a factor, with the point at these fractions of the picture fixed. A factor that is not
+    /// greater than 0, or NaN, has no effect.
     pub fn closer(self, factor: f32, at: Point) -> Self {
         if !(factor > 0.0 && factor.is_finite() && at.iter().all(|part| part.is_finite())) {
             return self;
@@ -38,7 +38,7 @@ impl Lens {
         Lens { zoom, middle }.inside()
     }
 
-    /// Moved by parts of the picture's width and height.
+    /// Moves the visible part by fractions of the picture's width and height.
     pub fn moved(self, by: Point) -> Self {
         if !by.iter().all(|part| part.is_finite()) {
             return self;
@@ -46,14 +46,13 @@ impl Lens {
         Lens { middle: [0, 1].map(|axis| self.middle[axis] + by[axis]), ..self }.inside()
     }
 
-    /// Nothing beside the picture is seen.
+    /// Clamps the visible part to the picture.
     fn inside(self) -> Self {
         let edge = 0.5 / self.zoom;
         Lens { middle: self.middle.map(|part| part.clamp(edge, 1.0 - edge)), ..self }
     }
 
-    /// The camera that shows a picture of this size, `scale` times as large as it is when all of it is seen, about a point of
-    /// the canvas.
+    /// The camera that shows a picture of this size about a point of the canvas. At magnification 1 its scale is `scale`.
     pub(crate) fn camera(&self, size: [f32; 2], scale: f32, on_canvas: Point) -> Transform {
         let at = [self.middle[0] * size[0], self.middle[1] * size[1]];
         Transform::camera(at, scale * self.zoom, 0.0, on_canvas)
@@ -69,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn the_point_that_is_looked_at_stays_where_it_is() {
+    fn the_zoomed_point_stays_where_it_is() {
         let at = [0.3, 0.6];
         let before = on_canvas(Lens::default(), at);
         let lens = Lens::default().closer(1.7, at).closer(1.3, at);
@@ -79,15 +78,15 @@ mod tests {
     }
 
     #[test]
-    fn nothing_beside_the_picture_is_seen_and_all_of_it_is_seen_again() {
+    fn the_visible_part_is_clamped_to_the_picture_and_can_be_reset() {
         let lens = Lens::default().closer(4.0, [0.0, 0.0]).moved([-10.0, 10.0]);
-        // The left lower corner of the picture is in that of what is seen: 200 px to the left of the middle, and 100 below.
+        // The left lower corner of the picture is in that of the visible part: 200 px to the left of the middle, and 100 below.
         assert_eq!(on_canvas(lens, [0.0, 1.0]), [100.0, 300.0]);
         assert_eq!(lens.closer(0.001, [0.7, 0.2]), Lens::default());
     }
 
     #[test]
-    fn what_is_no_number_changes_nothing() {
+    fn a_nan_zoom_has_no_effect() {
         for (factor, at) in [(f32::NAN, 0.5), (0.0, 0.5), (-1.0, 0.5), (2.0, f32::INFINITY)] {
             assert_eq!(Lens::default().closer(factor, [at; 2]), Lens::default());
         }

@@ -1,9 +1,11 @@
-//! All that the engines can do, in one gallery: in a window, on a page, and as films.
+//! All features of the engines, in one gallery: in a window, on a page, and as films.
 //!
-//! [`scenes`] is the table of what there is to see. A scene is a [`play::Play`]: it steps, draws itself on a canvas, shows its
-//! simulator and can be copied. [`show::Show`] puts one or two beside each other and gives them a hand that takes hold of
-//! things; [`viewer::Viewer`] is the program that a person uses, and knows neither window nor clock: a frame is a function of
-//! an [`viewer::Input`]. The [`window`] feeds it from a window or a page; [`film`] and [`mod@bench`] do without.
+//! - [`scenes`] is the table of scenes. A scene is a [`play::Play`]: it steps, draws itself on a canvas, shows its simulator
+//!   and can be copied.
+//! - [`show::Show`] puts one or two beside each other and adds a hand that grabs bodies.
+//! - [`viewer::Viewer`] is the program that a person uses. It knows neither window nor clock: a frame is a function of an
+//!   [`viewer::Input`].
+//! - The [`window`] feeds it from a window or a page; [`film`] and [`mod@bench`] do without.
 
 #![deny(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! What a scene can do, whatever engine it runs in.
+//! The interface of a scene, in either engine.
 
 use examples::Result;
 use farseer_core::PhysicsSimulator;
@@ -7,19 +7,19 @@ use twohalf_render::{Canvas, Transform};
 
 use crate::keys::Keys;
 
-/// Who plays a scene that is a game; the others do not care.
+/// The player of a scene that is a game; other scenes ignore it.
 #[derive(Debug, Clone, Copy)]
 pub enum Player {
-    /// Somebody who knows the game.
+    /// A script that knows the game.
     Script,
-    /// Whoever holds these keys.
+    /// A person with these keys.
     Keys(Keys),
 }
 
 /// The set of methods with which a scene is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Set {
-    /// That of Farseer Physics 2.1.3; with depth, the one that agrees with it in the plane.
+    /// The methods of Farseer Physics 2.1.3; with depth, the scheme that agrees with it in the plane.
     Faithful,
     /// The precise one.
     Precise,
@@ -61,7 +61,7 @@ pub enum WorldMut<'a> {
     Depth(&'a mut TwoHalfPhysicsSimulator),
 }
 
-/// A scene at work: a simulator, and what it looks like.
+/// A running scene: a simulator, and its look.
 pub trait Play: std::fmt::Debug {
     /// Width and height of its picture in px.
     fn size(&self) -> [f32; 2];
@@ -72,13 +72,13 @@ pub trait Play: std::fmt::Debug {
     /// Makes a step.
     ///
     /// # Errors
-    /// What the engine refuses.
+    /// A refusal of the engine.
     fn step(&mut self, player: Player) -> Result<()>;
 
     /// Draws it on a canvas of its [size](Self::size).
     ///
     /// # Errors
-    /// What the renderer refuses.
+    /// A refusal of the renderer.
     fn draw(&self, canvas: &mut dyn Canvas) -> Result<()>;
 
     /// The simulator.
@@ -87,12 +87,12 @@ pub trait Play: std::fmt::Debug {
     /// The simulator, to meddle with it.
     fn world_mut(&mut self) -> WorldMut<'_>;
 
-    /// From the simulator's px, in which things are drawn, to those of the picture.
+    /// Transform from the simulator's px to those of the picture.
     fn camera(&self) -> Transform {
         Transform::IDENTITY
     }
 
-    /// The scene as it is now, once more: it goes on with the same bits.
+    /// A copy of the scene as it is now: it goes on with the same bits.
     fn copy(&self) -> Box<dyn Play>;
 }
 

@@ -2,7 +2,7 @@
 
 use twohalf_render::{Canvas, Color, Point, Rectangle, Texture2D, Transform, View};
 
-/// A canvas that says that it is as large as the picture drawn on it, whatever the canvas below.
+/// A canvas that reports the size of the picture drawn on it, not that of the canvas below.
 #[derive(Debug)]
 pub(crate) struct Sheet<'a> {
     view: View<'a>,

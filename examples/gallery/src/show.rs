@@ -1,4 +1,4 @@
-//! What is on the screen: a scene, or two beside each other, and the hand that takes hold of things.
+//! The screen: a scene, or two beside each other, and the hand that grabs bodies.
 
 use std::rc::Rc;
 
@@ -22,7 +22,7 @@ const GROUND: Color = Color::rgb(20, 24, 32);
 /// A scene on its own or beside another.
 #[derive(Clone)]
 pub struct Half {
-    /// What is written over it; nothing if it is empty.
+    /// Its label; none if it is empty.
     label: &'static str,
     set: Set,
     /// Whether it can be computed with the other set as well.
@@ -42,7 +42,7 @@ impl Half {
     /// Builds one.
     ///
     /// # Errors
-    /// What `build` fails with.
+    /// An error of `build`.
     pub fn new(label: &'static str, set: Set, has_both: bool, build: Build) -> Result<Self> {
         let play = build(set)?;
         Ok(Half { label, set, has_both, build, play, hand: Hand::default() })
@@ -61,7 +61,7 @@ impl Half {
     /// From the start with each set that it has, the one that it begins with first.
     ///
     /// # Errors
-    /// What building it fails with.
+    /// An error of its building.
     pub fn with_each_set(&self) -> Result<Vec<Half>> {
         let with = |set| Half::new(self.label, set, self.has_both, self.build.clone());
         let mut all = vec![with(self.set)?];
@@ -74,13 +74,13 @@ impl Half {
     /// Makes a step.
     ///
     /// # Errors
-    /// What the engine refuses.
+    /// A refusal of the engine.
     pub fn step(&mut self, player: Player) -> Result<()> {
         self.hand.pull(self.play.world_mut());
         self.play.step(player)
     }
 
-    /// Goes on with the other set of methods.
+    /// Switches to the other set of methods.
     fn switch(&mut self) -> Result<()> {
         if !self.has_both {
             return Err(format!("this scene needs the {} set", self.set.name()).into());
@@ -97,22 +97,22 @@ impl Half {
 #[derive(Debug, Clone)]
 pub struct Show {
     halves: Vec<Half>,
-    /// Whose hand the pointer moves.
+    /// Index of the half whose hand the pointer moves.
     held: Option<usize>,
-    /// Which part of each is seen.
+    /// The visible part of each.
     lens: Lens,
 }
 
 /// Where a half is on the screen.
 #[derive(Debug, Clone, Copy)]
 struct Place {
-    /// From the picture's px to those of the screen.
+    /// Transform from the picture's px to those of the screen.
     camera: Transform,
     clip: Rectangle,
 }
 
 impl Place {
-    /// Whether a point of the screen lies in it.
+    /// Whether a point of the screen is inside of it.
     fn shows(&self, at: Point) -> bool {
         let Rectangle { x, y, width, height } = self.clip;
         let holds = |at: f32, low: u32, size: u32| at >= low as f32 && at < (low + size) as f32;
@@ -121,12 +121,12 @@ impl Place {
 }
 
 impl Show {
-    /// Of at least one half.
+    /// A show of at least one half.
     pub fn new(halves: Vec<Half>) -> Self {
         Show { halves, held: None, lens: Lens::default() }
     }
 
-    /// What it consists of.
+    /// Its halves.
     pub fn halves(&self) -> &[Half] {
         &self.halves
     }
@@ -146,15 +146,15 @@ impl Show {
     /// Makes a step.
     ///
     /// # Errors
-    /// What the engine refuses.
+    /// A refusal of the engine.
     pub fn step(&mut self, player: Player) -> Result<()> {
         self.halves.iter_mut().try_for_each(|half| half.step(player))
     }
 
-    /// Goes on with the other set of methods; answers which it is in words.
+    /// Switches to the other set of methods; returns its name in words.
     ///
     /// # Errors
-    /// What refuses the other set.
+    /// A refusal of the other set.
     pub fn switch_methods(&mut self) -> Result<String> {
         self.release();
         let mut words = Vec::new();
@@ -165,10 +165,10 @@ impl Show {
         Ok(words.join(" | "))
     }
 
-    /// Draws all into a rectangle of the canvas: its corner and its size.
+    /// Draws all halves into a rectangle of the canvas: its corner and its size.
     ///
     /// # Errors
-    /// What the renderer refuses.
+    /// A refusal of the renderer.
     pub fn draw(&self, canvas: &mut dyn Canvas, area: [Point; 2], layers: Layers) -> Result<()> {
         let [[x, y], [width, height]] = area;
         canvas.fill_rectangle([x, y], [width, height], &Transform::IDENTITY, GROUND);
@@ -181,7 +181,7 @@ impl Show {
             if !half.label.is_empty() {
                 let [left, top] = [place.clip.x, place.clip.y].map(|at| at as f32 + 6.0);
                 let text = Text::new(label_of(half), [left, top]);
-                // As large as it fits, but not huge.
+                // As large as it fits, up to a limit.
                 let fits = (place.clip.width as f32 - 12.0) / text.size()[0];
                 let text = Text { scale: [fits.clamp(0.5, 2.0); 2], ..text };
                 let corner = [left + 1.0, top + 1.0];
@@ -196,7 +196,7 @@ impl Show {
     fn places(&self, area: [Point; 2]) -> Vec<Place> {
         let beside = self.placed(area, 0);
         let above = self.placed(area, 1);
-        // All are seen through one lens, so it does not matter here.
+        // All have one lens, so that any half will do.
         let zoom =
             |places: &[Place]| places.iter().map(|place| place.camera.x_axis[0]).fold(f32::MAX, f32::min);
         if zoom(&above) > zoom(&beside) { above } else { beside }
@@ -220,24 +220,24 @@ impl Show {
         self.halves.iter().enumerate().map(place).collect()
     }
 
-    /// Which part of each picture is seen.
+    /// The visible part of each picture.
     pub fn lens(&self) -> Lens {
         self.lens
     }
 
-    /// Shows another part of each picture.
+    /// Sets the visible part of each picture.
     pub fn set_lens(&mut self, lens: Lens) {
         self.lens = lens;
     }
 
-    /// So many times as close, about what is at a point of the canvas.
+    /// Multiplies the magnification by a factor, about a point of the canvas.
     pub fn closer(&mut self, area: [Point; 2], factor: f32, at: Point) {
         if let Some(part) = (0..self.halves.len()).find_map(|index| self.part(area, index, at)) {
             self.lens = self.lens.closer(factor, part);
         }
     }
 
-    /// Moves what is seen along with a pointer.
+    /// Moves the visible part along with a pointer.
     pub fn pan(&mut self, area: [Point; 2], from: Point, to: Point) {
         let parts = |at| (0..self.halves.len()).find_map(|index| self.part(area, index, at));
         if let (Some(from), Some(to)) = (parts(from), parts(to)) {
@@ -245,7 +245,7 @@ impl Show {
         }
     }
 
-    /// Which part of a picture's width and height is at a point of the canvas, if that shows it.
+    /// The point of a canvas as fractions of a picture's width and height, if the picture is visible there.
     fn part(&self, area: [Point; 2], index: usize, at: Point) -> Option<Point> {
         let place = self.places(area)[index];
         if !place.shows(at) {
@@ -256,7 +256,7 @@ impl Show {
         Some([x / width, y / height])
     }
 
-    /// The pointer went down at a point of the canvas; answers whether something is held now.
+    /// The pointer went down at a point of the canvas; returns whether a body is grabbed now.
     pub fn grab(&mut self, area: [Point; 2], at: Point) -> bool {
         self.release();
         for index in 0..self.halves.len() {
@@ -287,7 +287,7 @@ impl Show {
         self.held = None;
     }
 
-    /// Whether something is held.
+    /// Whether a body is grabbed.
     pub fn is_holding(&self) -> bool {
         self.halves.iter().any(|half| half.hand.is_holding())
     }

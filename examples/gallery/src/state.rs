@@ -1,4 +1,4 @@
-//! What is known of a simulator, whichever engine it is.
+//! State of a simulator of either engine.
 
 use conformance::trace::hash::Fnv;
 use examples::Result;
@@ -6,14 +6,14 @@ use farseer_core::Methods;
 
 use crate::play::{Set, World, WorldMut};
 
-/// How much there is, and what the last step had to do.
+/// Numbers of bodies and contacts, and the work of the last step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
-    /// Bodies, those that do not move among them.
+    /// Number of bodies, static ones included.
     pub bodies: usize,
-    /// Contact points.
+    /// Number of contact points.
     pub contacts: usize,
-    /// Bodies that sleep.
+    /// Number of sleeping bodies.
     pub asleep: usize,
 }
 
@@ -43,7 +43,7 @@ pub fn hash(world: World<'_>) -> u64 {
     hash.finish()
 }
 
-/// Whether everything that moves has a place, a rotation and velocities.
+/// Whether the position, rotation and velocities of every movable body are finite.
 pub fn is_finite(world: World<'_>) -> bool {
     match world {
         World::Plane(simulator) => simulator.body_list().iter().all(|&body| {
@@ -64,7 +64,7 @@ pub fn is_finite(world: World<'_>) -> bool {
 /// Chooses a set of methods in mid-run.
 ///
 /// # Errors
-/// What the other set does not have.
+/// A feature of the scene that the other set lacks.
 pub fn switch(world: WorldMut<'_>, set: Set) -> Result<()> {
     match world {
         WorldMut::Plane(simulator) => {

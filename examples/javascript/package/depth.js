@@ -41,7 +41,7 @@ export class DepthBody extends Body {
     return this.call('depth_is_grounded') === 1;
   }
 
-  /** The height of what it would fall on, or null. */
+  /** Height of the surface beneath it, or null. */
   get heightBeneath() {
     return list('depth_height_beneath', this.simulator.handle, this.id)[0] ?? null;
   }

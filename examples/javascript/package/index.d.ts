@@ -16,27 +16,27 @@ export interface Vector3 {
   z: number;
 }
 
-/** A call that the engine refused, in its words. A refused call has changed nothing. */
+/** A call that the engine refused, with its message. A refused call has no effect. */
 export class PhysicsError extends Error {}
 
 /**
- * Loads the module; to be awaited once before anything else. Later calls wait for the first one.
- * @param source where it is, if not beside this file; or what it is.
- * @throws if it cannot be loaded; then it may be tried again.
+ * Loads the module; await it once before any other call. Later calls wait for the first one.
+ * @param source its address, if it is not beside this file; or its content.
+ * @throws if it cannot be loaded; the call may be repeated.
  */
 export function initialize(
   source?: string | URL | Response | BufferSource | WebAssembly.Module,
 ): Promise<void>;
 
-/** Something that lives in a simulator. Of each there is one handle: they can be compared. */
+/** An object of a simulator. Each has exactly one handle: handles can be compared. */
 interface Thing {
-  /** Whatever the game wants to keep with it; not part of snapshots. */
+  /** Data of the game; not part of snapshots. */
   userData: unknown;
-  /** Whether it was disposed; every other call is refused once it is gone, which is with the next step. */
+  /** Whether it was disposed. It is removed in the next step; from then on every other call is refused. */
   readonly isDisposed: boolean;
 }
 
-/** What can be said of a body while it is made. */
+/** Options of a new body. */
 export interface BodyOptions {
   position?: Vector2;
   /** Clockwise on the screen, rad. */
@@ -48,32 +48,32 @@ export interface BodyOptions {
   mass?: number;
   /** Finite and greater than 0. */
   momentOfInertia?: number;
-  /** Nothing moves it. Default false. */
+  /** A static body never moves. Default false. */
   isStatic?: boolean;
-  /** Nothing pushes it; it goes on with its velocity, or to where it is told. Default false. */
+  /** A kinematic body moves with its velocity, or to its target; no force or contact changes its motion. Default false. */
   isKinematic?: boolean;
-  /** Precise set: nothing ever passes through what stands still, and this not through what moves either. Default false. */
+  /** Precise set: no body tunnels through static ones; a bullet does not tunnel through dynamic ones, either. Default false. */
   isBullet?: boolean;
-  /** Whether it takes part. Default true. */
+  /** A disabled body neither moves nor collides. Default true. */
   enabled?: boolean;
-  /** How much of the gravity it feels. Default 1. */
+  /** Factor of gravity. Default 1. */
   gravityScale?: number;
-  /** Slows it down. Default 0.001. */
+  /** Drag force per speed. Default 0.001. */
   linearDragCoefficient?: number;
-  /** Default 0.001. */
+  /** Drag torque per squared angular velocity. Default 0.001. */
   rotationalDragCoefficient?: number;
 }
 
-/** What has mass, place and motion; geoms give it a shape. */
+/** A rigid body: mass, position and velocity; geoms give it a shape. */
 export class Body implements Thing, Required<BodyOptions> {
   protected constructor();
   userData: unknown;
   /** Its row in {@link Simulator.positions}: small, and used again after disposal. */
   readonly slot: number;
   readonly isDisposed: boolean;
-  /** At rest with everything that it hangs together with; precise set. */
+  /** Whether its island sleeps; precise set. */
   readonly isAsleep: boolean;
-  /** Rotation with all turns, rad. */
+  /** Rotation with all full turns, rad. */
   readonly totalRotation: number;
   position: Vector2;
   rotation: number;
@@ -88,46 +88,46 @@ export class Body implements Thing, Required<BodyOptions> {
   gravityScale: number;
   linearDragCoefficient: number;
   rotationalDragCoefficient: number;
-  /** Lets the next step bring a kinematic body to a place and rotation; it pushes and carries what it touches. */
+  /** Moves a kinematic body to a position and rotation in the next step; it pushes and carries bodies that it touches. */
   moveTo(position: Vector2, rotation: number): void;
   /** Acts in the next step alone. */
   applyForce(amount: Vector2): void;
-  /** Acts in the next step alone, and turns the body if it does not go through its middle. */
+  /** Acts in the next step alone, with a torque unless its line contains the centre of mass. */
   applyForceAtWorldPoint(amount: Vector2, point: Vector2): void;
   applyTorque(torque: number): void;
   /** Mass times velocity. */
   applyImpulse(amount: Vector2): void;
   applyAngularImpulse(amount: number): void;
   wake(): void;
-  /** From the world to the frame of the body. */
+  /** Converts a point from the world to the frame of the body. */
   getLocalPosition(worldPosition: Vector2): Vector2;
-  /** From the frame of the body to the world. */
+  /** Converts a point from the frame of the body to the world. */
   getWorldPosition(localPosition: Vector2): Vector2;
-  /** Takes it out of the simulation, with its geoms, in the next step. */
+  /** Removes it, with its geoms, in the next step. */
   dispose(): void;
 }
 
-/** What can be said of a geom while it is made. */
+/** Options of a new geom. */
 export interface GeomOptions {
-  /** Place on the body, in its frame. Default its origin. */
+  /** Position on the body, in its frame. Default its origin. */
   offset?: Vector2;
-  /** Against the body, rad. Default 0. */
+  /** Rotation relative to the body, rad. Default 0. */
   rotationOffset?: number;
   /** Edge of a cell of the faithful set's distance grid; at 0 a tenth of the shorter side. Default 0. */
   collisionGridSize?: number;
-  /** 0 is ice. Default 0. */
+  /** Friction coefficient, >= 0. Default 0. */
   frictionCoefficient?: number;
-  /** Bounciness, usually 0 to 1. Default 0. */
+  /** Coefficient of restitution, usually 0 to 1. Default 0. */
   restitutionCoefficient?: number;
   /** The categories that it belongs to as bits, 31 of them: `1 << 3`. Default all. */
   collisionCategories?: number;
-  /** The categories that it collides with. Two collide if either one's mask meets the other's categories. Default all. */
+  /** The categories that it collides with. Two collide if either one's mask has a category of the other. Default all. */
   collidesWith?: number;
   /** Geoms of the same group do not collide; 0 is no group. Default 0. */
   collisionGroup?: number;
-  /** Whether new pairs with it are looked for. Default true. */
+  /** Whether it forms new pairs. Default true. */
   collisionEnabled?: boolean;
-  /** It tells of touches, but pushes nothing. Default false. */
+  /** A sensor reports touches and exerts no impulse. Default false. */
   isSensor?: boolean;
 }
 
@@ -137,7 +137,7 @@ export class Geom implements Thing {
   userData: unknown;
   readonly isDisposed: boolean;
   readonly body: Body;
-  /** Its corners in the plane, to draw them. */
+  /** Its corners in the plane, for drawing. */
   readonly worldVertices: Vector2[];
   frictionCoefficient: number;
   restitutionCoefficient: number;
@@ -146,43 +146,43 @@ export class Geom implements Thing {
   collisionGroup: number;
   collisionEnabled: boolean;
   isSensor: boolean;
-  /** The geoms that it touches; of a sensor, what is in it. */
+  /** The geoms that it touches; of a sensor, the geoms in it. */
   overlaps(): Geom[];
   ignoreCollisionWith(other: Geom): void;
   restoreCollisionWith(other: Geom): void;
   dispose(): void;
 }
 
-/** What can be said of a joint while it is made. */
+/** Options of a new joint. */
 export interface JointOptions {
-  /** Precise set, joints that turn or slide: a speed that it seeks, and the greatest torque or force for it. `null`: none. */
+  /** Precise set, revolute and prismatic joints: target speed, and greatest torque or force for it. `null`: none. */
   motor?: { speed: number; greatestEffort: number } | null;
-  /** Precise set, joints that turn or slide: from where to where, rad or length. `null`: none. */
+  /** Precise set, revolute and prismatic joints: limits of its travel, rad or length. `null`: none. */
   limits?: { lower: number; upper: number } | null;
-  /** Error beyond which it breaks: it is disabled, and an event tells so. */
+  /** Error beyond which it breaks: it is disabled, with an event. */
   breakpoint?: number;
   /** Precise set: force beyond which it breaks. */
   greatestForce?: number;
   /** Precise set: torque beyond which it breaks. */
   greatestTorque?: number;
-  /** How much it yields. Default 0. */
+  /** Softness, 0 for a rigid joint. Default 0. */
   softness?: number;
-  /** Part of its error that a step corrects. */
+  /** Fraction of its error that a step corrects. */
   biasFactor?: number;
-  /** Of angle joints: the angle that they keep, rad. Default 0. */
+  /** Target angle of angle joints, rad. Default 0. */
   targetAngle?: number;
   /** Default true. */
   enabled?: boolean;
 }
 
-/** Two bodies, or a body and the world, held together. */
+/** A constraint between two bodies, or a body and the world. */
 export class Joint implements Thing {
   protected constructor();
   userData: unknown;
   readonly isDisposed: boolean;
-  /** How far a joint that turns or slides has done so, rad or length. */
+  /** Angle of a revolute joint in rad, or displacement of a prismatic joint. */
   readonly travel: number;
-  /** What it held with in the last step; precise set. */
+  /** Constraint force of the last step; precise set. */
   readonly force: Vector2;
   readonly torque: number;
   enabled: boolean;
@@ -197,15 +197,15 @@ export class Joint implements Thing {
   dispose(): void;
 }
 
-/** What can be said of a spring while it is made. */
+/** Options of a new spring. */
 export interface SpringOptions {
-  /** Error beyond which it breaks: it is disabled, and an event tells so. */
+  /** Error beyond which it breaks: it is disabled, with an event. */
   breakpoint?: number;
   /** Default true. */
   enabled?: boolean;
 }
 
-/** Pulls and pushes towards a length or an angle. */
+/** A force or torque towards a rest length or angle. */
 export class Spring implements Thing {
   protected constructor();
   userData: unknown;
@@ -214,38 +214,38 @@ export class Spring implements Thing {
   set breakpoint(value: number);
   set springConstant(value: number);
   set dampingConstant(value: number);
-  /** Of fixed linear springs: the point of the world that they pull to. */
+  /** World end of a fixed linear spring. */
   set worldAttachPoint(value: Vector2);
   dispose(): void;
 }
 
-/** What both simulators have; `AnyBody` is the kind of their bodies, `Partner` what geoms can touch. */
+/** Members of both simulators; `AnyBody` is the class of their bodies, `Partner` the type of a touch partner. */
 interface World<AnyBody extends Body, Partner> {
-  /** Acceleration of everything, y down. */
+  /** Acceleration of gravity, y down. */
   gravity: Vector2;
-  /** Substeps of a step with the precise set, 4 to begin with; passes of the solver with the faithful one. Default 5. */
+  /** Precise set: substeps of a step, 4 at first. Faithful set: iterations of the solver, 5 at first. */
   iterations: number;
-  /** How the frictions of two geoms combine. Default `average`. */
+  /** Combination of the friction coefficients of two geoms. Default `average`. */
   set frictionType(value: 'average' | 'minimum');
-  /** Whether what has come to rest sleeps; precise set. Default true. */
+  /** Whether bodies at rest sleep; precise set. Default true. */
   set isSleepEnabled(value: boolean);
   /**
-   * Goes on by so many seconds, greater than 0; best always the same.
-   * @throws {PhysicsError} for anything else.
+   * Makes a step of `dt` seconds, greater than 0; best always the same.
+   * @throws {PhysicsError} for other values.
    */
   step(dt: number): void;
-  /** What began and ceased to touch, broke or failed since the last call, in order; at most the last 65,536. */
+  /** Begins and ends of touches, breaks and failures since the last call, in order; at most the last 65,536. */
   drainEvents(): Event<AnyBody, Partner>[];
-  /** Everything that can influence a later bit, to be restored later, here or on another machine. */
+  /** The complete state, for a restore later, here or on another machine, with the same bits. */
   snapshot(): Uint8Array;
   /**
-   * Becomes the simulator of a snapshot and goes on with the same bits. Handles of what lives now and in the snapshot stay good;
-   * those of what is not in it are disposed. What was disposed since may get a new handle, without `userData`: keep by `slot`
-   * what a game needs of it. The events that nobody has asked for are gone.
-   * @throws {PhysicsError} for bytes that are no snapshot of such a simulator; then nothing has changed.
+   * Restores a snapshot, and goes on with the same bits. Handles of objects that exist now and in the snapshot stay valid;
+   * those of objects that are not in it are disposed. An object that was disposed since may get a new handle, without `userData`:
+   * store data of the game by `slot`. Events that were not drained are lost.
+   * @throws {PhysicsError} for bytes that are no snapshot of such a simulator, without effect.
    */
   restore(snapshot: Uint8Array): void;
-  /** Gives its memory back; every later call is refused. It happens by itself when nothing refers to it any more. */
+  /** Frees its memory; every later call is refused. Garbage collection does the same. */
   free(): void;
 
   createRectangleBody(width: number, height: number, mass: number, options?: BodyOptions): AnyBody;
@@ -256,21 +256,21 @@ interface World<AnyBody extends Body, Partner> {
   createBody(mass: number, momentOfInertia: number, options?: BodyOptions): AnyBody;
 
   createRectangleGeom(body: AnyBody, width: number, height: number, options?: GeomOptions): Geom;
-  /** `numberOfEdges` is of what the faithful set and rays see. Default 16. */
+  /** `numberOfEdges` is that of the polygon for the faithful set and rays. Default 16. */
   createCircleGeom(body: AnyBody, radius: number, options?: GeomOptions & { numberOfEdges?: number }): Geom;
-  /** `edges` of each end, for what the faithful set and rays see. Default 8. */
+  /** `edges` of each end are those of the polygon for the faithful set and rays. Default 8. */
   createCapsuleGeom(
     body: AnyBody,
     height: number,
     endRadius: number,
     options?: GeomOptions & { edges?: number },
   ): Geom;
-  /** Any simple outline; its centroid comes to lie at the offset. */
+  /** Any simple outline; its centroid is placed at the offset. */
   createPolygonGeom(body: AnyBody, vertices: readonly Vector2[], options?: GeomOptions): Geom;
   /** Precise set: edges as terrain on a static body: points from left to right make a floor. Closed if the last is the first. */
   createChainGeom(body: AnyBody, points: readonly Vector2[], options?: GeomOptions): Geom;
 
-  /** The anchor is a point of the world; bodies turn about it. */
+  /** The anchor is a point of the world, about which the bodies turn. */
   createRevoluteJoint(body1: AnyBody, body2: AnyBody, anchor: Vector2, options?: JointOptions): Joint;
   createFixedRevoluteJoint(body: AnyBody, anchor: Vector2, options?: JointOptions): Joint;
   /** The anchors are points of the bodies, in their frames; they keep their distance. */
@@ -321,7 +321,7 @@ interface World<AnyBody extends Body, Partner> {
     dampingConstant: number,
     options?: SpringOptions,
   ): Spring;
-  /** Between a point of a body, in its frame, and a point of the world: what a mouse drags with. */
+  /** A spring between a point of a body, in its frame, and a point of the world, such as for dragging with the mouse. */
   createFixedLinearSpring(
     body: AnyBody,
     bodyPoint: Vector2,
@@ -348,12 +348,12 @@ interface World<AnyBody extends Body, Partner> {
   collideAll(point: Vector2): Geom[];
 }
 
-/** What happened. Of two geoms that touch each other only one is `geom`. */
+/** An event. Of two geoms that touch each other only one is `geom`. */
 export type Event<AnyBody extends Body = Body, Partner = Geom> =
   | { type: 'touchBegin' | 'touchEnd'; geom: Geom; partner: Partner }
   | { type: 'jointBroke'; joint: Joint }
   | { type: 'springBroke'; spring: Spring }
-  /** The body left all numbers; it was put back and, unless it is static, disabled. */
+  /** The state of the body overflowed; it was restored and, unless the body is static, the body was disabled. */
   | { type: 'notFinite'; body: AnyBody };
 
 /** Settings of a {@link Simulator}. */
@@ -362,22 +362,22 @@ export interface SimulatorOptions {
   gravity?: Vector2;
   /** `precise`, the default, is fast and accurate; `faithful` is Farseer Physics 2.1.3, bit for bit. */
   methods?: 'precise' | 'faithful';
-  /** Precise set: how long something of middle size is. Default 32, for pixels; 1 for metres. */
+  /** Precise set: size of a typical object. Default 32, for pixels; 1 for metres. */
   lengthUnit?: number;
-  /** Faithful set: how contacts are found. Default `distanceGrid`. */
+  /** Faithful set: the narrow phase. Default `distanceGrid`. */
   narrowPhase?: 'distanceGrid' | 'sat';
   iterations?: number;
   frictionType?: 'average' | 'minimum';
   isSleepEnabled?: boolean;
 }
 
-/** Where a ray enters a geom. */
+/** The point at which a ray enters a geom. */
 export interface RayCastHit {
   geom: Geom;
   point: Vector2;
-  /** Outward, of length 1. */
+  /** Outward unit vector. */
   normal: Vector2;
-  /** Part of the way from start to end, 0 to 1. */
+  /** Fraction of the distance from start to end, 0 to 1. */
   fraction: number;
 }
 
@@ -386,80 +386,79 @@ export class Simulator {
   /** @throws {PhysicsError} for gravity or a length unit that is not finite; {TypeError} for unknown settings. */
   constructor(options?: SimulatorOptions);
   /**
-   * x, y and rotation of each body from `3 * body.slot` on: in the order of creation, until something is disposed, whose row is
-   * NaN until it is used again. A view of the module's memory as things are now: ask for it once per frame, not once for ever,
-   * and copy what is to last.
+   * x, y and rotation of each body from `3 * body.slot` on, in the order of creation. The row of a disposed body is NaN until it
+   * is used again. A view of the module's memory at present: read it once per frame, and copy values that are to last.
    */
   readonly positions: Float32Array;
-  /** Where a ray enters the first geom of these categories, or null. A geom that holds the start is not hit there. */
+  /** The first hit of a ray among the geoms of these categories, or null. A geom around the start is not hit there. */
   rayCast(start: Vector2, end: Vector2, options?: { categories?: number }): RayCastHit | null;
-  /** The geoms whose boxes reach into a box. */
+  /** The geoms whose AABBs overlap a box. */
   queryAabb(min: Vector2, max: Vector2): Geom[];
 }
 
 export interface Simulator extends World<Body, Geom> {}
 
-/** How a figure walks: lengths in px, times in s. */
+/** Settings of walking figures: lengths in px, times in s. */
 export interface WalkSettings {
   /** px/s². Default 1500. */
   acceleration: number;
   /** px/s². Default 600. */
   airAcceleration: number;
-  /** How far the soles rise. Default 60. */
+  /** Height of a jump at the soles. Default 60. */
   jumpHeight: number;
-  /** The highest curb that is walked up as if it were none. Default 8. */
+  /** The highest curb that does not stop it. Default 8. */
   stepUp: number;
-  /** How far below the soles the floor may be for a figure to be put down on it instead of falling. Default 8. */
+  /** Greatest distance of a floor below the soles to which it is put down instead of falling. Default 8. */
   snap: number;
   /** The steepest slope that is a floor, rad. Default 50 degrees. */
   maxSlope: number;
-  /** How long one may still jump after an edge. Default 0.1. */
+  /** Time after an edge in which a jump is still possible. Default 0.1. */
   coyoteTime: number;
-  /** How far over the soles the edges are that it takes hold of in the air; 0, the default, for none. */
+  /** Height over the soles up to which it grabs ledges in the air; 0, the default, for none. */
   ledgeReach: number;
-  /** How fast it climbs over an edge, px/s. Default 160. */
+  /** Speed of climbing over a ledge, px/s. Default 160. */
   climbSpeed: number;
 }
 
-/** A body of the 2.5D engine. What it inherits is of its plane: x as in the world, y down. */
+/** A body of the 2.5D engine. Inherited members are in its plane: x as in the world, y down. */
 export class DepthBody extends Body {
   protected constructor();
   /** x and z of its origin, and as y the height of its lowest point over the ground. */
   position3d: Vector3;
   velocity3d: Vector3;
-  /** Where its origin appears. */
+  /** Position of its origin on the screen. */
   readonly screenPosition: Vector2;
-  /** Whether it lies or stands on something. */
+  /** Whether it lies or stands on a support. */
   readonly isGrounded: boolean;
-  /** The height of what it would fall on, for its shadow; null where there is nothing. */
+  /** Height of the surface beneath it, for its shadow; null if there is none. */
   readonly heightBeneath: number | null;
-  /** How it walks; what is not set stays. */
+  /** Settings of its walking; absent ones are kept. */
   get walkSettings(): WalkSettings;
   set walkSettings(value: Partial<WalkSettings>);
   applyForce3d(amount: Vector3): void;
   applyImpulse3d(amount: Vector3): void;
-  /** Lets the next step bring a kinematic body to a place. */
+  /** Moves a kinematic body to a position in the next step. */
   moveTo3d(position3d: Vector3): void;
-  /** What the ground is like for it; what is not said is 0. */
+  /** Friction and restitution of the ground for it; absent values are 0. */
   setGround(surface: { frictionCoefficient?: number; restitutionCoefficient?: number }): void;
-  /** With which of its geoms it lies on the ground; without one it falls for ever. Things that are spawned have one. */
+  /** Sets the geom that rests on the ground; without one it falls for ever. Spawned bodies have one. */
   setObjectGeom(geom: Geom): void;
-  /** Gives a figure that walked back to gravity. */
+  /** Ends walking: the figure falls and slides like any body. */
   letGo(): void;
 }
 
-/** What can be said of a platform while it is made. */
+/** Options of a new platform. */
 export interface PlatformOptions {
   /** Tilt, clockwise on the screen, rad: a slope. Default 0. */
   rotation?: number;
   velocity?: Vector3;
-  /** It is a belt: speed of its surface along its tilted width, and along z. */
+  /** Speed of its surface, as of a belt, along its tilted width, and along z. */
   surfaceSpeed?: { along: number; depth: number };
   /** Open from below and from its sides. Default false. */
   isOneWay?: boolean;
 }
 
-/** A box that nothing pushes, to stand on. */
+/** A static or moving box to stand on, which no contact moves. */
 export class Platform implements Thing {
   protected constructor();
   userData: unknown;
@@ -471,21 +470,21 @@ export class Platform implements Thing {
   set velocity(value: Vector3);
   set surfaceSpeed(value: { along: number; depth: number });
   set isOneWay(value: boolean);
-  /** What is not said is 0. */
+  /** Absent values are 0. */
   setSurface(surface: { frictionCoefficient?: number; restitutionCoefficient?: number }): void;
-  /** Lets the next step bring it to a place; it carries what stands on it. */
+  /** Moves it to a position in the next step; it carries the bodies on it. */
   moveTo(position3d: Vector3): void;
-  /** Takes it away, at once. */
+  /** Removes it at once. */
   dispose(): void;
 }
 
-/** What can be said of something that is spawned. */
+/** Options of a spawned body. */
 export interface SpawnOptions {
   /** x, height of its lowest point, z. Default the origin. */
   position3d?: Vector3;
   /** Default 1. */
   mass?: number;
-  /** Against everything, the ground too. Default 0.4. */
+  /** For all contacts, also with the ground. Default 0.4. */
   frictionCoefficient?: number;
   /** Default 0. */
   restitutionCoefficient?: number;
@@ -508,9 +507,9 @@ export interface Spawned {
 
 /** Settings of a {@link DepthSimulator}. */
 export interface DepthSimulatorOptions {
-  /** Of the screen, px. */
+  /** Height of the screen, px. */
   height: number;
-  /** Of the z axis on the screen, degrees, 1 to 179; 90 is straight up. Default 90. */
+  /** Angle of the z axis on the screen, degrees, 1 to 179; 90 is straight up. Default 90. */
   angle?: number;
   /** y down. Default none. */
   gravity?: Vector2;
@@ -520,7 +519,7 @@ export interface DepthSimulatorOptions {
   isSleepEnabled?: boolean;
 }
 
-/** Where a ray enters something of the world. */
+/** The point at which a ray enters a geom, a platform or the ground. */
 export interface RayHit3d {
   partner: Geom | Platform | 'ground';
   point: Vector3;
@@ -542,8 +541,8 @@ export class DepthSimulator {
   /** A ball, which rolls in all directions. */
   spawnBall(radius: number, options?: SpawnOptions): Spawned;
   /**
-   * Somebody who walks: an upright cylinder of mass 70, without friction, whose diameter is the mean of width and depth. Only with
-   * the precise set of methods, as walking.
+   * A walking figure: an upright cylinder of mass 70, without friction, whose diameter is the mean of width and depth. Only with
+   * the precise set of methods, like walking.
    */
   spawnFigure(
     size: Size,
@@ -551,25 +550,25 @@ export class DepthSimulator {
   ): Spawned;
   /** Four invisible walls around a level: left, right, front and back. */
   spawnLane(bounds: { left: number; right: number; front: number; back: number; height: number }): Platform[];
-  /** A platform at its {@link Platform.position3d}. It takes part at once. */
+  /** A platform at its {@link Platform.position3d}. It collides at once. */
   createPlatform(size: Size, position3d: Vector3, options?: PlatformOptions): Platform;
   /** Gives the outline of a geom a depth. */
   setPrism(geom: Geom, depth: number): void;
   /** Makes a geom a ball. */
   setRound(geom: Geom, radius: number): void;
   /**
-   * Lets a figure walk, jump and fall as a player expects: before each step, with the step's `dt`. Speeds in px/s.
-   * Answers whether it stands.
+   * Moves a figure that walks, jumps and falls as a player expects: call it before each step, with the step's `dt`. Speeds in px/s.
+   * Returns whether it stands.
    */
   walk(body: DepthBody, wish: { x?: number; z?: number; jump?: boolean }, dt: number): boolean;
   toScreen(point: Vector3): Vector2;
   /** The point of the ground that appears at a point of the screen. */
   screenToGround(point: Vector2): Vector3;
-  /** What is to be drawn, from back to front. */
+  /** The bodies and platforms, from back to front. */
   drawOrder(): (DepthBody | Platform)[];
-  /** What is in front at a point of the screen, or null. */
+  /** The front body or platform at a point of the screen, or null. */
   pickFront(point: Vector2): DepthBody | Platform | null;
-  /** Where a ray enters the first thing, or null. */
+  /** The first hit of a ray, or null. */
   rayCast3d(start: Vector3, end: Vector3): RayHit3d | null;
 }
 

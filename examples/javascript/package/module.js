@@ -1,4 +1,4 @@
-// The WebAssembly module: loading it, calling it, and what passes through its memory.
+// The WebAssembly module: loading, calls, and exchange of data through its memory.
 
 /** A call that the engine refused, in its words. */
 export class PhysicsError extends Error {
@@ -38,12 +38,12 @@ export async function load(source) {
   await loading;
 }
 
-/** Calls a function of the module; what it refuses is thrown. */
+/** Calls a function of the module; throws if it refuses. */
 export function call(name, ...values) {
   if (functions === null) throw new PhysicsError('await initialize() first');
   if (functions[name] === undefined) throw new PhysicsError('a module of 2D alone was loaded: initialize that of twohalf');
   const answer = functions[name](...values);
-  // Of all answers only a refusal is NaN.
+  // Only a refusal returns NaN.
   if (answer !== answer) throw new PhysicsError(text());
   return answer;
 }

@@ -1,4 +1,4 @@
-// Bodies, geoms, joints and springs: handles of what lives in a simulator.
+// Bodies, geoms, joints and springs: handles of objects in a simulator.
 
 import { call, list, vector } from './module.js';
 
@@ -24,7 +24,7 @@ export class Thing {
     return this.#id;
   }
 
-  /** What it named is not in the simulator that was restored. */
+  /** Makes it stale: its object is not in the restored simulator. */
   forget() {
     this.#id = -1;
   }
@@ -55,7 +55,7 @@ function define(Class, kind, names) {
   }
 }
 
-/** Sets what options say; a name that nothing has is a mistake. */
+/** Sets the given options; an unknown name throws. */
 export function assign(thing, options) {
   for (const [name, value] of Object.entries(options)) {
     if (value === undefined) continue;
@@ -65,7 +65,7 @@ export function assign(thing, options) {
   return thing;
 }
 
-/** The same for what was just made: it goes again if they are refused. */
+/** The same for a new object, which is disposed if they are refused. */
 export function finish(thing, options) {
   try {
     return assign(thing, options);

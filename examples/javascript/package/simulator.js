@@ -1,14 +1,14 @@
-// What both simulators have, and the one in 2D.
+// The base class of both simulators, and the one in 2D.
 
 import { bytes, call, leaveBytes, leavePoints, list, vector, view } from './module.js';
 import { Body, Geom, Joint, Spring, assign, finish } from './objects.js';
 
 const EVENT_TYPES = ['touchBegin', 'touchEnd', 'jointBroke', 'springBroke', 'notFinite'];
 const registry = new FinalizationRegistry((handle) => call('simulator_free', handle));
-/** How many handles there may be before those of the dead are looked for. */
+/** Number of handles from which on those of disposed objects are removed. */
 const FEWEST_TO_SWEEP = 1024;
 
-/** Where a geom sits on its body, and what else was said of it. */
+/** Placement of a geom on its body, and its other settings. */
 function placed({ offset = { x: 0, y: 0 }, rotationOffset = 0, collisionGridSize = 0, ...settings }) {
   return [[offset.x, offset.y, rotationOffset, collisionGridSize], settings];
 }
@@ -54,7 +54,7 @@ export class World {
     return this.thing(Geom, id);
   }
 
-  /** The id of something that must be of this simulator. */
+  /** The id of an object that must be of this simulator. */
   idOf(thing, Class) {
     if (!(thing instanceof Class)) throw new TypeError(`a ${Class.name} is needed`);
     if (thing.simulator !== this) throw new TypeError(`the ${Class.name} is of another simulator`);

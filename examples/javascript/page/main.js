@@ -1,11 +1,11 @@
-// Loads the module, and plays both scenes at 60 steps per second, whatever the screen does.
+// Loads the module, and plays both scenes at 60 steps per second, for any frame rate.
 
 import { initialize } from '../package/index.js';
 import { Pile } from './pile.js';
 import { Street } from './street.js';
 
 const DT = 1 / 60;
-/** After a tab was hidden nothing is made up for. */
+/** Greatest number of steps per frame: the time of a hidden tab is skipped. */
 const MOST_STEPS = 5;
 
 await initialize();

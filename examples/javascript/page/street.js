@@ -105,7 +105,7 @@ export class Street {
     context.stroke();
   }
 
-  /** Those of the six faces of a box that look up, to the front or, as the z axis leans, to the right. */
+  /** The visible faces of a box: top, front and, as the z axis leans, the right side. */
   #box(at, colour) {
     this.#face([at[1], at[5], at[6], at[2]], shade(colour, -30));
     this.#face([at[0], at[4], at[5], at[1]], shade(colour, 25));

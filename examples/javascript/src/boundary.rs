@@ -1,4 +1,4 @@
-//! How numbers become arguments, answers become numbers, and the buffers for all that is no number.
+//! Conversion of numbers to arguments and of results to numbers, and the buffers for all other data.
 
 use std::cell::RefCell;
 use std::fmt::Display;
@@ -8,11 +8,11 @@ use farseer_core::math::Vector2;
 use farseer_core::math::Vector3;
 use farseer_core::{CollisionCategory, Error, Vertices};
 
-/// A call was refused; why is left as text. That travels lightly: every function hands refusals on.
+/// A call was refused; the reason is stored as text. The type has no content, so that every function can pass it on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Failure(());
 
-/// What comes of a call.
+/// Result of a call.
 pub type Outcome<T = ()> = Result<T, Failure>;
 
 impl Failure {
@@ -40,7 +40,7 @@ pub(crate) fn invalid(argument: &'static str, value: f64, requirement: &'static 
     Failure::because(&format_args!("{argument} is {value}, but must be {requirement}"))
 }
 
-/// What passes between JavaScript and the module besides numbers.
+/// Buffers between JavaScript and the module for everything but numbers.
 #[derive(Debug, Default)]
 struct Buffers {
     numbers: Vec<f64>,
@@ -53,7 +53,7 @@ thread_local! {
     static TEXT: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// What a call comes to as a number: NaN if it was refused, with the reason left behind as text.
+/// Number that a call returns: NaN if it was refused, with the reason stored as text.
 #[inline(never)]
 pub(crate) fn answer<T: Answer>(outcome: Outcome<T>) -> f64 {
     outcome.and_then(Answer::number).unwrap_or(f64::NAN)
@@ -66,7 +66,7 @@ pub(crate) fn refuse_argument(argument: &'static str, number: f64, requirement: 
     answer::<f64>(Err(invalid(argument, number, requirement)))
 }
 
-/// Leaves numbers behind; answers how many.
+/// Leaves numbers behind; returns their count.
 pub(crate) fn leave_numbers(numbers: impl IntoIterator<Item = f64>) -> f64 {
     BUFFERS.with_borrow_mut(|buffers| {
         buffers.numbers.clear();
@@ -75,7 +75,7 @@ pub(crate) fn leave_numbers(numbers: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
-/// Leaves bytes behind; answers how many.
+/// Leaves bytes behind; returns their count.
 pub(crate) fn leave_bytes(bytes: Vec<u8>) -> f64 {
     BUFFERS.with_borrow_mut(|buffers| {
         buffers.bytes = bytes;
@@ -83,7 +83,7 @@ pub(crate) fn leave_bytes(bytes: Vec<u8>) -> f64 {
     })
 }
 
-/// Exactly so much room, if there is so much.
+/// Resizes the buffer to this size, if there is enough memory.
 fn make_room<T: Clone + Default>(buffer: &mut Vec<T>, count: usize) -> Outcome {
     buffer.clear();
     if buffer.try_reserve_exact(count).is_err() {
@@ -93,7 +93,7 @@ fn make_room<T: Clone + Default>(buffer: &mut Vec<T>, count: usize) -> Outcome {
     Ok(())
 }
 
-/// Looks at the bytes that JavaScript has left.
+/// Reads the bytes that JavaScript has left.
 pub(crate) fn with_bytes<T>(look: impl FnOnce(&[u8]) -> T) -> T {
     BUFFERS.with_borrow(|buffers| look(&buffers.bytes))
 }
@@ -111,7 +111,7 @@ pub(crate) fn points() -> Outcome<Vertices> {
 
 /// An argument that is made of one number.
 pub(crate) trait Argument: Sized {
-    /// What the number must be, for the message of a refusal.
+    /// The requirement on the number, for the message of a refusal.
     const REQUIREMENT: &'static str;
 
     /// Reads it, if it is that.
@@ -166,9 +166,9 @@ impl Argument for CollisionCategory {
     }
 }
 
-/// What a call may answer.
+/// A type that a call may return.
 pub(crate) trait Answer {
-    /// The number that stands for it; what is longer is left in the buffer of numbers, and this is how many there are.
+    /// The number that represents it. Longer results are left in the buffer of numbers, and this is their count.
     fn number(self) -> Outcome<f64>;
 }
 
@@ -215,11 +215,11 @@ impl Answer for Vector3 {
     }
 }
 
-/// Defines functions of the module: `fn name(argument: Type, ...) -> { body }`, whose body comes to an [`Outcome`].
+/// Defines functions of the module: `fn name(argument: Type, ...) -> { body }`, whose body returns an [`Outcome`].
 macro_rules! exports {
     ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $type:ty),* $(,)?) $body:block)*) => {$(
         $(#[$doc])*
-        // Only the name is unsafe, for a linker that might find it twice; those of one module are told apart by the compiler.
+        // Only the name is unsafe, for a linker that might find it twice; the compiler rejects duplicates within one module.
         #[cfg_attr(target_family = "wasm", allow(unsafe_code), unsafe(no_mangle))]
         pub extern "C" fn $name($($argument: f64),*) -> f64 {
             $(
@@ -246,7 +246,7 @@ exports! {
     /// Where the numbers that were left are in memory, as 64-bit floats.
     fn numbers_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.numbers.as_ptr() as usize as f64)) }
 
-    /// Makes room for numbers; answers where.
+    /// Reserves space for numbers; returns its address.
     fn reserve_numbers(count: usize) {
         BUFFERS.with_borrow_mut(|buffers| {
             make_room(&mut buffers.numbers, count)?;
@@ -257,7 +257,7 @@ exports! {
     /// Where the bytes that were left are in memory.
     fn bytes_pointer() { Ok(BUFFERS.with_borrow(|buffers| buffers.bytes.as_ptr() as usize as f64)) }
 
-    /// Makes room for bytes; answers where.
+    /// Reserves space for bytes; returns its address.
     fn reserve_bytes(count: usize) {
         BUFFERS.with_borrow_mut(|buffers| {
             make_room(&mut buffers.bytes, count)?;
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_set_is_answered_bit_by_bit() {
+    fn set_values_are_returned_bit_by_bit() {
         let simulator = simulator_new(0.0, 100.0);
         let body = body_circle(simulator, 10.0, 1.0);
         let (x, y) = (f64::from(0.1_f32), f64::from(-123.456_f32));
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn a_refused_call_answers_nan_and_leaves_the_words_of_the_engine() {
+    fn a_refused_call_returns_nan_and_leaves_the_message_of_the_engine() {
         let simulator = simulator_new(0.0, 100.0);
         assert!(body_circle(simulator, -1.0, 1.0).is_nan());
         assert_eq!(text(), "radius is -1.0, but must be finite and greater than 0");
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn no_number_that_is_no_argument_gets_through() {
+    fn numbers_that_are_no_valid_argument_are_refused() {
         let simulator = simulator_new(0.0, 100.0);
         for iterations in [0.5, f64::NAN, f64::INFINITY, -3e9] {
             assert!(simulator_set_iterations(simulator, iterations).is_nan(), "{iterations}");

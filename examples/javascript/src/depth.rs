@@ -1,7 +1,7 @@
-//! The 2.5D engine, and what it leaves to the game to keep.
+//! The 2.5D engine, and the state that it leaves to the game.
 
 use farseer_core::snapshot::SnapshotFormat;
-use farseer_core::{BodyId, SideTable};
+use farseer_core::{BodyId, SecondaryMap};
 use twohalf::{CharacterController, CharacterSettings, DrawOrder, PlatformId, TwoHalfPhysicsSimulator};
 
 use crate::boundary::{Answer, Argument, Failure, Outcome};
@@ -10,11 +10,11 @@ use crate::world::{Engine, Simulator, put};
 #[derive(Debug)]
 pub(crate) struct Depth {
     pub(crate) simulator: TwoHalfPhysicsSimulator,
-    pub(crate) walkers: SideTable<BodyId, CharacterController>,
+    pub(crate) walkers: SecondaryMap<BodyId, CharacterController>,
     pub(crate) order: DrawOrder,
 }
 
-/// A snapshot in 2.5D, with what walks.
+/// A snapshot in 2.5D, with the character controllers.
 pub const WITH_WALKERS: SnapshotFormat = SnapshotFormat { magic: *b"Walkers2", version: 1 };
 
 impl Depth {
@@ -24,7 +24,7 @@ impl Depth {
         walkers.forget_disposed(simulator.core());
     }
 
-    /// How a body walks, as long as nobody says otherwise.
+    /// The character controller of a body, or a default one.
     pub(crate) fn walker(&self, body: BodyId) -> CharacterController {
         self.walkers
             .get(body)

@@ -4,7 +4,8 @@ use farseer_core::{BodyId, ControllerId, GeomId, JointId, SpringId};
 
 use crate::boundary::{Answer, Argument, Failure, Outcome};
 
-/// Slots below this, and generations of the rest, are told exactly: 2^24 slots, and 2^29 things one after the other in each.
+/// Number of slots below which, and of generations of the rest, ids are exact: 2^24 slots, and 2^29 objects one after the other
+/// in each.
 const SLOTS: f64 = 16_777_216.0;
 const GENERATIONS: u32 = 1 << 29;
 
@@ -21,7 +22,7 @@ fn to_number(bits: u64) -> Outcome<f64> {
 /// No id has these bits.
 const NONE: u64 = u64::MAX;
 
-/// The bits of the id that a number stands for, or none.
+/// The bits of the id that a number represents, or none.
 #[inline(never)]
 fn from_number(number: f64) -> u64 {
     if !(0.0..SLOTS * f64::from(GENERATIONS)).contains(&number) {
@@ -59,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ids_come_back_from_their_numbers_over_the_whole_range() {
+    fn ids_are_recovered_from_their_numbers_over_the_full_range() {
         for (slot, generation) in [(0_u32, 0), (5, 0), (0, 7), (16_777_215, GENERATIONS - 1)] {
             let id = BodyId::from_bits(u64::from(generation) << 32 | u64::from(slot));
             assert_eq!(id.slot(), slot as usize);
@@ -68,14 +69,14 @@ mod tests {
     }
 
     #[test]
-    fn ids_that_no_number_can_tell_are_refused_instead_of_naming_something_else() {
+    fn ids_that_no_number_can_represent_are_refused() {
         for bits in [16_777_216, u64::from(GENERATIONS) << 32] {
             assert!(BodyId::from_bits(bits).number().is_err());
         }
     }
 
     #[test]
-    fn what_is_no_id_is_refused() {
+    fn a_number_that_is_no_id_is_refused() {
         for number in [-1.0, f64::NAN, f64::INFINITY, SLOTS * f64::from(GENERATIONS)] {
             assert_eq!(BodyId::read(number), None, "{number}");
         }

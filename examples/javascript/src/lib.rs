@@ -1,8 +1,8 @@
-//! The engines for JavaScript: what the WebAssembly module exports. Without the feature `depth` it has that in 2D alone.
+//! The engines for JavaScript: the exports of the WebAssembly module. Without the feature `depth` it has those in 2D alone.
 //!
-//! Every exported function takes numbers and answers a number; NaN says that the call was refused, and
-//! [`boundary::text_pointer`] where the message is. No pointer ever comes in: what is more than numbers passes through
-//! [buffers](boundary) that belong to the module. So nothing that JavaScript passes can be unsound, and the module needs
+//! Every exported function takes numbers and returns a number; NaN means that the call was refused, and
+//! [`boundary::text_pointer`] is the address of the message. No pointer ever comes in: all other data pass through
+//! [buffers](boundary) that belong to the module. So no argument from JavaScript can be unsound, and the module needs
 //! neither a generator nor a runtime. The classes that people use are in `package/`.
 
 pub mod boundary;

@@ -1,18 +1,18 @@
-//! What began and ceased to touch, told once each, whatever the methods: those of the engines tell of it in several ways.
+//! Begin and end of touches, each reported once with all methods, although the engines report them in several ways.
 
 use std::collections::VecDeque;
 
-use farseer_core::order::{joined, sort_by_number};
+use farseer_core::order::{packed_key, sort_by_number};
 use farseer_core::{BodyId, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
 #[cfg(feature = "depth")]
 use twohalf::{PlatformId, TwoHalfPhysicsSimulator};
 
 use crate::world::Engine;
 
-/// Of a game that never asks the oldest are forgotten.
+/// Number of events that are kept; the oldest are dropped if a game never drains them.
 const MOST_HAPPENINGS: usize = 65_536;
 
-/// What a geom touches.
+/// The other side of a touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Partner {
     Geom(GeomId),
@@ -33,10 +33,10 @@ impl From<twohalf::ContactTarget> for Partner {
     }
 }
 
-/// A geom and what it touches: of two geoms that with the smaller id is first.
+/// A touch of a geom with a partner: of two geoms that with the smaller id is first.
 type Touch = (GeomId, Partner);
 
-/// What happened, for a game to hear of.
+/// An event for the game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Happening {
     TouchBegin(GeomId, Partner),
@@ -47,13 +47,13 @@ pub(crate) enum Happening {
     NotFinite(BodyId),
 }
 
-/// What touches, and what happened since somebody asked.
+/// Present touches, and the events since the last call.
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     /// In order, each once.
     touching: Vec<Touch>,
     happenings: VecDeque<Happening>,
-    /// Something was edited that ends touches of which the engines do not tell.
+    /// Whether an edit has ended touches without a report of the engines.
     is_in_doubt: bool,
 }
 
@@ -65,22 +65,22 @@ fn ordered(this: GeomId, partner: impl Into<Partner>) -> Touch {
 }
 
 impl Log {
-    /// After a disposal, or something was switched on or off.
+    /// Call this after a disposal, or when an object was enabled or disabled.
     pub(crate) fn doubt(&mut self) {
         self.is_in_doubt = true;
     }
 
-    /// What happened since the last call.
+    /// Events since the last call.
     pub(crate) fn drain(&mut self) -> impl Iterator<Item = Happening> + '_ {
         self.happenings.drain(..)
     }
 
-    /// After the engine was restored: what touches now is no news.
+    /// Call this after the engine was restored: present touches are no events.
     pub(crate) fn begin_anew(&mut self, engine: &Engine) {
         *self = Log { touching: touching_now(engine), ..Log::default() };
     }
 
-    /// Takes over what the last update tells.
+    /// Takes over the reports of the last update.
     pub(crate) fn follow(&mut self, engine: &Engine) {
         match engine {
             Engine::Plane(simulator) => self.follow_plane(simulator),
@@ -167,7 +167,7 @@ fn touching_now(engine: &Engine) -> Vec<Touch> {
             depth.simulator.contacts().for_each(|contact| note(ordered(contact.this, contact.partner)));
         }
     }
-    // What touches is there: no two share a slot.
+    // Touching geoms exist: no two share a slot.
     sort_by_number(&mut now, |&(this, partner)| {
         let (kind, number) = match partner {
             Partner::Geom(geom) => (0, geom.slot() as u32),
@@ -176,7 +176,7 @@ fn touching_now(engine: &Engine) -> Vec<Touch> {
             #[cfg(feature = "depth")]
             Partner::Ground => (2, 0),
         };
-        joined([this.slot() as u32, kind, number])
+        packed_key([this.slot() as u32, kind, number])
     });
     now.dedup();
     now
@@ -187,7 +187,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn of_more_than_fits_the_oldest_are_forgotten() {
+    fn the_oldest_events_are_dropped_beyond_the_capacity() {
         let mut simulator = PhysicsSimulator::default();
         let bodies = [0; 2].map(|_| simulator.create_body(farseer_core::Body::new()));
         let mut log = Log::default();

@@ -17,7 +17,7 @@ pub(crate) enum Engine {
     Depth(Box<Depth>),
 }
 
-/// A simulator and what is told of it.
+/// A simulator and its event log.
 #[derive(Debug)]
 pub(crate) struct World {
     pub(crate) engine: Engine,
@@ -25,7 +25,7 @@ pub(crate) struct World {
     positions: Vec<f32>,
 }
 
-/// The number of a simulator; what is no number of one is found out with those that were freed.
+/// The number of a simulator; a number without a simulator is treated like that of a freed one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Simulator(f64);
 
@@ -43,7 +43,7 @@ impl Argument for Simulator {
 }
 
 impl Simulator {
-    /// Keeps a new one; answers its number.
+    /// Keeps a new one; returns its number.
     #[inline(never)]
     pub(crate) fn keep(engine: Engine) -> f64 {
         let world = Box::new(World { engine, log: Log::default(), positions: Vec::new() });
@@ -73,8 +73,8 @@ impl Simulator {
         WORLDS.with_borrow_mut(|worlds| worlds[self.0 as usize] = Some(world));
     }
 
-    /// Does something with it. It is lent meanwhile, so that not every one of these is made a copy of what finds it; nothing
-    /// asks for a second one.
+    /// Calls a function with the world. One shared lookup keeps the compiler from copying it into every function; calls are
+    /// never nested.
     #[inline]
     pub(crate) fn with<T>(self, act: impl FnOnce(&mut World) -> Outcome<T>) -> Outcome<T> {
         let Some(mut world) = self.lend() else { return Err(no_simulator()) };
@@ -83,7 +83,7 @@ impl Simulator {
         outcome
     }
 
-    /// After something that ends touches of which the engines do not tell.
+    /// Call this after an edit that ends touches without a report of the engines.
     pub(crate) fn doubt(self) -> Outcome {
         self.with(|world| {
             world.log.doubt();
@@ -91,7 +91,7 @@ impl Simulator {
         })
     }
 
-    /// Does something to what both engines have.
+    /// Edits objects that both engines have.
     pub(crate) fn objects<T>(self, edit: impl FnOnce(&mut Objects) -> farseer_core::Result<T>) -> Outcome<T> {
         self.with(|world| Ok(world.engine.objects(edit)?))
     }
@@ -140,7 +140,7 @@ impl Simulator {
     }
 }
 
-/// Does what both engines do by the same name.
+/// Calls a method that both engines have by the same name.
 macro_rules! either {
     ($simulator:expr, |$engine:ident| $act:expr) => {
         $simulator.with(|world| {
@@ -158,7 +158,7 @@ macro_rules! either {
 }
 pub(crate) use either;
 
-/// An id of something that was disposed.
+/// The error of an id of a disposed object.
 #[cold]
 #[inline(never)]
 pub(crate) fn stale(argument: &'static str) -> Failure {
@@ -198,7 +198,7 @@ impl Engine {
         }
     }
 
-    /// That of the engine itself in 2D; in 2.5D with the figures that walk.
+    /// The snapshot of the engine itself in 2D; in 2.5D with the character controllers.
     pub(crate) fn snapshot(&self) -> Vec<u8> {
         match self {
             Engine::Plane(simulator) => simulator.snapshot(),
@@ -237,8 +237,8 @@ impl World {
         &self.positions
     }
 
-    /// Brings up to date where everything is: x, y and rotation of each body, or x, y, z and rotation, in rows by slots; rows of
-    /// slots that are empty are NaN.
+    /// Brings up to date where everything is: x, y and rotation of each body, or x, y, z and rotation, in rows by slots; rows
+    /// of slots that are empty are NaN.
     pub(crate) fn refresh_positions(&mut self) {
         let World { engine, positions, .. } = self;
         positions.clear();

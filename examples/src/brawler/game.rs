@@ -1,4 +1,4 @@
-//! The game. It knows no screen; [`Brawler::step`] takes what keys are down, whoever holds them.
+//! The game. It has no screen; [`Brawler::step`] takes the keys that are down, of any source.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -15,11 +15,11 @@ const DT: f32 = 1.0 / RATE as f32;
 pub(super) const ANGLE: i32 = 70;
 pub(super) const HEIGHT: i32 = 480;
 
-/// Front and back of the street; how high it is, and the terrace behind the lift.
+/// Front and back of the street in px of Z; heights of the street and of the terrace behind the lift.
 pub(super) const LANE: [f32; 2] = [10.0, 150.0];
 pub(super) const STREET: f32 = 40.0;
 pub(super) const TERRACE: f32 = 130.0;
-/// From where to where along X: a hole, a belt that runs to the left, a pond, the lift, a press.
+/// Ranges along X in px: a hole, a belt that runs to the left, a pond, the lift, a press.
 pub(super) const HOLE: [f32; 2] = [560.0, 640.0];
 const BELT: [f32; 2] = [980.0, 1120.0];
 pub(super) const POND: [f32; 2] = [1200.0, 1340.0];
@@ -28,29 +28,29 @@ pub(super) const PRESS: [f32; 2] = [1800.0, 1870.0];
 const DOOR: f32 = 1640.0;
 const END: f32 = 2100.0;
 
-/// X and Z of thugs and balls; X, height over the floor and Z of crates.
+/// X and Z of thugs and balls in px; X, height over the floor and Z of crates.
 const THUGS: [[f32; 2]; 6] =
     [[420.0, 60.0], [800.0, 110.0], [880.0, 50.0], [1560.0, 60.0], [1600.0, 110.0], [1980.0, 80.0]];
 const BALLS: [[f32; 2]; 3] = [[320.0, 40.0], [1240.0, 60.0], [1740.0, 110.0]];
 const CRATES: [[f32; 3]; 5] =
     [[200.0, 0.0, 90.0], [780.0, 0.0, 110.0], [780.0, 30.0, 110.0], [930.0, 0.0, 65.0], [1500.0, 0.0, 90.0]];
 
-/// What is held down, and what was pressed just now.
+/// Keys that are held down, and keys that were pressed just now.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Keys {
-    /// From -1, to the left, to 1.
+    /// Direction along X as a fraction of the full speed: from -1, to the left, to 1.
     pub x: f32,
-    /// From -1, to the front, to 1.
+    /// Direction along Z as a fraction of the full speed: from -1, to the front, to 1.
     pub z: f32,
     /// Jumps.
     pub jump: bool,
     /// Strikes.
     pub punch: bool,
-    /// Lifts what is near, or throws what is held; only in the step in which it was pressed.
+    /// Lifts a near object, or throws the held one; only in the step in which it was pressed.
     pub grab: bool,
 }
 
-/// Somebody who fights.
+/// The player or a thug.
 #[derive(Debug, Clone)]
 pub(super) struct Fighter {
     pub(super) actor: Actor,
@@ -70,18 +70,18 @@ pub struct Brawler {
     pub(super) lift: PlatformId,
     pub(super) press: PlatformId,
     pub(super) door: Door,
-    /// Around the lane; they are not seen.
+    /// Walls around the lane; they are invisible.
     pub(super) walls: [PlatformId; 4],
-    /// How it stands.
+    /// Present state.
     pub state: State,
 }
 
-/// How a game stands, besides who is where.
+/// State of a game besides the positions.
 #[derive(Debug, Clone, Default)]
 pub struct State {
-    /// Points so far.
+    /// Number of points so far.
     pub score: u32,
-    /// What the player holds.
+    /// The player's hands, with the object they hold.
     pub(super) hands: Hands,
     /// Where and when blows have landed.
     pub(super) blows: Vec<(Vector3, f32)>,
@@ -94,7 +94,7 @@ fn floor_at(x: f32) -> f32 {
 }
 
 impl Brawler {
-    /// The start of the street. Nothing of it is refused.
+    /// The start of the street. The engine refuses none of it.
     pub fn new() -> Result<Self> {
         let gravity = Vector2::new(0.0, 900.0);
         let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(HEIGHT, ANGLE, gravity)?;
@@ -134,7 +134,7 @@ impl Brawler {
         Ok(Brawler { simulator, fighters, loads, rope, lift, press, door, walls, state })
     }
 
-    /// Where the player's fighter stands.
+    /// Position of the player's fighter.
     pub(super) fn player(&self) -> Vector3 {
         self.fighters[0].actor.place(&self.simulator)
     }
@@ -144,7 +144,7 @@ impl Brawler {
         self.simulator.platform(platform).map_or(0.0, |platform| platform.position3d().y)
     }
 
-    /// One step of 1 / [`RATE`] s. Fails with what the engine refuses: nothing, with what keys say.
+    /// One step of 1 / [`RATE`] s. Fails if the engine refuses a call, which no keys can cause.
     pub fn step(&mut self, keys: Keys) -> Result<()> {
         self.state.time += DT;
         self.move_platforms()?;
@@ -167,13 +167,13 @@ impl Brawler {
             let place = platform.position3d();
             platform.move_to(Vector3::new(place.x, height, place.z))?;
         }
-        // The door opens to the back, once nobody guards it.
+        // The door opens to the back, once it is unguarded.
         let guards = self.fighters[1..].iter().any(|thug| thug.actor.place(&self.simulator).x < DOOR);
         self.door.turn_towards(&mut self.simulator, if guards { -FRAC_PI_2 } else { 0.0 }, DT)?;
         Ok(())
     }
 
-    /// What a thug would press.
+    /// The keys of a thug.
     fn chase(&self, at: usize) -> Keys {
         let place = self.fighters[at].actor.place(&self.simulator);
         let way = self.player() - place;
@@ -235,7 +235,7 @@ impl Brawler {
         Ok(())
     }
 
-    /// What flies fells whom it meets, and the press whom it crushes.
+    /// Flying objects fell the fighters that they hit, and the press those that it crushes.
     fn look_at_events(&mut self) -> Result<()> {
         let player = self.fighters[0].actor.thing.geom;
         let hurt = |event: &Event| match *event {
@@ -252,7 +252,7 @@ impl Brawler {
         all.into_iter().try_for_each(|geom| self.hurt(geom, 3))
     }
 
-    /// Who is knocked out, or fell into the hole, is gone; the player begins again beside it.
+    /// A fighter that is knocked out, or fell into the hole, is removed; the player begins again beside it.
     fn count_out(&mut self) -> Result<()> {
         let Brawler { simulator, fighters, .. } = self;
         for at in (0..fighters.len()).rev() {

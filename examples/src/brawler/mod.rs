@@ -1,4 +1,4 @@
-//! A small beat-'em-up: thugs who chase, what is thrown at them, and what a street has in store.
+//! A small beat-'em-up: thugs who chase, objects to throw at them, and obstacles of a street.
 
 mod game;
 mod paint;

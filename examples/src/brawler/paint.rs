@@ -1,4 +1,4 @@
-//! What the street looks like: all pictures are painted here.
+//! The look of the street: all pictures are painted here.
 
 use twohalf::{BodyId, DepthProfile, Drawable};
 use twohalf_factories::Actor;
@@ -11,7 +11,7 @@ use crate::scenery::{city_at_dusk, draw_burst, sky_at_dusk};
 /// Width and height of the picture in px.
 pub const SIZE: [u32; 2] = [720, 480];
 const ZOOM: f32 = 1.2;
-/// Where the city ends below, in px of the picture, and which part of the camera's way it goes.
+/// Lower edge of the city in px of the picture, and the fraction of the camera's motion that it follows.
 const HORIZON: f32 = 245.0;
 const FAR: f32 = 0.35;
 const COAT: Color = Color::rgb(46, 120, 214);
@@ -50,17 +50,17 @@ impl Paint {
         })
     }
 
-    /// What follows the player: from the simulator's px to those of the picture.
+    /// The camera, which follows the player: from the simulator's px to those of the picture.
     pub fn camera(game: &Brawler) -> Transform {
         let [x, y] = [game.player().x.clamp(216.0, 1860.0) + 60.0, HEIGHT as f32 - 194.0];
         Transform::camera([x, y], ZOOM, 0.0, SIZE.map(|side| 0.5 * side as f32))
     }
 
-    /// Draws the street about the player on a canvas of [`SIZE`]; nothing of it is refused.
+    /// Draws the street about the player on a canvas of [`SIZE`]; the renderer refuses none of it.
     pub fn draw(&self, game: &Brawler, canvas: &mut dyn Canvas) -> Result<()> {
         let camera = Paint::camera(game);
         canvas.draw_texture(&self.sky, &Transform::IDENTITY, Color::WHITE, None);
-        // It is as large as it is to be seen, and goes by whole px: nothing of it is to be sampled.
+        // It has its final size, and moves by integer px, so that it is never resampled.
         let passed = Transform::translation([(FAR * camera.translation[0]).round(), 0.0]);
         let mut view = View::new(canvas).camera(&passed);
         draw_parallax_layer(&mut view, &self.city, HORIZON - self.city.height() as f32, 1.0);

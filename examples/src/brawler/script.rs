@@ -1,10 +1,10 @@
-//! Somebody who plays.
+//! A script that plays the game.
 
 use twohalf_factories::Spawned;
 
 use super::game::*;
 
-/// Somebody who knows the street, and presses the keys.
+/// The keys of a player who knows the street.
 pub fn script(game: &Brawler) -> Keys {
     let (me, holds) = (game.player(), game.state.hands.held().is_some());
     let jump = (HOLE[0] - 14.0..HOLE[0] + 20.0).contains(&me.x) || (POND[0] - 12.0..POND[0]).contains(&me.x);

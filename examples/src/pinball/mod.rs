@@ -7,7 +7,7 @@ pub use picture::{FELT, draw, play};
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyFactory, BodyId, CollisionCategory, Contact, Context, Dispatch, FixedAngleSpring, GeomFactory,
-    GeomId, GeomPlacement, JointFactory, Methods, Objects, PhysicsSimulator, SideTable, SpringFactory,
+    GeomId, GeomPlacement, JointFactory, Methods, Objects, PhysicsSimulator, SecondaryMap, SpringFactory,
     TypedSpringId,
 };
 
@@ -22,24 +22,25 @@ pub const FLIPPER: [f32; 2] = [74.0, 14.0];
 /// Updates per second.
 pub const RATE: u32 = 240;
 
-/// What lies on the table, and what lies on the ramp above it.
+/// Collision categories of objects on the table, and of those on the ramp above it.
 const BELOW: CollisionCategory = CollisionCategory::CAT2;
 const ABOVE: CollisionCategory = CollisionCategory::CAT3;
 const BALLS: CollisionCategory = CollisionCategory::CAT1;
-/// Collision group of walls and flippers, which would meet by the categories of either: a flipper passes the wall at its hinge.
+/// Collision group number of walls and flippers, which would collide by the categories of either: a flipper passes the wall at
+/// its hinge.
 const FRAME: i32 = 1;
 
 const SLOPE: f32 = 420.0;
 const START: [f32; 2] = [403.0, 640.0];
 const LAUNCH: f32 = 900.0;
-/// Angles of the left flipper at rest and raised, and its spring.
+/// Angles in rad of the left flipper at rest and raised, and its spring.
 const ANGLES: [f32; 2] = [0.45, -0.5];
 const SPRING: [f32; 2] = [1.2e7, 2.0e4];
 /// How fast a bumper sends the ball away, in px/s.
 const KICK: f32 = 420.0;
 const BALLS_OF_A_GAME: u32 = 3;
 
-/// What is hit for points, and how it looks.
+/// A target that scores, and its look.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Thing {
     /// Sends the ball away.
@@ -64,16 +65,16 @@ pub enum Thing {
 /// The score, and all else that handlers know.
 #[derive(Debug, Clone, Default)]
 pub struct Game {
-    /// Points so far.
+    /// Number of points so far.
     pub score: u32,
-    /// Balls that are left, with the one that rolls.
+    /// Number of remaining balls, with the one that rolls.
     pub balls: u32,
-    /// How often the ball has run over the ramp.
+    /// Number of times that the ball has run over the ramp.
     pub ramps: u32,
     /// The ball is on the ramp.
     pub is_above: bool,
-    /// What things on the table are.
-    pub things: SideTable<GeomId, Thing>,
+    /// The targets on the table.
+    pub things: SecondaryMap<GeomId, Thing>,
     ball: Option<(BodyId, GeomId)>,
 }
 
@@ -91,7 +92,7 @@ pub enum Side {
 struct Flipper {
     body: BodyId,
     spring: TypedSpringId<FixedAngleSpring>,
-    /// 1 for the left one, -1 for the right one.
+    /// Factor 1 for the left one, -1 for the right one.
     sign: f32,
 }
 
@@ -255,7 +256,7 @@ impl Pinball {
         Ok(geom)
     }
 
-    /// A ramp over the table: who comes up into its mouth meets its rails alone until the way out.
+    /// A ramp over the table: a ball that comes up into its mouth collides with its rails alone until the way out.
     fn add_ramp(&mut self) -> Result<()> {
         self.add_wall([8.0, 220.0], [274.0, 330.0], 0.0, ABOVE)?;
         self.add_wall([8.0, 220.0], [326.0, 330.0], 0.0, ABOVE)?;
@@ -291,7 +292,7 @@ fn add_flipper(simulator: &mut PhysicsSimulator, sign: f32) -> Result<Flipper> {
     Ok(Flipper { body, spring, sign })
 }
 
-/// The ball goes before the plunger: called by the game and by a handler alike.
+/// Puts the ball before the plunger: called by the game and by a handler alike.
 fn set_up(objects: &mut Objects, game: &mut Game) {
     if let Some((ball, _)) = game.ball {
         objects[ball].set_position(Vector2::from(START));
@@ -379,7 +380,7 @@ fn leave_ramp(
 mod tests {
     use super::*;
 
-    /// A table with the ball at a place.
+    /// A table with the ball at a position.
     fn table_with_ball(position: [f32; 2], velocity: [f32; 2]) -> Pinball {
         let mut table = Pinball::new().unwrap();
         table.simulator[table.ball].set_position(Vector2::from(position));

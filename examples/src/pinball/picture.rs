@@ -1,4 +1,4 @@
-//! What the table looks like, and somebody who plays.
+//! The look of the table, and a script that plays.
 
 use farseer_core::BodyId;
 use twohalf_render::{Canvas, Color, Transform, draw_text};
@@ -6,12 +6,12 @@ use twohalf_render::{Canvas, Color, Transform, draw_text};
 use super::{BALL, FLIPPER, Pinball, Side, TABLE, Thing};
 use crate::Result;
 
-/// What lies behind everything.
+/// Colour of the background.
 pub const FELT: Color = Color::rgb(24, 52, 66);
 const WOOD: Color = Color::rgb(150, 104, 62);
 const RAIL: Color = Color::rgba(210, 226, 236, 200);
 
-/// Launches, and raises a flipper while the ball is over it and comes down.
+/// Launches, and raises a flipper while the ball is over it and moves down.
 ///
 /// # Errors
 /// None.
@@ -30,7 +30,7 @@ pub fn play(table: &mut Pinball) -> Result<()> {
     Ok(())
 }
 
-/// Draws a table on what is as large as [`TABLE`] and filled with [`FELT`].
+/// Draws a table on a canvas that is as large as [`TABLE`] and filled with [`FELT`].
 pub fn draw(table: &Pinball, canvas: &mut dyn Canvas) {
     let simulator = table.simulator();
     let place = |body: BodyId| {

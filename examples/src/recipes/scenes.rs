@@ -1,4 +1,4 @@
-//! The scenes: those of the documentation, with the same numbers where it gives some.
+//! The scenes of the documentation, with its numbers where it gives some.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -45,12 +45,12 @@ recipes! {
     "a-camera-that-follows" at 150.0: camera, 0.0 "it begins", 1.5 "it follows", 3.0 "on and on";
 }
 
-/// Lets an actor do what is wished.
+/// Moves an actor by an input.
 fn act(stage: &mut RecipeStage, at: usize, wish: MoveInput, dt: f32) -> Result<bool> {
     Ok(stage.actors[at].act(&mut stage.simulator, wish, dt)?)
 }
 
-/// A step in which the first actor walks, wishing something at each time.
+/// A step in which the first actor walks, with an input for each time.
 fn walking(wish: impl Fn(f32) -> MoveInput + 'static) -> Result<Step> {
     let mut time = 0.0;
     Ok(Box::new(move |stage, dt| {
@@ -61,7 +61,7 @@ fn walking(wish: impl Fn(f32) -> MoveInput + 'static) -> Result<Step> {
     }))
 }
 
-/// A step in which nobody wishes anything.
+/// A step without input.
 fn updating() -> Result<Step> {
     Ok(Box::new(|stage, dt| {
         stage.simulator.update(dt);

@@ -9,7 +9,7 @@ use crate::Result;
 const HEIGHT: i32 = 240;
 const ANGLE: i32 = 70;
 const ZOOM: f32 = 0.62;
-/// Front and back of the lane.
+/// Front and back of the lane in px of Z.
 pub(super) const LANE: [f32; 2] = [0.0, 100.0];
 
 pub(super) const BLUE: Color = Color::rgb(46, 110, 206);
@@ -21,7 +21,7 @@ const STONE: Color = Color::rgb(140, 134, 134);
 pub(super) struct RecipeStage {
     pub(super) simulator: TwoHalfPhysicsSimulator,
     pub(super) actors: Vec<Actor>,
-    /// X of the middle of the picture.
+    /// X of the middle of the picture in px.
     pub(super) middle: f32,
     pub(super) patches: Vec<Patch>,
     pub(super) rope: Option<SpawnedRope>,
@@ -43,7 +43,7 @@ impl RecipeStage {
         })
     }
 
-    /// Somebody of 30 by 60 by 20 px. The first one is the player's.
+    /// An actor of 30 by 60 by 20 px. The first one is the player's.
     pub(super) fn actor(&mut self, place: [f32; 3]) -> Result<Actor> {
         let actor = Actor::spawn(&mut self.simulator, Figure::new([30.0, 60.0, 20.0]).at(place))?;
         let color = if self.actors.is_empty() { BLUE } else { RED };
@@ -53,7 +53,7 @@ impl RecipeStage {
         Ok(actor)
     }
 
-    /// What an actor is seen doing.
+    /// Sets the pose in which an actor is drawn.
     pub(super) fn pose(&mut self, at: usize, pose: Pose) {
         self.poses[at] = pose;
     }

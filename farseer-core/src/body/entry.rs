@@ -1,4 +1,4 @@
-//! What the simulator keeps of a body.
+//! A body as the simulator stores it: with its geoms and the state of edits.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,15 +11,15 @@ use crate::storage::reusing_clone::reusing_clone;
 /// The bodies of a simulator.
 pub(crate) type Bodies = Collection<BodyEntry, BodyId>;
 
-/// What the simulator keeps of a body.
+/// A body in the simulator, with its attached geoms.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct BodyEntry {
     pub(crate) body: Body,
-    /// In the order in which they were attached.
+    /// Geoms of the body, in the order in which they were attached.
     pub(crate) geoms: Vec<GeomId>,
-    /// The pose the geoms have followed.
+    /// Pose of the body when its geoms were last brought to it.
     pub(crate) followed: Pose,
-    /// It was lent out for editing since the simulator last looked.
+    /// Whether the game has borrowed the body mutably since edits were last applied.
     pub(crate) is_touched: bool,
 }
 
@@ -30,15 +30,15 @@ impl BodyEntry {
         BodyEntry { followed: body.pose(), body, geoms: Vec::new(), is_touched: false }
     }
 
-    /// The geom is not attached any more, if it was. Bodies of thousands of geoms let them go one by one, so nothing is
-    /// looked at beyond it.
+    /// Removes `geom` from the attached geoms, if it is one of them. Bodies with thousands of geoms lose them one by
+    /// one, so the search ends at the geom.
     pub(crate) fn detach(&mut self, geom: GeomId) {
         if let Some(position) = self.geoms.iter().position(|&other| other == geom) {
             self.geoms.remove(position);
         }
     }
 
-    /// The pose, if the geoms have not followed it yet.
+    /// The pose, if the geoms have not been brought to it yet.
     #[inline]
     pub(crate) fn pending_pose(&self) -> Option<(Vector2, f32)> {
         let (position, rotation) = (self.body.position(), self.body.rotation());

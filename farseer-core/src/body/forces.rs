@@ -1,27 +1,27 @@
-//! What is applied to a body and acts in the next update.
+//! Forces, torques and impulses that act on a body in the next update.
 
 use super::Body;
 use crate::math::Vector2;
 
 impl Body {
-    /// Force accumulated for the next update.
+    /// Force accumulated for the next update, in mass units · length units/s².
     #[doc(alias = "Force")]
     pub fn force(&self) -> Vector2 {
         self.force
     }
 
-    /// Impulse accumulated for the next update, mass times velocity.
+    /// Impulse accumulated for the next update, in mass units · length units/s.
     pub fn impulse(&self) -> Vector2 {
         self.impulse
     }
 
-    /// Torque accumulated for the next update.
+    /// Torque accumulated for the next update, in mass units · length units²/s².
     #[doc(alias = "Torque")]
     pub fn torque(&self) -> f32 {
         self.torque
     }
 
-    /// Adds a force at the body's origin, acting over the next update.
+    /// Adds a force in mass units · length units/s² at the body's origin, acting over the next update.
     #[doc(alias = "ApplyForce")]
     pub fn apply_force(&mut self, amount: Vector2) {
         let force = self.force + amount;
@@ -51,7 +51,7 @@ impl Body {
         }
     }
 
-    /// Adds a torque, acting over the next update.
+    /// Adds a torque in mass units · length units²/s², acting over the next update.
     #[doc(alias = "ApplyTorque")]
     pub fn apply_torque(&mut self, torque: f32) {
         let torque = self.torque + torque;
@@ -60,7 +60,7 @@ impl Body {
         }
     }
 
-    /// Adds an impulse, mass times velocity, that changes the velocity at the next update.
+    /// Adds an impulse in mass units · length units/s that changes the velocity at the next update.
     #[doc(alias = "ApplyImpulse")]
     pub fn apply_impulse(&mut self, amount: Vector2) {
         let impulse = self.impulse + amount;
@@ -69,7 +69,8 @@ impl Body {
         }
     }
 
-    /// Changes the angular velocity at once by the impulse over the moment of inertia.
+    /// Changes the angular velocity at once by `amount` times the inverse moment of inertia. `amount` is in mass units
+    /// · length units²/s.
     #[doc(alias = "ApplyAngularImpulse")]
     pub fn apply_angular_impulse(&mut self, amount: f32) {
         let angular_velocity = self.angular_velocity + amount * self.inverse_moment_of_inertia;
@@ -78,19 +79,19 @@ impl Body {
         }
     }
 
-    /// Forgets the accumulated force.
+    /// Sets the accumulated force to zero.
     #[doc(alias = "ClearForce")]
     pub fn clear_force(&mut self) {
         self.force = Vector2::zeros();
     }
 
-    /// Forgets the accumulated torque.
+    /// Sets the accumulated torque to zero.
     #[doc(alias = "ClearTorque")]
     pub fn clear_torque(&mut self) {
         self.torque = 0.0;
     }
 
-    /// Forgets the accumulated impulse.
+    /// Sets the accumulated impulse to zero.
     #[doc(alias = "ClearImpulse")]
     pub fn clear_impulse(&mut self) {
         self.impulse = Vector2::zeros();

@@ -1,4 +1,4 @@
-//! Points and velocities, in the frame of the body and in that of the world.
+//! Points and velocities, in the body's coordinates and in those of the world.
 
 use super::Body;
 use crate::math::matrix::create_rotation_z;
@@ -6,7 +6,7 @@ use crate::math::vector2::transform;
 use crate::math::{Matrix, Vector2};
 
 impl Body {
-    /// Rotation about the body's origin and its translation, in row vector convention.
+    /// Rotation about the body's origin and its translation, for row vectors.
     #[doc(alias = "GetBodyMatrix")]
     pub fn get_body_matrix(&self) -> Matrix {
         let mut matrix = create_rotation_z(self.rotation);
@@ -57,8 +57,8 @@ impl Body {
         velocity_at(self.linear_velocity, self.angular_velocity, offset)
     }
 
-    /// Like [`get_velocity_at_world_offset`](Self::get_velocity_at_world_offset), of the velocity with which
-    /// the solver pushes overlapping bodies apart.
+    /// Like [`get_velocity_at_world_offset`](Self::get_velocity_at_world_offset), but of the bias velocity, with which
+    /// the solver separates overlapping bodies.
     #[doc(alias = "GetVelocityBiasAtWorldOffset")]
     pub fn get_velocity_bias_at_world_offset(&self, offset: Vector2) -> Vector2 {
         velocity_at(self.linear_velocity_bias, self.angular_velocity_bias, offset)
@@ -70,8 +70,8 @@ impl Body {
         self.get_velocity_at_world_offset(world_point - self.position)
     }
 
-    /// Velocity of a point given in the body's coordinates. The original adds the position and subtracts it
-    /// again, so the result loses digits far from the origin.
+    /// Velocity of a point given in the body's coordinates. The original adds the position and subtracts it again, so
+    /// the result loses digits far from the origin.
     #[doc(alias = "GetVelocityAtLocalPoint")]
     pub fn get_velocity_at_local_point(&self, local_point: Vector2) -> Vector2 {
         self.get_velocity_at_world_offset(self.get_world_position(local_point) - self.position)

@@ -1,12 +1,12 @@
-//! How forces become velocity and velocity becomes motion, with both sets of methods.
+//! Time integration of a body: forces to velocity, velocity to pose. Used by both sets of methods.
 
 use super::Body;
 use crate::math::vector2::length;
 use crate::math::{Vector2, scalar};
 
-/// What the simulator does with a body that is enabled and not static (behaviour chapter 02, sections 5, 6).
+/// Integration of bodies that are enabled and not static (behaviour chapter 02, sections 5, 6).
 impl Body {
-    /// Whether the simulator moves the body.
+    /// Whether the simulator integrates the body.
     #[inline]
     pub(crate) fn is_integrated(&self) -> bool {
         self.enabled && !self.is_static
@@ -14,7 +14,7 @@ impl Body {
 
     /// Whether the position and rotation are finite.
     #[inline]
-    pub(crate) fn place_is_finite(&self) -> bool {
+    pub(crate) fn pose_is_finite(&self) -> bool {
         let sum =
             self.position.x * 0.0 + self.position.y * 0.0 + self.rotation * 0.0 + self.total_rotation * 0.0;
         sum == 0.0
@@ -28,22 +28,23 @@ impl Body {
             + self.linear_velocity_bias.x * 0.0
             + self.linear_velocity_bias.y * 0.0
             + self.angular_velocity_bias * 0.0;
-        sum == 0.0 && self.place_is_finite()
+        sum == 0.0 && self.pose_is_finite()
     }
 
-    /// Whether the velocity is finite: all that forces change.
+    /// Whether linear and angular velocity are finite. Forces change no other quantity.
     #[inline]
-    pub(crate) fn moves_finitely(&self) -> bool {
+    pub(crate) fn velocity_is_finite(&self) -> bool {
         self.linear_velocity.x * 0.0 + self.linear_velocity.y * 0.0 + self.angular_velocity * 0.0 == 0.0
     }
 
-    /// What part of gravity acts on the body.
+    /// Factor by which the simulator's gravity acts on the body, dimensionless. 0 if the body ignores gravity or is
+    /// immovable.
     #[inline]
-    pub(crate) fn gravity_part(&self) -> f32 {
+    pub(crate) fn effective_gravity_scale(&self) -> f32 {
         if self.ignore_gravity || self.is_immovable() { 0.0 } else { self.gravity_scale }
     }
 
-    /// Adds gravity to the accumulated force. A scale of 1 changes no bit.
+    /// Adds gravity to the accumulated force. A gravity scale of 1 changes no bit.
     #[inline]
     pub(crate) fn accumulate_gravity(&mut self, gravity: Vector2) {
         if !self.ignore_gravity {
@@ -52,7 +53,7 @@ impl Body {
         }
     }
 
-    /// Turns the accumulated impulse into velocity. Also without any impulse: the addition turns -0 into +0.
+    /// Adds the accumulated impulse to the velocity. It also runs without any impulse: the addition turns -0 into +0.
     #[inline]
     pub(crate) fn apply_accumulated_impulse(&mut self) {
         if !self.is_immovable() {
@@ -61,7 +62,7 @@ impl Body {
         self.impulse = Vector2::zeros();
     }
 
-    /// Turns force and drag into velocity over `dt` seconds, then forgets the force.
+    /// Integrates force and drag into the velocity over `dt` seconds, then clears the force.
     #[inline]
     pub(crate) fn integrate_velocity(&mut self, dt: f32) {
         let v = self.linear_velocity;
@@ -81,8 +82,8 @@ impl Body {
         self.torque = 0.0;
     }
 
-    /// What the precise set reads before a step: the accelerations by forces and torque, which are forgotten then, and by drag
-    /// in proportion to the square of the velocity.
+    /// Returns linear and angular acceleration for a step of the precise set, in length units/s² and rad/s². They are
+    /// those of the accumulated force and torque, which are cleared, and of quadratic drag.
     pub(crate) fn take_accelerations(&mut self) -> (Vector2, f32) {
         let mut force = std::mem::replace(&mut self.force, Vector2::zeros());
         if self.is_quadratic_drag_enabled {
@@ -92,13 +93,14 @@ impl Body {
         (force * self.inverse_mass, torque * self.inverse_moment_of_inertia)
     }
 
-    /// What part of its velocity and of its spin the body loses to drag in a second, at the spin it has.
+    /// Fractions of the linear and of the angular velocity that drag takes per second (1/s), at the present angular
+    /// velocity.
     pub(crate) fn drag_rates(&self) -> (f32, f32) {
         let spin_drag = self.rotational_drag_coefficient * self.angular_velocity.abs();
         (self.linear_drag_coefficient * self.inverse_mass, spin_drag * self.inverse_moment_of_inertia)
     }
 
-    /// Moves the body to where a step of the precise set has brought it.
+    /// Stores the result of a step of the precise set: pose and velocities.
     #[inline]
     pub(crate) fn end_step(&mut self, position: Vector2, turned_by: f32, velocity: Vector2, spin: f32) {
         self.position = position;
@@ -106,11 +108,11 @@ impl Body {
         (self.linear_velocity, self.angular_velocity) = (velocity, spin);
         self.has_moved = true;
         if self.is_kinematic {
-            self.land();
+            self.finish_move();
         }
     }
 
-    /// Moves the body over `dt` seconds and answers whether its pose changed.
+    /// Moves the body over `dt` seconds and returns whether its pose changed.
     #[inline]
     pub(crate) fn integrate_position(&mut self, dt: f32) -> bool {
         let mut moved = false;
@@ -127,13 +129,13 @@ impl Body {
         }
         self.angular_velocity_bias = 0.0;
         if self.is_kinematic {
-            self.land();
+            self.finish_move();
         }
         self.has_moved |= moved;
         moved
     }
 
-    /// Whether the original raises its Updated event at the end of every step: from the first movement on.
+    /// Whether the body has ever moved. From then on the original raises its Updated event at the end of every step.
     #[inline]
     pub(crate) fn has_moved(&self) -> bool {
         self.has_moved

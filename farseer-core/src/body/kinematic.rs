@@ -1,4 +1,5 @@
-//! Bodies that a game moves and nothing pushes: lifts, doors, turntables. Ours: the original has none.
+//! Kinematic bodies: moved by the game and by no force or contact, such as lifts, doors, turntables. Ours: the original
+//! has none.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,22 +11,22 @@ use crate::{Error, Result};
 
 const PI: f32 = std::f32::consts::PI;
 
-/// Where a kinematic body is brought.
+/// The pose to which [`Body::move_to`] brings a kinematic body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Target {
     position: Vector2,
-    /// In the range of one turn.
+    /// Radians, within one turn.
     rotation: f32,
     progress: Progress,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 enum Progress {
-    /// The next update brings the body there.
+    /// The next update moves the body to the pose.
     Due,
-    /// The body has the velocity that does.
+    /// The body has the velocity that brings it there in this step.
     Moving,
-    /// The next update lets the body stand still.
+    /// The body is there; the next update sets its velocity to zero.
     Reached,
 }
 
@@ -42,14 +43,16 @@ impl Body {
         self.is_kinematic
     }
 
-    /// Makes the body kinematic, or dynamic if it was. Ours: the original has only static and dynamic bodies.
+    /// Makes the body kinematic, or dynamic if it was kinematic. Ours: the original has only static and dynamic bodies.
     ///
-    /// A kinematic body has infinite mass, as a static one. It goes on with its linear and angular velocity, or to where it
-    /// is [told](Self::move_to) to; no force, gravity, drag or push changes that, and what was applied to it is forgotten
-    /// with each update. It pushes dynamic bodies, with the precise set also those on its way in an update, however fast it is, carries
-    /// them by friction, and passes through static and other kinematic
-    /// ones. It is not [static](Self::is_static), and making it static ends this. With both
-    /// [sets of methods](crate::Methods).
+    /// A kinematic body has infinite mass, as a static one. It keeps its linear and angular velocity, or goes to the
+    /// pose that [`move_to`](Self::move_to) sets. No force, gravity, drag or contact changes its motion, and each
+    /// update discards the forces that were applied to it. It pushes dynamic bodies and carries them by friction. It
+    /// passes through static and other kinematic bodies. With the precise set it also pushes those that it would cross
+    /// within an update, however fast it is.
+    ///
+    /// It is not [static](Self::is_static), and making it static ends this. With both [sets of
+    /// methods](crate::Methods).
     ///
     /// ```
     /// use farseer_core::{BodyFactory, PhysicsSimulator, math::Vector2};
@@ -65,15 +68,15 @@ impl Body {
         self.is_static &= !value;
         self.is_kinematic = value;
         self.target = None;
-        self.renew_inverses();
+        self.update_inverse_mass();
     }
 
-    /// Lets the next update bring a kinematic body to a position and rotation, where it then is to the last bit. It has the
-    /// velocity that does, turning the shorter way, so that it pushes and carries what it touches. In the update after that
-    /// it stands still, unless it is told a new place or given a velocity before.
+    /// Lets the next update bring a kinematic body to a position and rotation, exact to the last bit. In that update it
+    /// has the velocity that leads there, by the shorter turn, so that it pushes and carries the bodies it touches. In
+    /// the update after that it stands still, unless it is given a new target or a velocity before.
     ///
     /// # Errors
-    /// What is not finite; a body that is not [kinematic](Self::is_kinematic).
+    /// A value that is not finite; a body that is not [kinematic](Self::is_kinematic).
     pub fn move_to(&mut self, position: Vector2, rotation: f32) -> Result<()> {
         finite_vector("position", position)?;
         finite("rotation", rotation)?;
@@ -85,20 +88,20 @@ impl Body {
         Ok(())
     }
 
-    /// Whether nothing can push the body: it is static or kinematic.
+    /// Whether no impulse changes the body's velocity: it is static or kinematic.
     #[inline]
     pub(crate) fn is_immovable(&self) -> bool {
         self.is_static || self.is_kinematic
     }
 
-    pub(super) fn renew_inverses(&mut self) {
+    pub(super) fn update_inverse_mass(&mut self) {
         let is_immovable = self.is_immovable();
         self.inverse_mass = if is_immovable { 0.0 } else { 1.0 / self.mass };
         self.inverse_moment_of_inertia = if is_immovable { 0.0 } else { 1.0 / self.moment_of_inertia };
     }
 
-    /// Forgets what was applied, and takes the velocity that leads to the target in `dt` seconds. One to which no finite
-    /// velocity leads is forgotten.
+    /// Clears force, torque and impulse, and sets the velocity that leads to the target in `dt` seconds. If that
+    /// velocity is not finite, the target is discarded.
     pub(crate) fn begin_kinematic_step(&mut self, dt: f32) {
         self.clear_force();
         self.clear_torque();
@@ -110,7 +113,7 @@ impl Body {
             Some(Target { progress: Progress::Moving, ..target }).filter(|_| !is_there && self.is_finite());
     }
 
-    /// The linear and angular velocity that a kinematic body has in the step of `dt` seconds that comes.
+    /// Linear and angular velocity, in length units/s and rad/s, of a kinematic body in the next step of `dt` seconds.
     pub(crate) fn kinematic_velocity(&self, dt: f32) -> (Vector2, f32) {
         let Some(target) = self.target else { return (self.linear_velocity, self.angular_velocity) };
         if target.progress == Progress::Reached {
@@ -128,24 +131,24 @@ impl Body {
     }
 
     /// Whether the next update moves the body, if it is kinematic.
-    pub(crate) fn is_on_its_way(&self) -> bool {
+    pub(crate) fn will_move(&self) -> bool {
         let is_due = self.target.is_some_and(|target| target.progress != Progress::Reached);
         let moves = self.linear_velocity != Vector2::zeros() || self.angular_velocity != 0.0;
         is_due || (moves && self.target.is_none())
     }
 
-    /// The body stays where it is.
-    pub(crate) fn forget_target(&mut self) {
+    /// Discards the target: the body stays where it is.
+    pub(crate) fn clear_target(&mut self) {
         self.target = None;
     }
 
-    /// A body that was on its way to its target is there.
-    pub(crate) fn land(&mut self) {
+    /// Sets the exact target pose at the end of the step that led to it.
+    pub(crate) fn finish_move(&mut self) {
         let Some(target) = self.target.as_mut().filter(|target| target.progress == Progress::Moving) else {
             return;
         };
         target.progress = Progress::Reached;
-        // The way may have ended just beyond one turn, or before it.
+        // Rounding may have ended the motion just beyond one turn, or before it.
         let turns = ((self.rotation - target.rotation) / TWO_PI).round() as i32;
         (self.position, self.rotation) = (target.position, target.rotation);
         self.revolutions = self.revolutions.wrapping_add(turns);

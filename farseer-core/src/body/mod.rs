@@ -9,26 +9,26 @@ mod frame;
 mod integration;
 mod kinematic;
 mod mass;
+pub(crate) mod missing_body;
 mod motion;
-pub(crate) mod nobody;
-mod refused;
-mod rest;
+mod rejected_arguments;
 mod save;
+mod sleep_state;
 
 pub(crate) use self::motion::Pose;
-use self::refused::BodyArguments;
+use self::rejected_arguments::BodyArguments;
 use crate::math::Vector2;
 pub use crate::storage::ids::BodyId;
-use crate::storage::refusals::Refusals;
+use crate::storage::rejected_arguments::RejectedArguments;
 
 /// The state of motion of one rigid body. It has no shape; geoms attached to it have.
 ///
-/// A body is made by [`BodyFactory`](crate::BodyFactory) or [`Body::new`] and given to a simulator, which
-/// answers with a [`BodyId`]: `simulator[body]` is the body from then on.
+/// A body is made by [`BodyFactory`](crate::BodyFactory) or [`Body::new`] and given to a simulator, which answers with
+/// a [`BodyId`]: `simulator[body]` is the body from then on.
 ///
-/// Methods that a game calls every frame return nothing. Given a value that is not finite they change nothing;
-/// the simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update;
-/// after sixteen refusals only further arguments, each once.
+/// Methods that a game calls every frame return nothing. Given a value that is not finite they change nothing; the
+/// simulator reports the refusal as [`Event::RejectedInput`](crate::Event::RejectedInput) in its next update. After
+/// sixteen refusals it reports only arguments that were not refused before, each once.
 #[derive(Debug, Clone)]
 pub struct Body {
     pub(crate) position: Vector2,
@@ -56,18 +56,18 @@ pub struct Body {
     is_static: bool,
     is_kinematic: bool,
     is_bullet: bool,
-    /// Where a kinematic body is brought.
+    /// Target pose of a kinematic body.
     target: Option<kinematic::Target>,
     enabled: bool,
     ignore_gravity: bool,
     is_quadratic_drag_enabled: bool,
     is_auto_idle: bool,
-    /// Never cleared once set; see [`Body::integrate_position`].
+    /// Set by the first movement and never cleared; see [`Body::integrate_position`].
     has_moved: bool,
-    /// A setter moved the body and its geoms have not followed yet.
+    /// Whether a setter has moved the body since its geoms were last brought to it.
     pub(crate) pose_is_dirty: bool,
-    /// Arguments refused since the simulator last looked.
-    pub(crate) rejected: Refusals<BodyArguments>,
+    /// Arguments that setters refused since the simulator last reported them.
+    pub(crate) rejected: RejectedArguments<BodyArguments>,
 }
 
 impl Default for Body {
@@ -147,12 +147,12 @@ impl Body {
             is_auto_idle: false,
             has_moved: false,
             pose_is_dirty: false,
-            rejected: Refusals::default(),
+            rejected: RejectedArguments::default(),
         }
     }
 
-    /// A fresh body with the mass, inertia, drag, tag and flags of another (behaviour chapter 02, section 7).
-    /// Position, velocities, accumulators, idle time and idle settings are those of [`Body::new`].
+    /// A new body with the mass, inertia, drag, tag and flags of another (behaviour chapter 02, section 7). Position,
+    /// velocities, accumulators, idle time and idle settings are those of [`Body::new`].
     #[doc(alias = "Body(Body)")]
     pub fn copy_of(body: &Body) -> Self {
         Body {
@@ -179,7 +179,7 @@ impl Body {
         /// Whether the body takes part in the simulation. Default true.
         #[doc(alias = "Enabled")]
         enabled: bool, set_enabled;
-        /// Whether gravity leaves the body alone. Default false.
+        /// Whether gravity has no effect on the body. Default false.
         #[doc(alias = "IgnoreGravity")]
         ignore_gravity: bool, set_ignore_gravity;
         /// Whether drag quadratic in the speed acts. Default false.
@@ -188,30 +188,31 @@ impl Body {
         /// Whether an inactivity controller may disable the body. Default false.
         #[doc(alias = "IsAutoIdle")]
         is_auto_idle: bool, set_is_auto_idle;
-        /// A number for the user's own purposes, such as the place of a name in a list. Default 0.
+        /// A number for the user's own purposes, such as the index of a name in a list. Default 0.
         #[doc(alias("Tag", "Body.Name"))]
         tag: u64, set_tag;
     }
 
     finite_properties! {
-        /// Force per velocity that linear drag exerts, not scaled by mass. Default 0.001.
+        /// Coefficient c of linear drag: force = -c · velocity. Mass units/s, not scaled by mass. Default 0.001.
         #[doc(alias = "LinearDragCoefficient")]
         linear_drag_coefficient, set_linear_drag_coefficient;
-        /// Factor of the quadratic drag; acts only when it is enabled. Default 0.001.
+        /// Coefficient c of quadratic drag, in mass units/length unit. It acts only when it is
+        /// [enabled](Self::is_quadratic_drag_enabled). Default 0.001.
         #[doc(alias = "QuadraticDragCoefficient")]
         quadratic_drag_coefficient, set_quadratic_drag_coefficient;
-        /// Torque per square of the angular velocity. Default 0.001.
+        /// Coefficient c of rotational drag: torque = -c · angular velocity · |angular velocity|. Default 0.001.
         #[doc(alias = "RotationalDragCoefficient")]
         rotational_drag_coefficient, set_rotational_drag_coefficient;
-        /// Milliseconds spent below [`minimum_velocity`](Self::minimum_velocity), kept by an inactivity controller.
+        /// Milliseconds spent below [`minimum_velocity`](Self::minimum_velocity), counted by an inactivity controller.
         #[doc(alias = "IdleTime")]
         idle_time, set_idle_time;
-        /// Speed from which on the body counts as moving. Default 55.
+        /// Speed in length units/s, from which on the body counts as moving. Default 55.
         #[doc(alias = "MinimumVelocity")]
         minimum_velocity, set_minimum_velocity;
-        /// How strongly the simulator's gravity acts on the body: times what it does to others. Default 1; 0 is as
-        /// [ignoring](Self::ignore_gravity) it, and with a negative number the body falls upward. Ours: the original has
-        /// only the switch.
+        /// Factor by which the simulator's gravity acts on the body, dimensionless. Default 1; 0 has the same effect as
+        /// [ignoring](Self::ignore_gravity) gravity, and with a negative number the body falls upward. Ours: the
+        /// original has only the switch.
         gravity_scale, set_gravity_scale;
     }
 }

@@ -1,4 +1,4 @@
-//! Where a body is, and how it moves.
+//! Pose and velocity of a body.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,14 +7,14 @@ use crate::math::vector2::length;
 use crate::math::{Vector2, math_helper::TWO_PI, scalar};
 
 impl Body {
-    /// Position of the body's origin, its centre of mass.
+    /// Position of the body's origin, its centre of mass, in length units.
     #[doc(alias = "Position")]
     #[inline]
     pub fn position(&self) -> Vector2 {
         self.position
     }
 
-    /// Moves the body; its geoms follow. What is not finite is rejected.
+    /// Moves the body; its geoms follow. A value that is not finite is rejected.
     pub fn set_position(&mut self, value: Vector2) {
         if self.accepts_vector("position", value) {
             self.position = value;
@@ -23,27 +23,27 @@ impl Body {
         }
     }
 
-    /// Moves the body along x alone. What is not finite is rejected.
+    /// Moves the body along x alone. A value that is not finite is rejected.
     #[doc(alias = "Position.X")]
     pub fn set_position_x(&mut self, x: f32) {
         self.set_position(Vector2::new(x, self.position.y));
     }
 
-    /// Moves the body along y alone. What is not finite is rejected.
+    /// Moves the body along y alone. A value that is not finite is rejected.
     #[doc(alias = "Position.Y")]
     pub fn set_position_y(&mut self, y: f32) {
         self.set_position(Vector2::new(self.position.x, y));
     }
 
-    /// Whether continuous collision also counts between the body and dynamic ones. Default false. Ours, and only with the
-    /// [precise set](crate::Methods::Precise): there no body passes through a static, kinematic or sleeping one; a bullet does
-    /// not pass through dynamic bodies either, nor they through it.
+    /// Whether continuous collision also stops the body at dynamic bodies, and them at it. Default false. Ours, and
+    /// only with the [precise set](crate::Methods::Precise): there no body passes through a static, kinematic or
+    /// sleeping one, and a bullet passes through no dynamic one either.
     pub fn is_bullet(&self) -> bool {
         self.is_bullet
     }
 
-    /// Sets [`is_bullet`](Self::is_bullet). For few bodies that are small and fast: in every step in which a bullet moves by
-    /// more than its thickness, the times of impact with all bodies along its way are computed.
+    /// Sets [`is_bullet`](Self::is_bullet). Meant for few bodies that are small and fast: in every step in which a
+    /// bullet moves by more than its thickness, its times of impact with all bodies along its path are computed.
     pub fn set_is_bullet(&mut self, value: bool) {
         self.is_bullet = value;
     }
@@ -56,7 +56,7 @@ impl Body {
     }
 
     /// Turns the body; its geoms follow. The value is brought into the range of one turn, and the turns taken
-    /// off are **added** to [`revolutions`](Self::revolutions), as in the original. What is not finite is rejected.
+    /// off are **added** to [`revolutions`](Self::revolutions), as in the original. A value that is not finite is rejected.
     pub fn set_rotation(&mut self, value: f32) {
         if self.accepts("rotation", value) {
             self.normalize_rotation(value);
@@ -65,7 +65,7 @@ impl Body {
         }
     }
 
-    /// Whole turns taken so far.
+    /// Full turns taken so far.
     #[doc(alias = "Revolutions")]
     pub fn revolutions(&self) -> i32 {
         self.revolutions
@@ -77,15 +77,15 @@ impl Body {
         self.total_rotation
     }
 
-    /// Velocity of the body's origin, per second.
+    /// Velocity of the body's origin, in length units/s.
     #[doc(alias = "LinearVelocity")]
     #[inline]
     pub fn linear_velocity(&self) -> Vector2 {
         self.linear_velocity
     }
 
-    /// Sets the velocity. What is not finite is rejected. A static body keeps its velocity and does not move:
-    /// what touches it feels a conveyor belt.
+    /// Sets the velocity. A value that is not finite is rejected. A static body keeps its velocity and does not move:
+    /// bodies that touch it are carried as by a conveyor belt.
     pub fn set_linear_velocity(&mut self, value: Vector2) {
         if self.accepts_vector("linear_velocity", value) {
             self.linear_velocity = value;
@@ -93,13 +93,13 @@ impl Body {
         }
     }
 
-    /// Sets the velocity along x alone. What is not finite is rejected.
+    /// Sets the velocity along x alone. A value that is not finite is rejected.
     #[doc(alias = "LinearVelocity.X")]
     pub fn set_linear_velocity_x(&mut self, x: f32) {
         self.set_linear_velocity(Vector2::new(x, self.linear_velocity.y));
     }
 
-    /// Sets the velocity along y alone. What is not finite is rejected.
+    /// Sets the velocity along y alone. A value that is not finite is rejected.
     #[doc(alias = "LinearVelocity.Y")]
     pub fn set_linear_velocity_y(&mut self, y: f32) {
         self.set_linear_velocity(Vector2::new(self.linear_velocity.x, y));
@@ -112,7 +112,7 @@ impl Body {
         self.angular_velocity
     }
 
-    /// Sets the angular velocity. What is not finite is rejected.
+    /// Sets the angular velocity. A value that is not finite is rejected.
     #[inline]
     pub fn set_angular_velocity(&mut self, value: f32) {
         if self.accepts("angular_velocity", value) {
@@ -121,14 +121,14 @@ impl Body {
         }
     }
 
-    /// Whether the speed is at least [`minimum_velocity`](Self::minimum_velocity); spin does not count.
+    /// Whether the speed is at least [`minimum_velocity`](Self::minimum_velocity); the angular velocity does not count.
     #[doc(alias = "Moves")]
     pub fn moves(&self) -> bool {
         length(self.linear_velocity) >= self.minimum_velocity
     }
 
-    /// Puts the body at rest at the origin without rotation; forces, torque and impulse are forgotten. Mass,
-    /// flags and drag stay, and so does the velocity with which the solver was pushing it out of an overlap.
+    /// Puts the body at rest at the origin without rotation; force, torque and impulse are cleared. Mass, flags and
+    /// drag stay, and so does the bias velocity with which the solver was separating it from an overlap.
     #[doc(alias = "ResetDynamics")]
     pub fn reset_dynamics(&mut self) {
         self.linear_velocity = Vector2::zeros();
@@ -169,13 +169,13 @@ impl Body {
     }
 }
 
-/// The turns that are taken off a rotation.
+/// Number of full turns that bring a rotation in radians back into the range of one turn.
 pub(super) fn whole_turns(raw: f32) -> i32 {
     let turns = scalar::to_int(raw / TWO_PI);
     if raw < 0.0 { turns.wrapping_sub(1) } else { turns }
 }
 
-/// Where a body is and how far it has turned.
+/// Position and rotation of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Pose {
     pub(crate) position: Vector2,

@@ -1,14 +1,14 @@
-//! How a body is saved, and what is refused of it.
+//! Saving of a body, and the checks when one is loaded.
 
 use serde::{Deserialize, Serialize};
 
 use super::Body;
 use super::kinematic::Target;
-use super::refused::BodyArguments;
+use super::rejected_arguments::BodyArguments;
 use crate::math::Vector2;
-use crate::storage::refusals::Refusals;
+use crate::storage::rejected_arguments::RejectedArguments;
 
-/// The fields of a body. Not derived at the body itself: then anyone could load one past the check.
+/// The saved fields of a body. `Body` itself does not derive `Deserialize`, so that none is loaded without the check.
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Body")]
 struct SavedBody {
@@ -44,7 +44,7 @@ struct SavedBody {
     is_auto_idle: bool,
     has_moved: bool,
     pose_is_dirty: bool,
-    rejected: Refusals<BodyArguments>,
+    rejected: RejectedArguments<BodyArguments>,
 }
 
 impl Serialize for Body {

@@ -7,26 +7,27 @@ use crate::contacts::listed_pairs::ListedPairs;
 use crate::contacts::pair_table::GeomPairBitmap;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
-use crate::geom::surface::{FrictionType, SetSurface};
+use crate::geom::surface::{FrictionType, SurfaceOverride};
 use crate::math::scalar::nearest_finite;
 use crate::storage::order::sort_by_number;
 use crate::storage::reusing_clone::reusing_clone;
 
-/// Number of arbiters a new simulator holds ready.
+/// Number of arbiters in the pool of a new simulator.
 const INITIAL_POOL_SIZE: u32 = 128;
 
-/// Contacts an arbiter has room for before it allocates: the default number that is resolved.
+/// Number of contacts for which an arbiter reserves memory: the default maximum that is resolved.
 const CONTACT_CAPACITY: usize = 4;
 
-/// The contact state between two geoms. A has the smaller creation number.
+/// Contact state of two geoms. A has the smaller creation number.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Arbiter {
     /// `None` only before first use.
     pub(crate) geoms: Option<(GeomId, GeomId)>,
-    /// Fixed when the arbiter is set up. Infinite for coefficients whose sum is.
+    /// Combined friction coefficient, dimensionless, computed when the arbiter is set up. Infinite if the sum of the
+    /// coefficients is.
     #[serde(with = "crate::storage::bits")]
     pub(crate) friction: f32,
-    /// Not cleared by set-up: a pair that gets its old arbiter back continues with the old impulses.
+    /// Contacts; set-up does not clear them: a pair that gets its old arbiter back continues with the old impulses.
     pub(crate) contacts: Vec<Contact>,
 }
 
@@ -45,28 +46,28 @@ pub struct ArbiterRef<'a> {
     pub(crate) handle: u32,
     pub(crate) geoms: (GeomId, GeomId),
     pub(crate) friction: f32,
-    pub(crate) contacts: Found<'a>,
+    pub(crate) contacts: ContactSource<'a>,
 }
 
-/// The contacts of a pair, where they are kept or as they are read.
+/// The contacts of a pair: those stored in the arbiter, or copies that were computed for the caller.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Found<'a> {
-    Kept(&'a [Contact]),
-    Read([Contact; 2], usize),
+pub(crate) enum ContactSource<'a> {
+    Stored(&'a [Contact]),
+    Copied([Contact; 2], usize),
 }
 
-impl Found<'_> {
+impl ContactSource<'_> {
     fn as_slice(&self) -> &[Contact] {
         match self {
-            Found::Kept(contacts) => contacts,
-            Found::Read(contacts, count) => &contacts[..*count],
+            ContactSource::Stored(contacts) => contacts,
+            ContactSource::Copied(contacts, count) => &contacts[..*count],
         }
     }
 }
 
 impl<'a> ArbiterRef<'a> {
-    /// Whether this is the other one itself: the list of a simulator may hold an arbiter twice, which is solved twice then
-    /// but has its contacts once.
+    /// Whether this is the same arbiter as `other`. A simulator's list may hold an arbiter twice: it is solved twice
+    /// then but has its contacts once.
     pub fn is_same(&self, other: &Self) -> bool {
         self.handle == other.handle
     }
@@ -83,8 +84,8 @@ impl<'a> ArbiterRef<'a> {
         self.geoms.1
     }
 
-    /// The combined friction, fixed when the boxes began to overlap. Infinite for coefficients whose sum is, and shown
-    /// as the greatest number then.
+    /// The combined friction coefficient, dimensionless, fixed when the boxes began to overlap. If the sum of the two
+    /// coefficients is infinite, the greatest finite number.
     pub fn friction(&self) -> f32 {
         nearest_finite(self.friction)
     }
@@ -99,22 +100,22 @@ impl<'a> ArbiterRef<'a> {
 
 /// Arbiters in the order in which they are solved, and a pool of unused ones.
 ///
-/// Arbiters have identity: list and pool hold handles, and both may hold the same handle twice, which happens
-/// in the original when a geom with a duplicated pair is removed.
+/// Arbiters have identity: list and pool hold handles, and both may hold the same handle twice, which happens in the
+/// original when a geom with a duplicated pair is removed.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct ArbiterList {
     pub(crate) arbiters: Vec<Arbiter>,
     pub(crate) list: Vec<u32>,
-    /// A stack: the last one in is the first one out.
+    /// A stack: the last arbiter put in is taken first.
     pool: Vec<u32>,
     pairs: GeomPairBitmap,
-    /// By handle: whether an engine solves the arbiter itself in this update. Empty as long as there is none.
+    /// By handle: whether an engine on top solves the arbiter itself in this update. Empty as long as there is none.
     #[serde(skip)]
     left_to_engine: Vec<bool>,
-    /// By handle: what a handler has set about the surfaces in this update. Empty as long as there is nothing.
+    /// By handle: surface properties that a handler has set in this update. Empty as long as there are none.
     #[serde(skip)]
-    surfaces: Vec<SetSurface>,
-    /// Up to date while a broad phase looks for pairs that [asks the list](Self::index_listed).
+    surfaces: Vec<SurfaceOverride>,
+    /// Index of the listed pairs, valid while a broad phase that [asks for it](Self::index_listed) searches for pairs.
     #[serde(skip)]
     listed: ListedPairs,
 }
@@ -150,7 +151,7 @@ impl ArbiterList {
         self.list.get(position).map(|&handle| &mut self.arbiters[handle as usize])
     }
 
-    /// Keeps an arbiter from being gathered by the solver.
+    /// Excludes an arbiter from the core's solver.
     pub(crate) fn leave_to_engine(&mut self, position: usize) {
         if let Some(&handle) = self.list.get(position) {
             self.left_to_engine.resize(self.arbiters.len(), false);
@@ -158,24 +159,24 @@ impl ArbiterList {
         }
     }
 
-    /// What engines have taken over and handlers have set was for one update.
-    pub(crate) fn forget_answers(&mut self) {
+    /// Clears the settings of engines and handlers, which last for one update.
+    pub(crate) fn clear_overrides(&mut self) {
         self.left_to_engine.clear();
         self.surfaces.clear();
     }
 
-    /// Notes what a handler has set about an arbiter, if anything.
+    /// Stores the surface properties that a handler has set for an arbiter, if any.
     #[inline]
-    pub(crate) fn set_surface(&mut self, handle: usize, surface: SetSurface) {
-        if surface != SetSurface::default() {
-            self.surfaces.resize(self.arbiters.len(), SetSurface::default());
+    pub(crate) fn set_surface(&mut self, handle: usize, surface: SurfaceOverride) {
+        if surface != SurfaceOverride::default() {
+            self.surfaces.resize(self.arbiters.len(), SurfaceOverride::default());
             self.surfaces[handle] = surface;
         }
     }
 
-    /// What a handler has set about an arbiter in this update.
+    /// Surface properties that a handler has set for an arbiter in this update.
     #[inline]
-    pub(crate) fn surface(&self, handle: u32) -> SetSurface {
+    pub(crate) fn surface(&self, handle: u32) -> SurfaceOverride {
         self.surfaces.get(handle as usize).copied().unwrap_or_default()
     }
 
@@ -184,7 +185,7 @@ impl ArbiterList {
         self.left_to_engine.get(handle as usize).is_some_and(|&is_left| is_left)
     }
 
-    /// Notes what the list has now, for [`is_listed`](Self::is_listed) and
+    /// Indexes the list as it is now, for [`is_listed`](Self::is_listed) and
     /// [`add_arbiter_unless_listed`](Self::add_arbiter_unless_listed).
     pub(crate) fn index_listed(&mut self) {
         self.listed.clear(self.arbiters.len());
@@ -200,8 +201,8 @@ impl ArbiterList {
         self.listed.contains((geom1, geom2)) || self.listed.contains((geom2, geom1))
     }
 
-    /// Whether handles are in range, and every listed arbiter has geoms that exist: false only after loading
-    /// garbage.
+    /// Whether handles are in range, and every listed arbiter has geoms that exist. False only after loading corrupt
+    /// data.
     pub(crate) fn is_valid(&self, geoms: &Geoms) -> bool {
         let in_range = |&handle: &u32| (handle as usize) < self.arbiters.len();
         self.pairs.is_valid()
@@ -243,16 +244,16 @@ impl ArbiterList {
         geom2: GeomId,
     ) {
         if !self.pairs.test_and_set(geoms[geom1].collision_id, geoms[geom2].collision_id) {
-            let handle = self.fetch();
+            let handle = self.take_from_pool();
             self.set_up(handle, geoms, friction_type, geom1, geom2);
             self.list.push(handle);
         }
     }
 
-    /// Appends an arbiter for a pair, unless the list has one: what the brute force collider does.
+    /// Appends an arbiter for a pair, unless the list has one: the brute force broad phase does this.
     ///
-    /// Like the original, it takes an arbiter from the pool and sets it up before it looks; the one put back
-    /// stays on top.
+    /// Like the original, it takes an arbiter from the pool and sets it up before it searches; an arbiter that is put
+    /// back stays on top of the pool.
     pub(crate) fn add_arbiter_unless_listed(
         &mut self,
         geoms: &Geoms,
@@ -260,10 +261,10 @@ impl ArbiterList {
         geom1: GeomId,
         geom2: GeomId,
     ) {
-        let handle = self.fetch();
+        let handle = self.take_from_pool();
         let before = self.arbiters[handle as usize].geoms;
         let pair = self.set_up(handle, geoms, friction_type, geom1, geom2);
-        self.listed.change(handle, before, pair);
+        self.listed.reassign(handle, before, pair);
         if self.listed.contains(pair) {
             self.pool.push(handle);
         } else {
@@ -272,14 +273,14 @@ impl ArbiterList {
         }
     }
 
-    fn fetch(&mut self) -> u32 {
+    fn take_from_pool(&mut self) -> u32 {
         self.pool.pop().unwrap_or_else(|| {
             self.arbiters.push(Arbiter::fresh());
             self.arbiters.len() as u32 - 1
         })
     }
 
-    /// Makes an arbiter that of a pair, and answers its geoms as A and B. Its contacts stay.
+    /// Sets an arbiter up for a pair and returns its geoms as A and B. Its contacts stay.
     fn set_up(
         &mut self,
         handle: u32,
@@ -297,8 +298,8 @@ impl ArbiterList {
         (a, b)
     }
 
-    /// Removes the arbiters that a predicate names, from the last to the first, and hands each pair to `left`
-    /// in that order. They go to the pool with their contacts.
+    /// Removes the arbiters for which `is_leaving` is true, from the last to the first, and calls `left` with each pair
+    /// in that order. The arbiters return to the pool with their contacts.
     pub(crate) fn remove_where(
         &mut self,
         mut is_leaving: impl FnMut(&Arbiter) -> bool,
@@ -322,10 +323,11 @@ impl ArbiterList {
         }
     }
 
-    /// Takes the arbiters of removed geoms out, geom by geom (behaviour chapter 03, section 7.4): the list is scanned from
-    /// its end, each arbiter found goes to the pool, and the **first equal** one leaves the list, so that the same one is
-    /// found again. So of several arbiters of a pair the last one enters the pool as often as there are, and the others
-    /// are lost, as in the original.
+    /// Removes the arbiters of removed geoms, geom by geom (behaviour chapter 03, section 7.4).
+    ///
+    /// The original scans the list from its end. Each arbiter found goes to the pool, and the **first equal** one
+    /// leaves the list, so that the scan finds the same arbiter again. So of several arbiters of a pair the last one
+    /// enters the pool as often as there are arbiters of the pair, and the others are lost, as in the original.
     pub(crate) fn remove_arbiters_of(&mut self, removed: &[GeomId]) {
         let mut turns: Vec<(u64, usize)> = removed.iter().map(|geom| geom.to_bits()).zip(0..).collect();
         sort_by_number(&mut turns, |&(geom, _)| geom.into());
@@ -335,13 +337,19 @@ impl ArbiterList {
             Some(turns[at].1)
         };
         let turn_of_pair = |(a, b): (GeomId, GeomId)| turn_of(a).into_iter().chain(turn_of(b)).min();
-        let mut leaving: Vec<Leaving> = Vec::new();
+        let mut leaving: Vec<RemovedArbiters> = Vec::new();
         for (found, &handle) in self.list.iter().rev().enumerate() {
             let Some(geoms) = self.arbiters[handle as usize].geoms else { continue };
             let turn = turn_of_pair(geoms);
-            leaving.extend(turn.map(|turn| Leaving { geoms, turn, found, handle, count: 1 }));
+            leaving.extend(turn.map(|turn| RemovedArbiters {
+                geoms,
+                geom_order: turn,
+                found_order: found,
+                handle,
+                count: 1,
+            }));
         }
-        sort_by_number(&mut leaving, |&Leaving { geoms: (a, b), .. }| {
+        sort_by_number(&mut leaving, |&RemovedArbiters { geoms: (a, b), .. }| {
             u128::from(a.to_bits()) << 64 | u128::from(b.to_bits())
         });
         leaving.dedup_by(|next, first| {
@@ -349,9 +357,11 @@ impl ArbiterList {
             first.count += usize::from(is_same);
             is_same
         });
-        // Within a turn they leave in the order in which they were found.
-        sort_by_number(&mut leaving, |leaving| (leaving.turn as u128) << 64 | leaving.found as u128);
-        for Leaving { handle, count, .. } in leaving {
+        // Arbiters of one geom leave in the order in which they were found.
+        sort_by_number(&mut leaving, |leaving| {
+            (leaving.geom_order as u128) << 64 | leaving.found_order as u128
+        });
+        for RemovedArbiters { handle, count, .. } in leaving {
             self.pool.extend(std::iter::repeat_n(handle, count));
         }
         let arbiters = &self.arbiters;
@@ -362,14 +372,14 @@ impl ArbiterList {
 
 /// The arbiters of one pair that leave with a removed geom.
 #[derive(Clone)]
-struct Leaving {
+struct RemovedArbiters {
     geoms: (GeomId, GeomId),
-    /// Which of the removed geoms comes first.
-    turn: usize,
-    /// How many were found before the last one in the list, and that one.
-    found: usize,
+    /// Index, among the removed geoms, of the earlier of the pair's geoms.
+    geom_order: usize,
+    /// Number of arbiters that the scan finds before the last one of this pair, and the handle of that one.
+    found_order: usize,
     handle: u32,
-    /// How many there are.
+    /// Number of arbiters of the pair.
     count: usize,
 }
 
@@ -381,7 +391,7 @@ mod tests {
     use crate::math::Vector2;
     use crate::storage::arena::Id;
 
-    /// A sequence of numbers below a bound.
+    /// Pseudo-random numbers below a bound.
     struct Numbers(u64);
 
     impl Numbers {
@@ -404,7 +414,7 @@ mod tests {
         (ids[first], ids[first + 1 + numbers.below(ids.len() - first - 1)])
     }
 
-    /// List and pool hold arbiters twice, and some are in both.
+    /// A list in which list and pool hold arbiters twice, and some are in both.
     fn shared_list(ids: &[GeomId], numbers: &mut Numbers) -> ArbiterList {
         let mut arbiters = ArbiterList::default();
         arbiters.arbiters.truncate(12);
@@ -418,14 +428,14 @@ mod tests {
 
     type Pairs = Vec<Option<(GeomId, GeomId)>>;
 
-    /// The pairs of all arbiters, list and pool.
+    /// The pairs of all arbiters, the list and the pool.
     fn state(list: &ArbiterList) -> (Pairs, Vec<u32>, Vec<u32>) {
         (list.arbiters.iter().map(|arbiter| arbiter.geoms).collect(), list.list.clone(), list.pool.clone())
     }
 
-    /// What the brute force collider does, as the chapter says it.
+    /// The brute force broad phase as the behaviour chapter describes it.
     fn add_after_a_search(list: &mut ArbiterList, geoms: &Geoms, pair: (GeomId, GeomId)) {
-        let handle = list.fetch();
+        let handle = list.take_from_pool();
         list.set_up(handle, geoms, FrictionType::Average, pair.0, pair.1);
         if list.list.iter().any(|&listed| list.arbiters[listed as usize].geoms == Some(pair)) {
             list.pool.push(handle);
@@ -435,7 +445,7 @@ mod tests {
     }
 
     #[test]
-    fn pairs_are_found_in_the_list_as_by_a_search_whoever_shares_an_arbiter() {
+    fn indexed_lookup_equals_linear_search_with_shared_arbiters() {
         let (geoms, ids) = geoms();
         for seed in 0..500 {
             let mut numbers = Numbers(seed);
@@ -451,7 +461,7 @@ mod tests {
         }
     }
 
-    /// Behaviour chapter 03, section 7.4, word for word.
+    /// Behaviour chapter 03, section 7.4, literally.
     fn remove_by_scans(list: &mut ArbiterList, geom: GeomId) {
         let mut position = list.list.len();
         while position > 0 {
@@ -468,7 +478,7 @@ mod tests {
     }
 
     #[test]
-    fn removed_geoms_take_their_arbiters_out_as_one_scan_each_would() {
+    fn batch_removal_equals_one_scan_per_geom() {
         let (_, ids) = geoms();
         for seed in 0..500 {
             let mut numbers = Numbers(seed);

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::math::Vector2;
 
-/// Names a contact from one update to the next: the vertex of one geom that touches another geom.
+/// Identifies a contact from one update to the next: the vertex of one geom that touches another geom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 pub struct ContactId {
     /// Creation number of the geom that owns the vertex.
@@ -13,7 +13,7 @@ pub struct ContactId {
     /// Vertex number given by the narrow phase.
     #[doc(alias = "Geom1Vertex")]
     pub vertex: i32,
-    /// Creation number of the geom that is touched.
+    /// Creation number of the geom that the vertex touches.
     #[doc(alias = "Geom2Index")]
     pub geom2: u32,
 }
@@ -30,7 +30,7 @@ pub struct Contact {
     /// Unit normal from geom A toward geom B.
     #[doc(alias = "Normal")]
     pub normal: Vector2,
-    /// Distance of the outlines along the normal; negative when they overlap.
+    /// Distance of the outlines along the normal, in length units; negative when they overlap.
     #[doc(alias = "Separation")]
     pub separation: f32,
     pub(crate) normal_impulse: f32,
@@ -43,12 +43,13 @@ impl Contact {
         Contact { id, position, normal, separation, normal_impulse: 0.0, tangent_impulse: 0.0 }
     }
 
-    /// The same contact with impulses to begin the next solve with.
+    /// The same contact with impulses for a warm start, in mass units · length units/s.
     pub fn with_impulses(self, normal_impulse: f32, tangent_impulse: f32) -> Self {
         Contact { normal_impulse, tangent_impulse, ..self }
     }
 
-    /// Whether the contact can be solved: not if a handler has spoiled it, or a matrix of the user's is too large.
+    /// Whether all numbers are finite. They are not if a handler has set others, or a matrix of the user's is too
+    /// large.
     pub(crate) fn is_finite(&self) -> bool {
         let Contact { id: _, position, normal, separation, normal_impulse, tangent_impulse } = self;
         [position.x, position.y, normal.x, normal.y, *separation, *normal_impulse, *tangent_impulse]
@@ -56,12 +57,14 @@ impl Contact {
             .all(|value| value.is_finite())
     }
 
-    /// Impulse along the normal accumulated by the solver in the last update, mass times velocity, 0 or more.
+    /// Impulse along the normal, accumulated by the solver in the last update, in mass units · length units/s, 0 or
+    /// more.
     pub fn normal_impulse(&self) -> f32 {
         self.normal_impulse
     }
 
-    /// Friction impulse accumulated by the solver in the last update, along `(normal.y, -normal.x)`.
+    /// Friction impulse accumulated by the solver in the last update, in mass units · length units/s, along `(normal.y,
+    /// -normal.x)`.
     pub fn tangent_impulse(&self) -> f32 {
         self.tangent_impulse
     }

@@ -1,4 +1,4 @@
-//! Which pairs the arbiter list has, for a broad phase that asks for each (behaviour chapter 08, section 5).
+//! Index of the pairs in the arbiter list, for the brute force broad phase (behaviour chapter 08, section 5).
 
 use crate::contacts::pair_id::PairId;
 use crate::geom::GeomId;
@@ -8,13 +8,13 @@ use crate::storage::stamped_set::StampedSet;
 /// Both geoms of an arbiter, A first.
 type Pair = (GeomId, GeomId);
 
-/// How often the arbiter list has each pair, and each arbiter. The list may hold an arbiter twice, and the pool one that
-/// is in the list: when that one is set up for another pair, all of its entries change.
+/// Number of list entries of each pair, and of each arbiter. The list may hold an arbiter twice, and the pool may hold
+/// one that is in the list: when that one is set up for another pair, all of its entries change.
 #[derive(Debug, Default)]
 pub(crate) struct ListedPairs {
-    /// By the slots of the geoms: no listed geom is gone.
+    /// Number of entries by pair, keyed by the slots of the geoms: all listed geoms exist.
     pairs: StampedSet,
-    /// By handle of the arbiter.
+    /// Number of entries, by handle of the arbiter.
     entries: Vec<u32>,
 }
 
@@ -31,7 +31,7 @@ impl ListedPairs {
         self.entries.resize(arbiter_count, 0);
     }
 
-    /// The list has got an entry.
+    /// Counts a new entry of the list.
     pub(crate) fn add(&mut self, handle: u32, pair: Pair) {
         *self.pairs.count_mut(key(pair)) += 1;
         if handle as usize >= self.entries.len() {
@@ -40,8 +40,8 @@ impl ListedPairs {
         self.entries[handle as usize] += 1;
     }
 
-    /// An arbiter is set up for another pair, with all of its entries.
-    pub(crate) fn change(&mut self, handle: u32, before: Option<Pair>, pair: Pair) {
+    /// Moves the entries of an arbiter that is set up for another pair.
+    pub(crate) fn reassign(&mut self, handle: u32, before: Option<Pair>, pair: Pair) {
         let entries = self.entries.get(handle as usize).copied().unwrap_or(0);
         if let Some(before) = before
             && entries > 0

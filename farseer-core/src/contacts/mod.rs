@@ -1,4 +1,4 @@
-//! Pairs that touch, and where.
+//! Contacts, arbiters and pairs of the faithful set.
 
 pub(crate) mod arbiter;
 pub(crate) mod contact;

@@ -1,4 +1,4 @@
-//! Which pairs of geoms already have an arbiter (behaviour chapters 03, section 7.1, and 08, section 1.4).
+//! Table of the pairs of geoms that have an arbiter (behaviour chapters 03, section 7.1, and 08, section 1.4).
 
 use serde::{Deserialize, Serialize};
 
@@ -7,9 +7,9 @@ use crate::storage::stamped_set::StampedSet;
 
 /// A set of unordered pairs of collision ids.
 ///
-/// The original keeps a triangular bitmap; this keeps the indices of the bits that are set, so that its cost
-/// follows the number of pairs. The index is one-to-one for different ids below [`size`](Self::size). Other ids
-/// address the bit of another pair, or none at all, exactly as in the original.
+/// The original keeps a triangular bitmap; this keeps the indices of the bits that are set, so that its cost depends on
+/// the number of pairs. The index is one-to-one for different ids below [`size`](Self::size). Other ids address the bit
+/// of another pair, or none at all, exactly as in the original.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct GeomPairBitmap {
     size: i64,
@@ -39,7 +39,7 @@ impl GeomPairBitmap {
         self.size
     }
 
-    /// Whether the size is one that [`clear`](Self::clear) could have set: false only after loading garbage.
+    /// Whether the size is one that [`clear`](Self::clear) could have set. False only after loading corrupt data.
     pub(crate) fn is_valid(&self) -> bool {
         (-1..=i64::from(i32::MAX)).contains(&self.size)
     }
@@ -51,7 +51,7 @@ impl GeomPairBitmap {
         self.set_bits.clear();
     }
 
-    /// Index of the bit of a pair; `None` where the original leaves its array.
+    /// Index of the bit of a pair; `None` where the original indexes outside of its array.
     pub fn index(&self, collision_id1: i32, collision_id2: i32) -> Option<i64> {
         if self.size < 2 {
             return None;
@@ -62,8 +62,8 @@ impl GeomPairBitmap {
         (0..self.size * (self.size - 1) / 2).contains(&index).then_some(index)
     }
 
-    /// Puts a pair in and answers whether it was there. A pair outside of the table, for which the original
-    /// fails, counts as being there.
+    /// Adds a pair and returns whether it was there. A pair outside of the table, for which the original fails, counts
+    /// as being there.
     #[doc(alias = "TestAndSet")]
     pub fn test_and_set(&mut self, collision_id1: i32, collision_id2: i32) -> bool {
         match self.index(collision_id1, collision_id2) {

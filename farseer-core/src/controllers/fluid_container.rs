@@ -11,7 +11,7 @@ use crate::shape::Aabb;
 /// A region that holds a fluid.
 #[doc(alias = "IFluidContainer")]
 pub trait FluidContainer {
-    /// Whether a box may reach into the fluid. Geoms whose box does not are passed over.
+    /// Whether a box may reach into the fluid. Geoms whose boxes do not are skipped.
     #[doc(alias = "Intersect")]
     fn intersect(&self, aabb: &Aabb) -> bool;
 
@@ -28,10 +28,10 @@ pub struct AabbFluidContainer {
 }
 
 impl AabbFluidContainer {
-    /// Fills a box. The default is the zero box.
+    /// A box filled with fluid. The default is the zero box.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn new(aabb: Aabb) -> Result<Self> {
         let mut container = AabbFluidContainer::default();
         container.set_aabb(aabb)?;
@@ -47,7 +47,7 @@ impl AabbFluidContainer {
     /// Sets the box.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_aabb(&mut self, aabb: Aabb) -> Result<()> {
         finite_vector("aabb", aabb.min)?;
         finite_vector("aabb", aabb.max)?;
@@ -61,18 +61,18 @@ impl AabbFluidContainer {
 }
 
 impl FluidContainer for AabbFluidContainer {
-    /// Touching counts.
+    /// Boxes that only touch intersect.
     fn intersect(&self, aabb: &Aabb) -> bool {
         Aabb::intersect(aabb, &self.aabb)
     }
 
-    /// Inside means more than 0.00001 from every side.
+    /// A point is inside if it is more than 0.00001 length units from every side.
     fn contains(&mut self, point: Vector2) -> bool {
         self.aabb.contains(point)
     }
 }
 
-/// Where the fluid of a [`FluidDragController`](super::FluidDragController) is.
+/// The region of the fluid of a [`FluidDragController`](super::FluidDragController).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum FluidContainerRef {
@@ -81,7 +81,7 @@ pub enum FluidContainerRef {
     /// Below the surface of a [`WaveController`](super::WaveController) of the same simulator, which need not be
     /// added.
     Wave(ControllerId),
-    /// Where a [`FluidContainer`] of the game says, which
-    /// [`EventHandler::fluid_container`](crate::EventHandler::fluid_container) hands in.
+    /// In a [`FluidContainer`] of the game, which
+    /// [`EventHandler::fluid_container`](crate::EventHandler::fluid_container) returns.
     UserDefined,
 }

@@ -12,16 +12,16 @@ use crate::math::{Vector2, vector2};
 use crate::shape::Vertices;
 use crate::storage::collection::has_no_duplicates;
 
-/// A geom with a smaller part of its vertices in the fluid has left it.
+/// Fraction of a geom's vertices, 0..=1: with fewer in the fluid the geom has left it. Farseer's value.
 const LEAVING_FRACTION: f32 = 0.15;
 
-/// A smaller submerged area, in square units, feels nothing.
-const LEAST_AREA: f64 = 0.000001;
+/// Minimum submerged area, in length units²: a smaller one exerts no force. Farseer's value.
+const MIN_SUBMERGED_AREA: f64 = 0.000001;
 
 /// Lets geoms float: buoyancy, drag, and an event when one dives in.
 ///
-/// The submerged shape is the polygon of the **vertices** inside the container; it is not clipped at the surface, so
-/// a box with two of four corners in the water feels nothing. Outlines with many vertices float best.
+/// The submerged shape is the polygon of the **vertices** inside the container. It is not clipped at the surface: a box
+/// with two of four corners in the water gets no force. Outlines with many vertices float best.
 ///
 /// ```
 /// use farseer_core::math::Vector2;
@@ -40,16 +40,18 @@ pub struct FluidDragController {
     linear_drag_coefficient: f32,
     rotational_drag_coefficient: f32,
     gravity: Vector2,
-    /// In the order in which they were added, and whether each was found in the fluid.
+    /// The geoms that may float, in the order in which they were added, and whether each was found in the fluid.
     pub(crate) geoms: Vec<(GeomId, bool)>,
-    /// The submerged vertices of the geom at work.
+    /// The submerged vertices of the geom in work.
     #[serde(skip)]
     pub(crate) submerged: Vertices,
 }
 
 impl FluidDragController {
-    /// A fluid without geoms to carry. `density` is mass per square unit, the drag coefficients are per velocity,
-    /// `gravity` is what the fluid weighs with and may differ from the simulator's.
+    /// A fluid without geoms. `density` is in mass units per length unit², `gravity` in length units/s²: it gives the
+    /// fluid its weight and may differ from the simulator's. For the coefficients see
+    /// [`linear_drag_coefficient`](Self::linear_drag_coefficient) and
+    /// [`rotational_drag_coefficient`](Self::rotational_drag_coefficient).
     ///
     /// # Errors
     /// Numbers that are not finite.
@@ -72,7 +74,7 @@ impl FluidDragController {
         })
     }
 
-    /// Replaces everything that [`new`](Self::new) takes; geoms stay, and so does what is known of each.
+    /// Replaces everything that [`new`](Self::new) takes. The geoms stay, and so does whether each is in the fluid.
     ///
     /// # Errors
     /// Numbers that are not finite.
@@ -99,28 +101,29 @@ impl FluidDragController {
     }
 
     checked_properties! {
-        /// Mass of the fluid per square unit.
+        /// Mass of the fluid per area, in mass units per length unit².
         #[doc(alias = "Density")]
         density, set_density;
-        /// Force per velocity, per density, breadth and submerged mass.
+        /// Coefficient of linear drag. Force = -0.5 · coefficient · velocity · density · breadth · submerged mass,
+        /// where breadth is the extent across the velocity.
         #[doc(alias = "LinearDragCoefficient")]
         linear_drag_coefficient, set_linear_drag_coefficient;
-        /// Torque per angular velocity and submerged mass.
+        /// Coefficient of rotational drag. Torque = -coefficient · angular velocity · submerged mass.
         #[doc(alias = "RotationalDragCoefficient")]
         rotational_drag_coefficient, set_rotational_drag_coefficient;
     }
 
-    /// Where the fluid is.
+    /// The region of the fluid.
     pub fn container(&self) -> FluidContainerRef {
         self.container
     }
 
-    /// Moves the fluid.
+    /// Sets the region of the fluid.
     pub fn set_container(&mut self, container: FluidContainerRef) {
         self.container = container;
     }
 
-    /// The gravity that makes the fluid buoyant, in units per square second.
+    /// The gravity that makes the fluid buoyant, in length units/s².
     pub fn gravity(&self) -> Vector2 {
         self.gravity
     }
@@ -128,7 +131,7 @@ impl FluidDragController {
     /// Sets the fluid's gravity.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_gravity(&mut self, gravity: Vector2) -> Result<()> {
         self.gravity = finite_vector("gravity", gravity)?;
         Ok(())
@@ -139,16 +142,17 @@ impl FluidDragController {
         self.geoms.iter().map(|&(geom, _)| geom)
     }
 
-    /// Whether a geom was in the fluid when it was last looked at. One that leaves the container's box in one step
-    /// goes on counting as in the fluid, as in the original.
+    /// Whether a geom was in the fluid in the last update. A geom that leaves the container's box within one step still
+    /// counts as in the fluid, as in the original.
     pub fn is_in_fluid(&self, geom: GeomId) -> bool {
         self.geoms.contains(&(geom, true))
     }
 
-    /// Lets the fluid carry a geom, which need not be in the simulation. Disposed geoms are forgotten.
+    /// Adds a geom that the fluid may carry. It need not be in the simulation. Disposed geoms are removed
+    /// automatically.
     ///
     /// # Errors
-    /// A geom that is carried already; the original throws then, too, but doubles its forces.
+    /// A geom that was added before; the original throws then, too, but doubles its forces.
     #[doc(alias = "AddGeom")]
     pub fn add_geom(&mut self, geom: GeomId) -> Result<()> {
         if self.geoms().any(|carried| carried == geom) {
@@ -158,13 +162,13 @@ impl FluidDragController {
         Ok(())
     }
 
-    /// Lets the fluid leave a geom alone; nothing happens if it did already.
+    /// Removes a geom, if it was added: the fluid has no effect on it any more.
     #[doc(alias = "RemoveGeom")]
     pub fn remove_geom(&mut self, geom: GeomId) {
         self.geoms.retain(|&(carried, _)| carried != geom);
     }
 
-    /// Forgets which geoms were in the fluid: those that are will be reported again.
+    /// Resets which geoms were in the fluid: geoms that are in it will be reported again.
     #[doc(alias = "Reset")]
     pub fn reset(&mut self) {
         for (_, is_in_fluid) in &mut self.geoms {
@@ -172,15 +176,20 @@ impl FluidDragController {
         }
     }
 
-    /// Whether a geom with so many of its vertices in the fluid counts as out of it.
+    /// Whether a geom with this number of submerged vertices counts as out of the fluid.
     pub(crate) fn has_left(submerged: usize, vertices: usize) -> bool {
         (submerged as f32) < vertices as f32 * LEAVING_FRACTION
     }
 
-    /// What the fluid does to a body of which this polygon is submerged; `None` if that is too small to matter.
-    pub(crate) fn load(&self, submerged: &Vertices, total_area: f32, body: &Body) -> Option<Load> {
+    /// Force and torque of the fluid on a body with this submerged polygon; `None` below [`MIN_SUBMERGED_AREA`].
+    pub(crate) fn fluid_force(
+        &self,
+        submerged: &Vertices,
+        total_area: f32,
+        body: &Body,
+    ) -> Option<FluidForce> {
         let area = submerged.get_area();
-        if f64::from(area) < LEAST_AREA {
+        if f64::from(area) < MIN_SUBMERGED_AREA {
             return None;
         }
         let centre = submerged.get_centroid_with_area(area);
@@ -190,7 +199,7 @@ impl FluidDragController {
         let mass = body.mass() * (area / total_area);
         let drag = velocity * (-0.5 * self.density * breadth * self.linear_drag_coefficient * mass);
         let torque = -body.angular_velocity() * self.rotational_drag_coefficient * mass;
-        Some(Load { force: buoyancy + drag, centre, torque })
+        Some(FluidForce { force: buoyancy + drag, centre, torque })
     }
 
     pub(super) fn is_valid(&self) -> bool {
@@ -210,7 +219,7 @@ impl FluidDragController {
     }
 }
 
-/// Extent of a polygon across a direction; across none it is 0.
+/// Extent of a polygon across a direction, in length units; 0 if the direction is zero.
 fn breadth_across(polygon: &Vertices, direction: Vector2) -> f32 {
     let mut axis = Vector2::new(-direction.y, direction.x);
     if axis.x != 0.0 || axis.y != 0.0 {
@@ -219,19 +228,18 @@ fn breadth_across(polygon: &Vertices, direction: Vector2) -> f32 {
     vector2::project_to_axis(polygon, axis).map_or(0.0, |(low, high)| (high - low).abs())
 }
 
-/// A force at a point of the world, and a torque.
+/// A force, the point of the world at which it acts, and an additional torque.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Load {
+pub(crate) struct FluidForce {
     force: Vector2,
     centre: Vector2,
     torque: f32,
 }
 
-impl Load {
-    /// Adds force and torque to a body. Answers false, and adds nothing, if what the body has then would not be
-    /// finite.
+impl FluidForce {
+    /// Adds force and torque to a body. If a sum would not be finite it adds none and returns false.
     pub(crate) fn apply_to(self, body: &mut Body) -> bool {
-        let Load { force, centre, torque } = self;
+        let FluidForce { force, centre, torque } = self;
         let arm = centre - body.position();
         let sums = [
             body.force().x + force.x,

@@ -11,17 +11,17 @@ use crate::math::{Vector2, vector2};
 /// How attraction falls off with the distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum GravityType {
-    /// With its square.
+    /// Attraction is proportional to 1 / distance².
     DistanceSquared,
-    /// With the distance itself.
+    /// Attraction is proportional to 1 / distance.
     #[default]
     Linear,
 }
 
 /// Lets points and bodies attract every body of the simulation that does not ignore gravity.
 ///
-/// A source at distance d, at most the radius, accelerates a body by strength / d or strength / d^2. The mass of the
-/// source does not matter, and the source feels no reaction. A body exactly at a source feels nothing of it, which is
+/// A source at distance d, at most the radius, accelerates a body by strength / d or strength / d². The mass of the
+/// source does not matter, and no reaction acts on the source. A body exactly at a source is not attracted, which is
 /// reported as [`Event::ControllerNotFinite`](crate::Event::ControllerNotFinite); in the original its force is NaN.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct GravityController {
@@ -33,8 +33,9 @@ pub struct GravityController {
 }
 
 impl GravityController {
-    /// Bodies and points that attract [linearly](GravityType::Linear), within `radius`, with `strength` at distance 1.
-    /// The bodies need not be in the simulation; disposed ones are forgotten.
+    /// Bodies and points that attract [linearly](GravityType::Linear), within `radius` length units, with the
+    /// acceleration `strength`, in length units/s², at distance 1. The bodies need not be in the simulation; disposed
+    /// ones are removed.
     ///
     /// # Errors
     /// Numbers that are not finite.
@@ -69,29 +70,29 @@ impl GravityController {
         GravityController::new(Vec::new(), points, strength, radius)
     }
 
-    /// How attraction falls off. Default [`GravityType::Linear`].
+    /// Dependence of the attraction on the distance. Default [`GravityType::Linear`].
     #[doc(alias = "GravityType")]
     pub fn gravity_type(&self) -> GravityType {
         self.gravity_type
     }
 
-    /// Sets how attraction falls off; the strength stays what it is.
+    /// Sets the dependence on the distance; the strength keeps its value.
     pub fn set_gravity_type(&mut self, gravity_type: GravityType) {
         self.gravity_type = gravity_type;
     }
 
-    /// The bodies that attract, in the order in which they do.
+    /// The bodies that attract, in the order in which they act.
     #[doc(alias = "BodyList")]
     pub fn body_list(&self) -> &[BodyId] {
         &self.bodies
     }
 
-    /// Replaces the bodies that attract. One that is named twice attracts twice.
+    /// Replaces the bodies that attract. A body that is listed twice attracts twice.
     pub fn set_body_list(&mut self, bodies: Vec<BodyId>) {
         self.bodies = bodies;
     }
 
-    /// The points that attract, in the order in which they do, after the bodies.
+    /// The points that attract, in the order in which they act, after the bodies.
     #[doc(alias = "PointList")]
     pub fn point_list(&self) -> &[Vector2] {
         &self.points
@@ -109,17 +110,18 @@ impl GravityController {
         Ok(())
     }
 
-    /// Acceleration at distance 1, in units per square second.
+    /// Acceleration at distance 1, in length units/s².
     pub fn strength(&self) -> f32 {
         self.strength
     }
 
-    /// Greatest distance at which a source attracts.
+    /// Maximum distance at which a source attracts, in length units.
     pub fn radius(&self) -> f32 {
         self.radius
     }
 
-    /// Lets every source pull every listed body; forgets bodies that are gone. Answers whether all forces were finite.
+    /// Adds the force of every source to every listed body, and removes bodies that do not exist any more. Returns
+    /// whether all forces were finite.
     pub(crate) fn update(&mut self, bodies: &mut Bodies) -> bool {
         self.bodies.retain(|&source| bodies.contains(source));
         let mut all_finite = true;
@@ -146,7 +148,7 @@ impl GravityController {
         all_finite
     }
 
-    /// Lets a source pull a body. Answers false, and pulls not, if the body's force would not be finite then.
+    /// Adds the force of a source to a body. If the body's force would not be finite it adds none and returns false.
     fn pull(&self, body: &mut Body, source: Vector2) -> bool {
         let difference = source - body.position();
         let distance = vector2::length(difference);

@@ -1,4 +1,4 @@
-//! Sleep and waking by distance (behaviour chapter 12, section 8).
+//! Disabling of slow bodies, and enabling by distance (behaviour chapter 12, section 8).
 
 use serde::{Deserialize, Serialize};
 
@@ -9,10 +9,10 @@ use crate::math::vector2;
 
 /// Disables bodies that have been slow for long, and enables them again when a body comes near that moves.
 ///
-/// Only bodies with [`is_auto_idle`](Body::is_auto_idle) are disabled or woken. What wakes them is every enabled body
-/// that is not static and [moves](Body::moves) **or is not auto-idle**: a resting crate with the default settings
-/// keeps all auto-idle bodies around it awake, as in the original. A disabled body keeps its velocity and goes on
-/// with it when it is woken.
+/// Only bodies with [`is_auto_idle`](Body::is_auto_idle) are disabled or enabled. They are enabled by every enabled
+/// body that is not static and [moves](Body::moves) **or is not auto-idle**: a resting crate with the default settings
+/// keeps all auto-idle bodies around it awake, as in the original. A disabled body keeps its velocity and continues
+/// with it when it is enabled.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct InactivityController {
     activation_distance: f32,
@@ -27,38 +27,39 @@ impl Default for InactivityController {
 }
 
 impl InactivityController {
-    /// With an activation distance of 100 and a maximal idle time of 1000 ms. A simulator has none until one is
-    /// [made](crate::PhysicsSimulator::create_controller) and [added](crate::PhysicsSimulator::add), as in the original.
+    /// Activation distance 100 length units, maximum idle time 1000 ms. A simulator has no inactivity controller until
+    /// one is [made](crate::PhysicsSimulator::create_controller) and [added](crate::PhysicsSimulator::add), as in the
+    /// original.
     #[doc(alias("InactivityController(PhysicsSimulator)", "PhysicsSimulator.InactivityController"))]
     pub fn new() -> Self {
         InactivityController { activation_distance: 100.0, max_idle_time: 1000.0, bodies_enabled: 0 }
     }
 
     checked_properties! {
-        /// Distance of bodies' origins up to which they wake each other, in the user's length unit. Default 100;
-        /// with a negative one nothing is woken.
+        /// Maximum distance of the origins of two bodies at which one enables the other, in length units. Default 100;
+        /// with a negative one no body is enabled.
         #[doc(alias = "ActivationDistance")]
         activation_distance, set_activation_distance;
-        /// Milliseconds a body may be slow before it is disabled. Default 1000.
+        /// Time that a body may be slow before it is disabled, in milliseconds. Default 1000.
         #[doc(alias = "MaxIdleTime")]
         max_idle_time, set_max_idle_time;
     }
 
-    /// Number of bodies, without static ones, that were found enabled in the last update. A body counts that was
-    /// woken by one before it in the list, and one that was disabled in that update.
+    /// Number of bodies, without static ones, that were enabled in the last update. Bodies that an earlier one in the
+    /// list enabled count, and so do bodies that were disabled in that update.
     #[doc(alias = "BodiesEnabled")]
     pub fn bodies_enabled(&self) -> u32 {
         self.bodies_enabled
     }
 
-    /// Whether two bodies are near enough for one to wake the other.
+    /// Whether two bodies are near enough for one to enable the other.
     #[doc(alias = "IsInActivationDistance")]
     pub fn is_in_activation_distance(&self, body1: &Body, body2: &Body) -> bool {
         vector2::length(body1.position() - body2.position()) <= self.activation_distance
     }
 
-    /// One pass over the listed bodies. Notes whether some were disabled or enabled. Answers false if an idle time would not
-    /// have been finite; that body keeps what it had.
+    /// One run over the listed bodies. Sets `has_switched` if some were disabled or enabled. Returns false if an idle
+    /// time would not have been finite; that body keeps its old one.
     pub(crate) fn update(&mut self, dt: f32, bodies: &mut Bodies, has_switched: &mut bool) -> bool {
         let milliseconds = dt * 1000.0;
         let mut all_finite = true;
@@ -89,7 +90,7 @@ impl InactivityController {
         all_finite
     }
 
-    /// Answers whether there was one to wake.
+    /// Enables the disabled bodies around one; returns whether there were any.
     fn wake_around(&self, waking: BodyId, bodies: &mut Bodies) -> bool {
         let mut has_woken = false;
         for position in 0..bodies.list().len() {

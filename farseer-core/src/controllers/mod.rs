@@ -1,4 +1,4 @@
-//! Controllers: what acts on bodies in every update, before springs and gravity (behaviour chapter 12).
+//! Controllers: they act on bodies in every update, before springs and gravity (behaviour chapter 12).
 //!
 //! Lengths are in the user's unit, screen y down; seconds unless milliseconds are named.
 
@@ -19,11 +19,12 @@ pub use scaling::ScalingController;
 pub use wave::WaveController;
 
 crate::storage::arena::define_id! {
-    /// Names a [`Controller`] of a simulator: the one that made it, its clones and what is loaded from its saves.
+    /// Id of a [`Controller`], valid in the simulator that made it, in its clones and in simulators loaded from its
+    /// saves.
     ControllerId
 }
 
-/// What a controller does, and with what.
+/// The kinds of controllers, with their settings.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum ControllerKind {
@@ -37,12 +38,12 @@ pub enum ControllerKind {
     Scaling(ScalingController),
     /// A water surface with waves.
     Wave(WaveController),
-    /// What a [`UserController`](crate::UserController) of the game does.
+    /// The game's [`UserController`](crate::UserController) acts.
     UserDefined,
 }
 
-/// What acts on bodies in every update, before springs and gravity, in the order of the
-/// [controller list](crate::PhysicsSimulator::controller_list) (behaviour chapter 12, sections 2 and 3).
+/// A controller acts on bodies in every update, before springs and gravity, in the order of the [controller
+/// list](crate::PhysicsSimulator::controller_list) (behaviour chapter 12, sections 2 and 3).
 ///
 /// ```
 /// use farseer_core::{Controller, GravityController, PhysicsSimulator, math::Vector2};
@@ -65,13 +66,13 @@ impl Controller {
         Controller { is_enabled: true, tag: 0, kind }
     }
 
-    /// A controller whose work a [`UserController`](crate::UserController) of the game does. The game's
+    /// A controller that calls a [`UserController`](crate::UserController) of the game. The game's
     /// [`EventHandler`](crate::EventHandler::user_controller) is asked for it in every update.
     pub fn user_defined() -> Self {
         Controller::new(ControllerKind::UserDefined)
     }
 
-    /// Whether updates call it. Default true.
+    /// Whether updates run the controller. Default true.
     #[doc(alias = "Enabled")]
     pub fn enabled(&self) -> bool {
         match &self.kind {
@@ -80,7 +81,7 @@ impl Controller {
         }
     }
 
-    /// Lets updates call it or not. A disabled controller stays in its list.
+    /// Sets whether updates run the controller. A disabled controller stays in its list.
     pub fn set_enabled(&mut self, enabled: bool) {
         match &mut self.kind {
             ControllerKind::Scaling(scaling) => scaling.set_enabled(enabled),
@@ -99,18 +100,18 @@ impl Controller {
         self.tag = tag;
     }
 
-    /// What it does, and with what. To edit that, see
+    /// Kind and settings of the controller. To edit them, see
     /// [`PhysicsSimulator::controller_as_mut`](crate::PhysicsSimulator::controller_as_mut).
     pub fn kind(&self) -> &ControllerKind {
         &self.kind
     }
 
-    /// To work with what it does.
+    /// Kind and settings, to edit.
     pub(crate) fn kind_mut(&mut self) -> &mut ControllerKind {
         &mut self.kind
     }
 
-    /// Whether every number is one that calls could have made: false only for what was loaded from garbage.
+    /// Whether every number is one that calls could have made. False only after loading corrupt data.
     pub(crate) fn is_valid(&self) -> bool {
         match &self.kind {
             ControllerKind::FluidDrag(controller) => controller.is_valid(),

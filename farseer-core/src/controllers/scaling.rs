@@ -5,14 +5,14 @@ use serde::{Deserialize, Serialize};
 use crate::error::Result;
 use crate::math::finite::finite;
 
-/// Computes how long the next step should be. It changes nothing by itself: the game asks
-/// [`get_update_interval`](Self::get_update_interval) once per frame and steps the simulator by the answer, unless
-/// that is 0.
+/// Computes the length of the next step. It changes no state of the simulator: the game calls
+/// [`get_update_interval`](Self::get_update_interval) once per frame and steps the simulator by the result, unless it
+/// is 0.
 ///
-/// The interval is the preferred one plus a penalty. Added to a simulator, it raises the penalty after updates that
-/// took longer than the interval and lowers it after others; real time comes from
-/// [`update_with_real_time`](crate::PhysicsSimulator::update_with_real_time). It then collects time itself: a game
-/// that also asks the same controller has that time counted twice, as in the original.
+/// The interval is the preferred one plus a penalty. A scaling controller that is added to a simulator raises the
+/// penalty after updates that took longer than the interval and lowers it after others. The real time comes from
+/// [`update_with_real_time`](crate::PhysicsSimulator::update_with_real_time). It then accumulates time itself: if the
+/// game calls the same controller too, time counts twice, as in the original.
 ///
 /// ```
 /// use farseer_core::ScalingController;
@@ -31,11 +31,11 @@ pub struct ScalingController {
 }
 
 impl ScalingController {
-    /// Steps of `preferred_update_interval` seconds while the machine keeps up. 0 and less switch collecting off.
-    /// Nothing checks that the maximum is greater, as in the original.
+    /// A preferred interval and a maximum, in seconds. With a preferred interval of 0 or less it does not accumulate
+    /// time. Like the original it does not check that the maximum is greater.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     #[doc(alias = "ScalingController(float, float)")]
     pub fn new(preferred_update_interval: f32, maximum_update_interval: f32) -> Result<Self> {
         Ok(ScalingController {
@@ -47,13 +47,13 @@ impl ScalingController {
         })
     }
 
-    /// Whether time is collected. Default true. The same as [`Controller::enabled`](super::Controller::enabled).
+    /// Whether time is accumulated. Default true. The same as [`Controller::enabled`](super::Controller::enabled).
     #[doc(alias = "Enabled")]
     pub fn enabled(&self) -> bool {
         self.is_enabled
     }
 
-    /// Lets time be collected, or handed on as it comes.
+    /// Sets whether time is accumulated or returned unchanged.
     pub fn set_enabled(&mut self, enabled: bool) {
         self.is_enabled = enabled;
     }
@@ -64,11 +64,11 @@ impl ScalingController {
         self.preferred + self.penalty
     }
 
-    /// Sets the preferred interval in seconds, and the maximum if that is less. The penalty stays, so that
-    /// [`update_interval`](Self::update_interval) may answer more.
+    /// Sets the preferred interval in seconds, and the maximum if it is smaller than the new value. The penalty stays,
+    /// so that [`update_interval`](Self::update_interval) may return more.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_update_interval(&mut self, value: f32) -> Result<()> {
         self.preferred = finite("update_interval", value)?;
         if self.preferred > self.maximum {
@@ -77,18 +77,18 @@ impl ScalingController {
         Ok(())
     }
 
-    /// What limits the penalty, in seconds. It does **not** limit the interval, which may exceed it by the preferred
+    /// Maximum of the penalty, in seconds. It does **not** limit the interval, which may exceed it by the preferred
     /// interval, as in the original.
     #[doc(alias = "MaximumUpdateInterval")]
     pub fn maximum_update_interval(&self) -> f32 {
         self.maximum
     }
 
-    /// Sets the maximum in seconds. What is not greater than the preferred interval is silently ignored, as in the
-    /// original.
+    /// Sets the maximum in seconds. A value that is not greater than the preferred interval is silently ignored, as in
+    /// the original.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_maximum_update_interval(&mut self, value: f32) -> Result<()> {
         let value = finite("maximum_update_interval", value)?;
         if value > self.preferred {
@@ -97,10 +97,10 @@ impl ScalingController {
         Ok(())
     }
 
-    /// Collects `dt` seconds and answers how long to step now: 0 until an interval is full, then all that was
-    /// collected. Without collecting it answers `dt`.
+    /// Accumulates `dt` seconds and returns the length of the step to make now, in seconds: 0 until an interval is
+    /// full, then the accumulated time. While [disabled](Self::enabled) it returns `dt`.
     ///
-    /// Given what is not finite it changes nothing and answers 0.
+    /// If `dt` is not finite it changes no state and returns 0.
     #[doc(alias = "GetUpdateInterval")]
     pub fn get_update_interval(&mut self, dt: f32) -> f32 {
         let elapsed = self.elapsed + dt;
@@ -126,7 +126,7 @@ impl ScalingController {
         }
     }
 
-    /// Lowers the penalty by an eighth of the preferred interval, to 0 at least.
+    /// Lowers the penalty by an eighth of the preferred interval, but not below 0.
     #[doc(alias = "DecreaseUpdateInterval")]
     pub fn decrease_update_interval(&mut self) {
         let penalty = self.penalty - self.preferred / 8.0;
@@ -137,8 +137,8 @@ impl ScalingController {
         }
     }
 
-    /// Collects `dt` seconds. When an interval is full, the penalty is raised if `dt_real` is more than the interval,
-    /// and lowered if not. The simulator does this in its updates.
+    /// Accumulates `dt` seconds. When an interval is full, the penalty is raised if `dt_real` is longer than the
+    /// interval, and lowered if not. The simulator does this in its updates.
     #[doc(alias = "Update")]
     pub fn update(&mut self, dt: f32, dt_real: f32) {
         if self.get_update_interval(dt) == 0.0 {

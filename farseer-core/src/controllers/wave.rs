@@ -11,11 +11,11 @@ use crate::shape::Aabb;
 use crate::shape::vertices::MAX_VERTICES;
 use crate::storage::bits::Floats;
 
-/// A row of surface nodes that pull each other up and down, above a fluid. y points down: a node with a positive
-/// offset is lower than the surface at rest.
+/// A row of surface nodes, coupled with their neighbours, above a fluid. y points down: a node with a positive offset
+/// is lower than the surface at rest.
 ///
-/// The last node is driven by the wave generator, the first stays at 0. Everything below the surface counts as fluid:
-/// there is neither a bottom nor an end to the sides, where the outermost segments go on as straight lines.
+/// The last node is moved by the wave generator, the first stays at 0. All points below the surface are in the fluid:
+/// it has no bottom and no sides; beyond its ends the outermost segments continue as straight lines.
 ///
 /// ```
 /// use farseer_core::{FluidContainer, WaveController, math::Vector2};
@@ -47,34 +47,34 @@ pub struct WaveController {
     #[serde(with = "crate::storage::bits")]
     aabb: Aabb,
     #[serde(with = "crate::storage::bits")]
-    looked_at: LookedAt,
+    looked_at: LastPointQuery,
 }
 
-/// What the last question about a point has looked at.
+/// The last point that was tested, and the ends of the surface segment with which it was compared.
 #[derive(Debug, Clone, Copy, Default)]
-struct LookedAt {
+struct LastPointQuery {
     near: Vector2,
     far: Vector2,
     point: Vector2,
 }
 
-impl Floats for LookedAt {
+impl Floats for LastPointQuery {
     fn to_floats(&self) -> Vec<f32> {
         [self.near, self.far, self.point].iter().flat_map(|v| [v.x, v.y]).collect()
     }
     fn from_floats(floats: &[f32]) -> Option<Self> {
         let [a, b, c, d, e, f] = <[f32; 6]>::try_from(floats).ok()?;
-        Some(LookedAt { near: Vector2::new(a, b), far: Vector2::new(c, d), point: Vector2::new(e, f) })
+        Some(LastPointQuery { near: Vector2::new(a, b), far: Vector2::new(c, d), point: Vector2::new(e, f) })
     }
 }
 
 impl WaveController {
-    /// A surface at rest from `position`, its left end, `width` to the right. The box that is asked whether a geom may
-    /// be in the fluid reaches `height` down.
+    /// A surface at rest from `position`, its left end, `width` length units to the right. The box that decides whether
+    /// a geom may be in the fluid reaches `height` length units down.
     ///
     /// # Errors
-    /// Numbers that are not finite, or so large that a node's place is not; fewer than 2 nodes, for which the
-    /// original throws when it is asked about a point, or more than 2^24.
+    /// Numbers that are not finite, or so large that a node's position is not; fewer than 2 nodes, for which the
+    /// original throws when a point is tested, or more than 2^24.
     pub fn new(position: Vector2, width: f32, height: f32, node_count: usize) -> Result<Self> {
         let mut wave = WaveController {
             width: finite("width", width)?,
@@ -95,17 +95,17 @@ impl WaveController {
             generator_rises: true,
             single_width: 0.0,
             aabb: Aabb::default(),
-            looked_at: LookedAt::default(),
+            looked_at: LastPointQuery::default(),
         };
         wave.initialize()?;
         Ok(wave)
     }
 
-    /// Builds the nodes anew, at rest, from position, width, height and node count as they are now. Neither the time
-    /// to the next wave step nor the generator starts anew.
+    /// Builds the nodes anew, at rest, from position, width, height and node count as they are now. The time to the
+    /// next wave step and the generator's state stay.
     ///
     /// # Errors
-    /// A position and a size so large that a node's place is not finite.
+    /// A position and a size so large that a node's position is not finite.
     #[doc(alias = "Initialize")]
     pub fn initialize(&mut self) -> Result<()> {
         let segments = (self.node_count - 1) as f32;
@@ -126,25 +126,26 @@ impl WaveController {
     }
 
     checked_properties! {
-        /// Extent to the right. A new one counts from the next [`initialize`](Self::initialize).
+        /// Extent to the right, in length units. A new value takes effect with the next
+        /// [`initialize`](Self::initialize).
         #[doc(alias = "Width")]
         width, set_width;
-        /// Extent down. A new one counts from the next [`initialize`](Self::initialize).
+        /// Extent down, in length units. A new value takes effect with the next [`initialize`](Self::initialize).
         #[doc(alias = "Height")]
         height, set_height;
-        /// What every wave step multiplies the offsets by. Default 0.95.
+        /// Factor by which every wave step multiplies the offsets, dimensionless. Default 0.95.
         #[doc(alias = "DampingCoefficient")]
         damping_coefficient, set_damping_coefficient;
-        /// Seconds between wave steps. Default 0.18. What is left over when one is due is thrown away.
+        /// Time between wave steps, in seconds. Default 0.18. When a step is due, time in excess is discarded.
         #[doc(alias = "Frequency")]
         frequency, set_frequency;
-        /// Offset above which the generator turns. Default 0.
+        /// Offset above which the generator turns to fall, in length units. Default 0.
         #[doc(alias = "WaveGeneratorMax")]
         wave_generator_max, set_wave_generator_max;
-        /// Offset below which the generator turns. Default 0.
+        /// Offset below which the generator turns to rise, in length units. Default 0.
         #[doc(alias = "WaveGeneratorMin")]
         wave_generator_min, set_wave_generator_min;
-        /// How far the generator moves in a wave step. Default 0.
+        /// Distance by which the generator moves in a wave step, in length units. Default 0.
         #[doc(alias = "WaveGeneratorStep")]
         wave_generator_step, set_wave_generator_step;
     }
@@ -155,11 +156,11 @@ impl WaveController {
         self.position
     }
 
-    /// Sets the position. Its height counts at once for points, the rest from the next
-    /// [`initialize`](Self::initialize), as in the original.
+    /// Sets the position. Its y takes effect at once for points, its x with the next [`initialize`](Self::initialize),
+    /// as in the original.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_position(&mut self, position: Vector2) -> Result<()> {
         self.position = finite_vector("position", position)?;
         Ok(())
@@ -171,8 +172,8 @@ impl WaveController {
         self.node_count
     }
 
-    /// Sets the number of nodes. A smaller one leaves the nodes to the right alone from now on; a greater one counts
-    /// from the next [`initialize`](Self::initialize), before which the original throws.
+    /// Sets the number of nodes. With a smaller number the nodes to the right do not move any more. A greater one takes
+    /// effect with the next [`initialize`](Self::initialize), before which the original throws.
     ///
     /// # Errors
     /// Fewer than 2 nodes, or more than 2^24.
@@ -181,28 +182,28 @@ impl WaveController {
         Ok(())
     }
 
-    /// Offset of every node from the surface at rest; greater is lower.
+    /// Offset of every node from the surface at rest, in length units; a greater one is lower on the screen.
     #[doc(alias = "CurrentWave")]
     pub fn current_wave(&self) -> &[f32] {
         &self.current
     }
 
-    /// The offsets before the last wave step.
+    /// The offsets before the last wave step, in length units.
     #[doc(alias = "PreviousWave")]
     pub fn previous_wave(&self) -> &[f32] {
         &self.previous
     }
 
-    /// The x of every node.
+    /// The x coordinate of every node, in length units.
     #[doc(alias = "XPosition")]
     pub fn x_position(&self) -> &[f32] {
         &self.x_position
     }
 
-    /// Moves the nodes sideways. What segment a point belongs to is still decided by even spacing.
+    /// Sets the x coordinates of the nodes. The segment of a point is still computed for nodes at equal distances.
     ///
     /// # Errors
-    /// What is not finite, and fewer numbers than there are nodes.
+    /// A value that is not finite, or fewer numbers than there are nodes.
     pub fn set_x_position(&mut self, x_position: Vec<f32>) -> Result<()> {
         for &x in &x_position {
             finite("x_position", x)?;
@@ -214,29 +215,29 @@ impl WaveController {
         Ok(())
     }
 
-    /// Right end of the segment that the last point was compared with; (0, 0) before.
+    /// Right end of the segment with which the last point was compared; (0, 0) before.
     #[doc(alias = "VectorFarWaveEdge")]
     pub fn vector_far_wave_edge(&self) -> Vector2 {
         self.looked_at.far
     }
 
-    /// Left end of the segment that the last point was compared with; (0, 0) before.
+    /// Left end of the segment with which the last point was compared; (0, 0) before.
     #[doc(alias = "VectorNearWaveEdge")]
     pub fn vector_near_wave_edge(&self) -> Vector2 {
         self.looked_at.near
     }
 
-    /// The last point that was asked about; (0, 0) before.
+    /// The last point that was tested; (0, 0) before.
     #[doc(alias = "VectorPoint")]
     pub fn vector_point(&self) -> Vector2 {
         self.looked_at.point
     }
 
-    /// Lowers the left node of the segment at `x` by `offset`. An `x` exactly on an inner node is in two segments and
-    /// lowers the node before it as well; the last node is never lowered.
+    /// Lowers the left node of the segment at `x` by `offset` length units. An `x` exactly on an inner node is in two
+    /// segments and lowers the node before it as well; the last node is never lowered.
     ///
     /// # Errors
-    /// What is not finite, or would make a node's offset so.
+    /// A value that is not finite, or that would make a node's offset infinite.
     #[doc(alias = "Disturb")]
     pub fn disturb(&mut self, x: f32, offset: f32) -> Result<()> {
         finite("x", x)?;
@@ -254,11 +255,11 @@ impl WaveController {
         Ok(())
     }
 
-    /// Lets `dt` seconds pass, or takes a wave step if one is due; then `dt` is not counted. The simulator does this
-    /// in its updates.
+    /// Advances time by `dt` seconds, or makes a wave step if one is due; then `dt` is not counted. The simulator does
+    /// this in its updates.
     ///
     /// # Errors
-    /// A time that is not finite. A wave that would not be, for example with damping above 1, stays as it is.
+    /// A time that is not finite. A wave that would not be finite, for example with damping above 1, stays unchanged.
     #[doc(alias = "Update")]
     pub fn update(&mut self, dt: f32) -> Result<()> {
         finite("dt", dt)?;
@@ -269,7 +270,7 @@ impl WaveController {
         }
     }
 
-    /// [`update`](Self::update), answering whether everything is finite.
+    /// Like [`update`](Self::update); returns whether everything is finite.
     pub(crate) fn advance(&mut self, dt: f32) -> bool {
         if self.elapsed < self.frequency {
             let elapsed = self.elapsed + dt;
@@ -310,7 +311,7 @@ impl WaveController {
         true
     }
 
-    /// The generator's next offset, and whether it rises then. The step in which it turns it rests.
+    /// The generator's next offset, and whether it rises then. In the step in which it turns it does not move.
     fn next_generator(&self) -> (f32, bool) {
         let (now, step) = (self.generator, self.wave_generator_step);
         match self.generator_rises {
@@ -321,7 +322,7 @@ impl WaveController {
         }
     }
 
-    /// Number of nodes at work.
+    /// Number of nodes in use.
     fn nodes(&self) -> usize {
         self.node_count.min(self.current.len())
     }
@@ -363,8 +364,8 @@ fn check_node_count(node_count: usize) -> Result<usize> {
 }
 
 impl FluidContainer for WaveController {
-    /// Touching counts. The box's top follows the highest of the inner nodes from the first wave step on; without
-    /// inner nodes nothing intersects from then on.
+    /// Boxes that only touch intersect. The box's top follows the highest inner node from the first wave step on.
+    /// Without inner nodes no box intersects from then on.
     fn intersect(&self, aabb: &Aabb) -> bool {
         Aabb::intersect(aabb, &self.aabb)
     }
@@ -373,11 +374,11 @@ impl FluidContainer for WaveController {
     fn contains(&mut self, point: Vector2) -> bool {
         let (x, offset) = (&self.x_position, &self.current);
         let quotient = (point.x - x[0]) / self.single_width;
-        // Places that do not fit 32 bits are all taken for the first one, as in the original.
+        // Indices that do not fit 32 bits are all replaced by the first one, as in the original.
         let place = scalar::to_int_f64(f64::from(quotient).floor());
         let i = usize::try_from(place).unwrap_or(0).min(self.nodes() - 2);
         let y = self.position.y;
-        self.looked_at = LookedAt {
+        self.looked_at = LastPointQuery {
             near: Vector2::new(x[i], y + offset[i]),
             far: Vector2::new(x[i + 1], y + offset[i + 1]),
             point,

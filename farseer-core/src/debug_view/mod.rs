@@ -1,4 +1,4 @@
-//! What the engine works with, as shapes to draw (behaviour chapter 16, part A).
+//! Debug view: the state of a simulator as shapes to draw (behaviour chapter 16, part A).
 
 mod pen;
 mod shape;
@@ -7,11 +7,11 @@ use crate::PhysicsSimulator;
 
 pub use shape::DebugShape;
 
-/// Shows what a simulator works with: outlines, boxes, bodies, contacts, springs, joints, and how long updates take.
+/// Shows the state of a simulator: outlines, boxes, bodies, contacts, springs, joints, and how long updates take.
 ///
-/// It knows what is to be drawn, and no renderer: [`draw`](Self::draw) hands out lines, circles, rectangles and texts.
-/// Coordinates are those of the world; the original's games had one unit per pixel. Colours are red, green, blue and
-/// straight alpha, 0 to 255.
+/// It is independent of any renderer: [`draw`](Self::draw) passes lines, circles, rectangles and texts to a closure.
+/// Coordinates and sizes are in length units of the world; the original's games had one unit per pixel. Colours are
+/// red, green, blue and straight alpha, 0 to 255.
 ///
 /// All options are read whenever something is drawn. (The original read colours, radii and thicknesses only in
 /// `LoadContent`.)
@@ -37,7 +37,7 @@ pub struct PhysicsSimulatorView {
     /// Colour of the outlines.
     #[doc(alias = "EdgeColor")]
     pub edge_color: [u8; 4],
-    /// Thickness of the outlines.
+    /// Thickness of the outlines, in length units.
     #[doc(alias = "EdgeLineThickness")]
     pub edge_line_thickness: f32,
     /// Whether dots are drawn at the vertices of the geoms.
@@ -46,7 +46,7 @@ pub struct PhysicsSimulatorView {
     /// Colour of these dots.
     #[doc(alias = "VerticeColor")]
     pub vertice_color: [u8; 4],
-    /// Radius of these dots.
+    /// Radius of these dots, in length units.
     #[doc(alias = "VerticeRadius")]
     pub vertice_radius: f32,
     /// Whether the boxes of the geoms are drawn.
@@ -55,7 +55,7 @@ pub struct PhysicsSimulatorView {
     /// Colour of the boxes.
     #[doc(alias = "AABBColor")]
     pub aabb_color: [u8; 4],
-    /// Thickness of the boxes' lines.
+    /// Thickness of the boxes' lines, in length units.
     #[doc(alias = "AABBLineThickness")]
     pub aabb_line_thickness: f32,
     /// Whether a cross is drawn at the origin of each body, turned as the body is.
@@ -64,10 +64,10 @@ pub struct PhysicsSimulatorView {
     /// Colour of these crosses.
     #[doc(alias = "CoordinateAxisColor")]
     pub coordinate_axis_color: [u8; 4],
-    /// Thickness of the crosses' lines.
+    /// Thickness of the crosses' lines, in length units.
     #[doc(alias = "CoordinateAxisLineThickness")]
     pub coordinate_axis_line_thickness: f32,
-    /// Length of the crosses' lines.
+    /// Length of the crosses' lines, in length units.
     #[doc(alias = "CoordinateAxisLineLength")]
     pub coordinate_axis_line_length: f32,
     /// Whether dots are drawn at the contacts.
@@ -76,7 +76,7 @@ pub struct PhysicsSimulatorView {
     /// Colour of the contacts.
     #[doc(alias = "ContactColor")]
     pub contact_color: [u8; 4],
-    /// Radius of the contacts.
+    /// Radius of the contacts, in length units.
     #[doc(alias = "ContactRadius")]
     pub contact_radius: f32,
     /// Whether the times of the last [timed update](PhysicsSimulator::update_timed) and the lengths of the simulator's
@@ -89,8 +89,8 @@ pub struct PhysicsSimulatorView {
     /// Of no effect: the text is white, as in the original.
     #[doc(alias = "PerformancePanelTextColor")]
     pub performance_panel_text_color: [u8; 4],
-    /// Whether the panel is wide enough for the lengths of the lists: 360 instead of 220. They are written in either
-    /// case, as in the original.
+    /// Whether the panel is wide enough for the lengths of the lists: 360 instead of 220 length units. They are written
+    /// in either case, as in the original.
     #[doc(alias = "EnablePerformancePanelBodyCount")]
     pub enable_performance_panel_body_count: bool,
     /// Whether linear springs are drawn.
@@ -99,7 +99,7 @@ pub struct PhysicsSimulatorView {
     /// Colour of the springs: lines and dots.
     #[doc(alias = "SpringLineColor")]
     pub spring_line_color: [u8; 4],
-    /// Thickness of the springs' lines.
+    /// Thickness of the springs' lines, in length units.
     #[doc(alias = "SpringLineThickness")]
     pub spring_line_thickness: f32,
     /// Whether revolute and fixed revolute joints are drawn.
@@ -108,7 +108,7 @@ pub struct PhysicsSimulatorView {
     /// Colour of the revolute joints: lines and squares.
     #[doc(alias = "RevoluteJointLineColor")]
     pub revolute_joint_line_color: [u8; 4],
-    /// Thickness of the revolute joints' lines.
+    /// Thickness of the revolute joints' lines, in length units.
     #[doc(alias = "RevoluteJointLineThickness")]
     pub revolute_joint_line_thickness: f32,
     /// Whether pin joints are drawn.
@@ -117,7 +117,7 @@ pub struct PhysicsSimulatorView {
     /// Colour of the pin joints: lines and squares.
     #[doc(alias = "PinJointLineColor")]
     pub pin_joint_line_color: [u8; 4],
-    /// Thickness of the pin joints' lines.
+    /// Thickness of the pin joints' lines, in length units.
     #[doc(alias = "PinJointLineThickness")]
     pub pin_joint_line_thickness: f32,
     /// Whether slider joints are drawn.
@@ -126,13 +126,13 @@ pub struct PhysicsSimulatorView {
     /// Colour of the slider joints: lines and squares.
     #[doc(alias = "SliderJointLineColor")]
     pub slider_joint_line_color: [u8; 4],
-    /// Thickness of the slider joints' lines.
+    /// Thickness of the slider joints' lines, in length units.
     #[doc(alias = "SliderJointLineThickness")]
     pub slider_joint_line_thickness: f32,
 }
 
 impl Default for PhysicsSimulatorView {
-    /// The original's options: everything but edges, lines 1 thick, translucent black.
+    /// The original's options: all views but edges, lines 1 thick, translucent black.
     fn default() -> Self {
         const BLACK: [u8; 4] = [0, 0, 0, 150];
         const JOINT: [u8; 4] = [0, 0, 0, 200];
@@ -174,21 +174,27 @@ impl Default for PhysicsSimulatorView {
 }
 
 impl PhysicsSimulatorView {
-    /// Hands out the shapes of all parts that are on, later ones on top: outlines and vertices, boxes, bodies, contacts,
-    /// the panel, springs, revolute, pin and slider joints; of each what is in the simulator's list, in its order.
+    /// Draws the views that are enabled, later ones on top: outlines and vertices, boxes, bodies, contacts, the panel,
+    /// springs, revolute, pin and slider joints. Each view draws the objects of the simulator's list, in its order.
     ///
-    /// What is disabled or broken is drawn as long as it is in its list. Angle springs and the other joints are never
-    /// drawn, nor are shapes that reach beyond finite numbers. Before the first update the square of a revolute joint is on its first body, as in the original.
+    /// Disabled and broken objects are drawn as long as they are in their lists. Angle springs and the other joints are
+    /// never drawn, nor are shapes with coordinates that are not finite. Before the first update the square of a
+    /// revolute joint is on its first body, as in the original.
     #[doc(alias = "Draw")]
     pub fn draw(&self, simulator: &PhysicsSimulator, mut draw: impl FnMut(DebugShape)) {
         pen::Pen { view: self, simulator, draw: &mut draw }.draw_all();
     }
 
-    /// Hands out a box round each [island](PhysicsSimulator::islands), with lines as thick as those of the boxes of geoms, in a
-    /// colour that says how it was solved: grey in [flight](crate::IslandMethod::Flight), violet if it
-    /// [swings](crate::IslandMethod::Swing), green as a [whole](crate::IslandMethod::Whole), orange by
-    /// [passes](crate::IslandMethod::Passes), blue [asleep](crate::IslandMethod::Asleep). Ours, and only with the
-    /// [precise set](crate::Methods::Precise).
+    /// Draws a box around each [island](PhysicsSimulator::islands), with the line thickness of the boxes of geoms.
+    /// Ours, and only with the [precise set](crate::Methods::Precise). The colour shows how the island was solved:
+    ///
+    /// | colour | island |
+    /// |---|---|
+    /// | grey | [ballistic](crate::IslandSolver::Ballistic): free flight |
+    /// | violet | [articulated](crate::IslandSolver::Articulated): joints without contacts |
+    /// | green | [direct solver](crate::IslandSolver::Direct) |
+    /// | orange | [iterative solver](crate::IslandSolver::Iterative) |
+    /// | blue | [asleep](crate::IslandSolver::Asleep) |
     pub fn draw_islands(&self, simulator: &PhysicsSimulator, mut draw: impl FnMut(DebugShape)) {
         pen::Pen { view: self, simulator, draw: &mut draw }.islands();
     }

@@ -1,4 +1,4 @@
-//! The parts of the debug view, one by one.
+//! The views of the debug view, one by one.
 
 use super::{DebugShape, PhysicsSimulatorView};
 use crate::body::BodyId;
@@ -6,40 +6,40 @@ use crate::geom::GeomId;
 use crate::joints::{Joint, JointId, JointKind};
 use crate::math::{Vector2, vector2};
 use crate::springs::{Spring, SpringKind};
-use crate::{Aabb, Island, IslandMethod, PhysicsSimulator, StepTimes};
+use crate::{Aabb, Island, IslandSolver, PhysicsSimulator, StepTimes};
 
 const SPRING_DOT_RADIUS: f32 = 2.0;
-/// Side of the squares of joints.
-const SQUARE: f32 = 10.0;
+/// Side of the squares that mark joints, in length units.
+const JOINT_SQUARE_SIDE: f32 = 10.0;
 const WHITE: [u8; 4] = [255; 4];
 
-/// The colour of an island that is solved so.
-fn color_of(method: IslandMethod) -> [u8; 4] {
+/// Colour of an island by its solver.
+fn color_of(method: IslandSolver) -> [u8; 4] {
     match method {
-        IslandMethod::Asleep => [0, 80, 200, 200],
-        IslandMethod::Flight => [120, 120, 120, 200],
-        IslandMethod::Swing => [150, 0, 180, 200],
-        IslandMethod::Whole => [0, 140, 40, 200],
-        IslandMethod::Passes => [200, 80, 0, 200],
+        IslandSolver::Asleep => [0, 80, 200, 200],
+        IslandSolver::Ballistic => [120, 120, 120, 200],
+        IslandSolver::Articulated => [150, 0, 180, 200],
+        IslandSolver::Direct => [0, 140, 40, 200],
+        IslandSolver::Iterative => [200, 80, 0, 200],
     }
 }
 
-/// Draws one thing.
+/// Draws the views of a simulator.
 pub(super) struct Pen<'a> {
     pub(super) view: &'a PhysicsSimulatorView,
     pub(super) simulator: &'a PhysicsSimulator,
     pub(super) draw: &'a mut dyn FnMut(DebugShape),
 }
 
-/// What lines and dots are drawn with.
+/// Thickness, in length units, and colour of lines and dots.
 #[derive(Clone, Copy)]
-struct Ink {
+struct LineStyle {
     thickness: f32,
     color: [u8; 4],
 }
 
 impl Pen<'_> {
-    /// Every part that is on, in the original's order.
+    /// Draws every enabled view, in the original's order.
     pub(super) fn draw_all(&mut self) {
         let (view, simulator) = (self.view, self.simulator);
         simulator.geom_list().iter().for_each(|&geom| self.outline(geom));
@@ -61,31 +61,31 @@ impl Pen<'_> {
         self.joints();
     }
 
-    /// Hands out a shape, unless it reaches beyond finite numbers: no renderer could draw that.
-    fn show(&mut self, points: &[Vector2], shape: DebugShape) {
+    /// Passes a shape to the closure, unless a coordinate is not finite: no renderer could draw it.
+    fn emit(&mut self, points: &[Vector2], shape: DebugShape) {
         if points.iter().all(|point| point.x.is_finite() && point.y.is_finite()) {
             (self.draw)(shape);
         }
     }
 
-    fn line(&mut self, start: Vector2, end: Vector2, Ink { thickness, color }: Ink) {
-        self.show(&[start, end], DebugShape::Line { start, end, thickness, color });
+    fn line(&mut self, start: Vector2, end: Vector2, LineStyle { thickness, color }: LineStyle) {
+        self.emit(&[start, end], DebugShape::Line { start, end, thickness, color });
     }
 
     fn dot(&mut self, center: Vector2, radius: f32, color: [u8; 4]) {
-        self.show(&[center], DebugShape::Circle { center, radius, color });
+        self.emit(&[center], DebugShape::Circle { center, radius, color });
     }
 
     fn square(&mut self, center: Vector2, color: [u8; 4]) {
-        let min = center - Vector2::repeat(0.5 * SQUARE);
-        self.show(&[min], DebugShape::Rectangle { min, size: Vector2::repeat(SQUARE), color });
+        let min = center - Vector2::repeat(0.5 * JOINT_SQUARE_SIDE);
+        self.emit(&[min], DebugShape::Rectangle { min, size: Vector2::repeat(JOINT_SQUARE_SIDE), color });
     }
 
     fn text(&mut self, x: f32, y: f32, text: String) {
         (self.draw)(DebugShape::Text { position: Vector2::new(x, y), text, color: WHITE });
     }
 
-    /// Each edge before the dot at its start. A chain is drawn as open as it is.
+    /// The outline of a geom: each edge before the dot at its start. An open chain is drawn open.
     fn outline(&mut self, geom: GeomId) {
         let PhysicsSimulatorView { enable_edge_view, enable_vertice_view, .. } = *self.view;
         if !(enable_edge_view || enable_vertice_view) {
@@ -93,7 +93,7 @@ impl Pen<'_> {
         }
         let Some(geom) = self.simulator.geom(geom) else { return };
         let vertices = geom.world_vertices();
-        let edge = Ink { thickness: self.view.edge_line_thickness, color: self.view.edge_color };
+        let edge = LineStyle { thickness: self.view.edge_line_thickness, color: self.view.edge_color };
         let next = vertices.iter().cycle().skip(1);
         let edges = vertices.len() - usize::from(geom.outline().is_open());
         for (index, (&vertex, &next)) in vertices.iter().zip(next).enumerate() {
@@ -108,23 +108,23 @@ impl Pen<'_> {
 
     fn aabb(&mut self, geom: GeomId) {
         let Some(aabb) = self.simulator.geom(geom).map(|geom| geom.aabb()) else { return };
-        let ink = Ink { thickness: self.view.aabb_line_thickness, color: self.view.aabb_color };
-        self.frame(aabb, ink);
+        let ink = LineStyle { thickness: self.view.aabb_line_thickness, color: self.view.aabb_color };
+        self.box_lines(aabb, ink);
     }
 
-    /// A box round the boxes of all geoms of an island.
+    /// Boxes around the boxes of all geoms of an island.
     pub(super) fn islands(&mut self) {
         for Island { bodies, method, .. } in self.simulator.islands() {
             let geoms = bodies.iter().flat_map(|&body| self.simulator.geoms_of(body));
             let boxes = geoms.filter_map(|&geom| self.simulator.geom(geom)).map(|geom| geom.aabb());
             let (thickness, color) = (self.view.aabb_line_thickness, color_of(method));
             if let Some(around) = boxes.reduce(|a, b| Aabb::from_vertices(&[a.min, a.max, b.min, b.max])) {
-                self.frame(around, Ink { thickness, color });
+                self.box_lines(around, LineStyle { thickness, color });
             }
         }
     }
 
-    fn frame(&mut self, Aabb { min, max }: Aabb, ink: Ink) {
+    fn box_lines(&mut self, Aabb { min, max }: Aabb, ink: LineStyle) {
         let corners = [min, Vector2::new(max.x, min.y), max, Vector2::new(min.x, max.y)];
         for index in 0..4 {
             self.line(corners[index], corners[(index + 1) % 4], ink);
@@ -134,7 +134,7 @@ impl Pen<'_> {
     fn axes(&mut self, body: BodyId) {
         let Some(body) = self.simulator.body(body) else { return };
         let thickness = self.view.coordinate_axis_line_thickness;
-        let ink = Ink { thickness, color: self.view.coordinate_axis_color };
+        let ink = LineStyle { thickness, color: self.view.coordinate_axis_color };
         let half = self.view.coordinate_axis_line_length / 2.0;
         for end in [Vector2::new(half, 0.0), Vector2::new(0.0, half)] {
             self.line(body.get_world_position(-end), body.get_world_position(end), ink);
@@ -182,7 +182,7 @@ impl Pen<'_> {
         }
     }
 
-    /// All fixed springs before all others.
+    /// All springs: fixed ones first.
     fn springs(&mut self) {
         let simulator = self.simulator;
         let springs =
@@ -206,8 +206,9 @@ impl Pen<'_> {
     }
 
     fn spring(&mut self, start: Vector2, end: Vector2) {
-        let ink = Ink { thickness: self.view.spring_line_thickness, color: self.view.spring_line_color };
-        let between = [0.25, 0.5, 0.75].map(|part| vector2::lerp(start, end, part));
+        let ink =
+            LineStyle { thickness: self.view.spring_line_thickness, color: self.view.spring_line_color };
+        let between = [0.25, 0.5, 0.75].map(|fraction| vector2::lerp(start, end, fraction));
         for center in [start, end].into_iter().chain(between) {
             self.dot(center, SPRING_DOT_RADIUS, ink.color);
         }
@@ -225,7 +226,8 @@ impl Pen<'_> {
             joints().for_each(|(id, joint)| self.revolute_joint(id, joint));
         }
         if view.enable_pin_joint_view {
-            let ink = Ink { thickness: view.pin_joint_line_thickness, color: view.pin_joint_line_color };
+            let ink =
+                LineStyle { thickness: view.pin_joint_line_thickness, color: view.pin_joint_line_color };
             for (_, joint) in joints() {
                 if let JointKind::Pin(joint) = joint {
                     self.anchors(joint.world_anchor1(), joint.world_anchor2(), ink);
@@ -233,8 +235,10 @@ impl Pen<'_> {
             }
         }
         if view.enable_slider_joint_view {
-            let ink =
-                Ink { thickness: view.slider_joint_line_thickness, color: view.slider_joint_line_color };
+            let ink = LineStyle {
+                thickness: view.slider_joint_line_thickness,
+                color: view.slider_joint_line_color,
+            };
             for (_, joint) in joints() {
                 if let JointKind::Slider(joint) = joint {
                     self.anchors(joint.world_anchor1(), joint.world_anchor2(), ink);
@@ -245,7 +249,7 @@ impl Pen<'_> {
 
     fn revolute_joint(&mut self, id: JointId, joint: &JointKind) {
         let thickness = self.view.revolute_joint_line_thickness;
-        let ink = Ink { thickness, color: self.view.revolute_joint_line_color };
+        let ink = LineStyle { thickness, color: self.view.revolute_joint_line_color };
         match joint {
             JointKind::FixedRevolute(joint) => self.square(joint.anchor(), ink.color),
             JointKind::Revolute(joint) => {
@@ -261,7 +265,7 @@ impl Pen<'_> {
         }
     }
 
-    fn anchors(&mut self, anchor1: Vector2, anchor2: Vector2, ink: Ink) {
+    fn anchors(&mut self, anchor1: Vector2, anchor2: Vector2, ink: LineStyle) {
         self.square(anchor1, ink.color);
         self.square(anchor2, ink.color);
         self.line(anchor1, anchor2, ink);

@@ -1,8 +1,9 @@
-//! What a renderer is asked to draw.
+//! Shapes that the debug view passes to a renderer.
 
 use crate::math::Vector2;
 
-/// A shape to draw over what was drawn before. Colours are red, green, blue and straight alpha, 0 to 255.
+/// A shape to draw over the earlier ones. Coordinates and sizes are in length units of the world. Colours are red,
+/// green, blue and straight alpha, 0 to 255.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DebugShape {
     /// A line between two points.
@@ -11,7 +12,7 @@ pub enum DebugShape {
         start: Vector2,
         /// The other end.
         end: Vector2,
-        /// Width of the line.
+        /// Width of the line, in length units.
         thickness: f32,
         /// Its colour.
         color: [u8; 4],
@@ -20,14 +21,14 @@ pub enum DebugShape {
     Circle {
         /// Its centre.
         center: Vector2,
-        /// Its radius.
+        /// Its radius, in length units.
         radius: f32,
         /// Its colour.
         color: [u8; 4],
     },
     /// A filled rectangle along the axes.
     Rectangle {
-        /// The corner of the least x and y: on the screen the upper left one.
+        /// The corner with the smallest x and y: on the screen the upper left one.
         min: Vector2,
         /// Width and height.
         size: Vector2,
@@ -38,7 +39,7 @@ pub enum DebugShape {
     Text {
         /// The upper left corner.
         position: Vector2,
-        /// What is written: ASCII.
+        /// The text: ASCII.
         text: String,
         /// The colour of the letters.
         color: [u8; 4],

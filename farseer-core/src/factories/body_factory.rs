@@ -59,8 +59,8 @@ impl BodyFactory {
         add(simulator, Self::create_circle_body(radius, mass)?)
     }
 
-    /// A solid capsule, upright: two half discs with a rectangle between them, along y. `height` is from tip to tip. The
-    /// original has none: this one is ours, for [`create_capsule_geom`](crate::GeomFactory::create_capsule_geom).
+    /// A solid capsule, upright: two half discs with a rectangle between them, along y. `height` is from tip to tip.
+    /// Ours, for [`create_capsule_geom`](crate::GeomFactory::create_capsule_geom): the original has none.
     ///
     /// # Errors
     /// A height, radius or mass that is not finite and greater than 0, or so small that the moment of inertia vanishes; a
@@ -119,11 +119,11 @@ impl BodyFactory {
         add(simulator, Self::create_ellipse_body(x_radius, y_radius, mass)?)
     }
 
-    /// A solid polygon, placed at the centroid of its outline.
+    /// A solid polygon, positioned at the centroid of its outline.
     ///
     /// # Errors
-    /// A mass that is not finite and greater than 0; an outline that is empty, not finite, or without area (for
-    /// the last the original makes a body that is not finite).
+    /// A mass that is not finite and greater than 0; an outline that is empty, not finite, or without area. (In the
+    /// last case the original makes a body that is not finite.)
     #[doc(alias = "CreatePolygonBody")]
     pub fn create_polygon_body(vertices: &Vertices, mass: f32) -> Result<Body> {
         positive("mass", mass)?;
@@ -144,7 +144,7 @@ impl BodyFactory {
         add(simulator, Self::create_polygon_body(vertices, mass)?)
     }
 
-    /// A body of this mass and moment of inertia.
+    /// A body with this mass and moment of inertia.
     ///
     /// # Errors
     /// A mass or moment of inertia that is not finite and greater than 0.
@@ -179,9 +179,12 @@ impl BodyFactory {
     }
 }
 
-/// Of a rectangle 2 r wide and s = height - 2 r long, and of a disc of radius r whose halves sit at its ends. The centroid of
-/// a half disc lies c = 4 r / 3 pi from its straight side, about the middle of which its moment is m r^2 / 2: about its
-/// centroid that is m c^2 less, and about the middle of the capsule m (s / 2 + c)^2 more.
+/// Moment of inertia of a capsule: a rectangle of width 2 r and length s = height - 2 r, and a disc of radius r whose
+/// halves sit at its ends.
+///
+/// The centroid of a half disc lies c = 4 r / (3 pi) from its straight side. Its moment of inertia about the middle of
+/// that side is m r² / 2, so about the centroid m r² / 2 - m c². About the middle of the capsule it is greater by m (s
+/// / 2 + c)².
 fn inertia_of_capsule(height: f64, radius: f64, mass: f64) -> f64 {
     use std::f64::consts::PI;
     let side = height - 2.0 * radius;
@@ -192,7 +195,7 @@ fn inertia_of_capsule(height: f64, radius: f64, mass: f64) -> f64 {
     mass * (rectangle * of_rectangle + disc * of_disc) / (rectangle + disc)
 }
 
-/// Refuses a size of which the moment of inertia is infinite.
+/// Refuses a size with an infinite moment of inertia.
 fn not_too_large(
     arguments: &'static str,
     values: impl std::fmt::Debug,

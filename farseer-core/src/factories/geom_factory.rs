@@ -12,7 +12,7 @@ use crate::{Error, Result};
 
 /// Makes geoms of simple shapes. All lengths are in the user's unit; y points down on the screen.
 ///
-/// Every method refuses a stale body, and whatever [`Objects::create_geom`] refuses.
+/// Every method refuses a stale body, and all arguments that [`Objects::create_geom`] refuses.
 #[doc(alias = "GeomFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct GeomFactory;
@@ -54,7 +54,7 @@ impl GeomFactory {
         simulator.create_geom(body, Vertices::create_ellipse(x_radius, y_radius, number_of_edges)?, placement)
     }
 
-    /// A circle as a regular polygon, which knows [what it stands for](crate::GeomRef::outline).
+    /// A circle as a regular polygon, with a circle as its [outline](crate::GeomRef::outline).
     ///
     /// # Errors
     /// A radius that is not finite and greater than 0; fewer than 3 edges, for which the original fails as well.
@@ -73,11 +73,12 @@ impl GeomFactory {
     }
 
     /// An upright capsule: two half discs with straight sides between them, along y. It is a polygon of `2 * edges + 2`
-    /// corners, which knows [what it stands for](crate::GeomRef::outline): the faithful methods and all queries and views go
-    /// by the polygon, the [precise](crate::Methods::Precise) ones by the true capsule, whatever the number of edges.
+    /// corners, with a capsule as its [outline](crate::GeomRef::outline). The faithful methods and all queries and
+    /// views use the polygon, the [precise](crate::Methods::Precise) ones the true capsule, whatever the number of
+    /// edges.
     ///
     /// `height` is from tip to tip, and each of its ends, of radius `end_radius`, has `edges` edges, as with
-    /// [`Vertices::create_capsule`]. The original has that outline and no factory for it: this one is ours.
+    /// [`Vertices::create_capsule`]. Ours: the original has that outline and no factory for it.
     ///
     /// ```
     /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Outline, PhysicsSimulator};
@@ -104,20 +105,22 @@ impl GeomFactory {
         simulator.create_geom_of(body, (corners, Outline::Capsule { height, end_radius }), placement)
     }
 
-    /// A chain of edges between points, for terrain: nothing but its edges, each solid on one side, and nothing catches on a
-    /// point between two of them. Only the [precise methods](crate::Methods::Precise) have it. The original has none: this
-    /// one is ours.
+    /// A chain of edges between points, for terrain: it has edges and no inside, and each edge is solid on one side.
+    /// Shapes that slide along it do not catch on the points between two edges. Ours, and only with the [precise
+    /// methods](crate::Methods::Precise).
     ///
-    /// Who walks along the points has the solid side on the right hand, on a screen with y down: points from left to right
-    /// make a floor, points from right to left a ceiling. If the last point is the first one again the chain is closed:
-    /// clockwise it is a rock, anticlockwise a room. What comes from the solid side passes, and once its middle is on the
-    /// free side it is pushed out there; what is pushed in so far that its middle is behind an edge falls through. An open
-    /// end is as the edge of a table to what leans on it or rolls over it.
+    /// The solid side is on the right hand of somebody who walks along the points, on a screen with y down. So points
+    /// from left to right make a floor, points from right to left a ceiling. If the last point is the first one again
+    /// the chain is closed: clockwise it is a rock, anticlockwise a room.
     ///
-    /// Points are in the geom's coordinates, and stay where and in the order they are; the placement's cell size is without
-    /// meaning. Thousands of points are as good as a few: only edges that something is near to cost time. A chain has no
-    /// inside, so it holds no point, and its body is static. Should that be made dynamic later, its chains go on as what
-    /// they are, but do not meet other chains.
+    /// Shapes from the solid side pass through. Once the middle of a shape is on the free side, contacts push it out
+    /// there. A shape that is pushed in so far that its middle is behind an edge falls through. An open end behaves as
+    /// the edge of a table for shapes that lean on it or roll over it.
+    ///
+    /// Points are in the geom's coordinates, and are neither recentred nor reordered; the placement's cell size has no
+    /// effect. Thousands of points are as good as a few: only edges near other shapes cost time. A chain has no inside,
+    /// so it contains no point, and its body is static. If the body is made dynamic later, its chains remain, but do
+    /// not collide with other chains.
     ///
     /// ```
     /// use farseer_core::{Body, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};
@@ -146,8 +149,8 @@ impl GeomFactory {
 
     /// A polygon, recentred on its centroid.
     ///
-    /// As in the original the caller's list is left recentred and in the engine's winding. Make the body from it
-    /// first: that places the body at the centroid.
+    /// As in the original the caller's list is left recentred and in the engine's winding. Make the body from it first:
+    /// this positions the body at the centroid.
     ///
     /// # Errors
     /// An outline without area or not finite. The list is unchanged then.
@@ -167,14 +170,14 @@ impl GeomFactory {
         Ok(geom)
     }
 
-    /// A polygon cut into at most `max_geoms` convex geoms, for SAT. Shape beyond that number is lost.
+    /// A polygon cut into at most `max_geoms` convex geoms, for SAT. Pieces beyond that number are lost.
     ///
-    /// The pieces are placed so that the outline's centroid lies at the body's origin; their distance grids, if
-    /// any, have cells of 1. An outline of which no triangle can be cut gives an empty list. The time of the cutting grows
-    /// with the square of the number of vertices: [`simplify`](Vertices::simplify) long outlines first.
+    /// The pieces have offsets that put the outline's centroid at the body's origin; their distance grids, if any, have
+    /// cells of 1. An outline of which no triangle can be cut gives an empty list. The time of the cutting grows with
+    /// the square of the number of vertices: [`simplify`](Vertices::simplify) long outlines first.
     ///
     /// # Errors
-    /// Whatever [`Vertices::decompose`] refuses. No geom is made then.
+    /// All arguments that [`Vertices::decompose`] refuses. No geom is made then.
     #[doc(alias("CreateSATPolygonGeom", "DecomposeGeom"))]
     pub fn create_sat_polygon_geom(
         simulator: &mut Objects,
@@ -248,7 +251,7 @@ impl GeomFactory {
     }
 }
 
-/// Made and added in one call.
+/// Methods that also add the geom to the simulator.
 impl GeomFactory {
     added! {
         create_rectangle_geom_in = create_rectangle_geom(body: BodyId, width: f32, height: f32, placement: GeomPlacement) -> GeomId;
@@ -267,7 +270,7 @@ fn centroid_of(vertices: &Vertices) -> Result<Vector2> {
         .map_err(|_| Error::invalid("vertices", vertices, "an outline with an area"))
 }
 
-/// The points of a chain without the last one if that closes it, and whether it does.
+/// The points of a chain without the last one if it equals the first, and whether it does.
 fn check_chain(points: &[Vector2]) -> Result<(&[Vector2], bool)> {
     for &point in points {
         finite_vector("points", point)?;

@@ -10,7 +10,7 @@ use crate::math::finite::{finite, finite_vector};
 use crate::objects::Objects;
 use crate::{Error, Result};
 
-/// Makes joints. Anchors and angles are taken from where the bodies are now, so place the bodies first.
+/// Makes joints. Anchors and angles are computed from the present poses of the bodies, so place the bodies first.
 ///
 /// Lengths are in the user's unit, angles in radians.
 #[doc(alias = "JointFactory.Instance")]
@@ -35,8 +35,8 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// A body that turns about a point of the world. If the body is static now the joint is disabled, and stays so when
-    /// the body becomes dynamic, as in the original.
+    /// A body that turns about a point of the world. If the body is static now the joint is disabled, and stays
+    /// disabled when the body becomes dynamic, as in the original.
     ///
     /// # Errors
     /// A stale body; an anchor that is not finite.
@@ -46,16 +46,16 @@ impl JointFactory {
         body: BodyId,
         anchor: Vector2,
     ) -> Result<JointId> {
-        let held = find(simulator, "body", body)?;
-        let is_static = held.1.is_immovable();
-        let mut joint = FixedRevoluteJoint::new(held, anchor)?;
+        let body_with_id = find(simulator, "body", body)?;
+        let is_static = body_with_id.1.is_immovable();
+        let mut joint = FixedRevoluteJoint::new(body_with_id, anchor)?;
         if is_static {
             joint.set_enabled(false);
         }
         simulator.create_joint(joint)
     }
 
-    /// Two anchors, each in the coordinates of its body, that stay as far apart as they are now.
+    /// Two anchors, each in the coordinates of its body, that keep their present distance.
     ///
     /// # Errors
     /// A stale body; an anchor that is not finite; anchors too far apart for a finite distance.
@@ -72,10 +72,10 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// Two anchors, each in the coordinates of its body, whose distance stays from `min` to `max`.
+    /// Two anchors, each in the coordinates of its body, at a distance from `min` to `max` length units.
     ///
     /// # Errors
-    /// A stale body; what is not finite.
+    /// A stale body; a number that is not finite.
     #[doc(alias = "CreateSliderJoint")]
     pub fn create_slider_joint(
         simulator: &mut Objects,
@@ -91,7 +91,7 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// Two bodies at the same total rotation. The target angle is 0 whatever the angle is now; see
+    /// Two bodies at the same total rotation. The target angle is 0, whatever the present angle; see
     /// [`AngleJoint::set_target_angle`].
     ///
     /// # Errors
@@ -103,10 +103,10 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// [`create_angle_joint`](Self::create_angle_joint) with a softness and a bias factor.
+    /// [`create_angle_joint`](Self::create_angle_joint) with a softness and a bias factor, both dimensionless.
     ///
     /// # Errors
-    /// A stale body; what is not finite.
+    /// A stale body; a number that is not finite.
     #[doc(alias = "CreateAngleJoint(Body, Body, float, float)")]
     pub fn create_angle_joint_with(
         simulator: &mut Objects,
@@ -135,7 +135,7 @@ impl JointFactory {
     /// Two bodies whose total rotations differ by `min` to `max` radians.
     ///
     /// # Errors
-    /// A stale body; what is not finite.
+    /// A stale body; a number that is not finite.
     #[doc(alias = "CreateAngleLimitJoint")]
     pub fn create_angle_limit_joint(
         simulator: &mut Objects,
@@ -151,10 +151,10 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// A body whose total rotation stays from `min` to `max` radians.
+    /// A body whose total rotation stays between `min` and `max` radians.
     ///
     /// # Errors
-    /// A stale body; what is not finite.
+    /// A stale body; a number that is not finite.
     #[doc(alias = "CreateFixedAngleLimitJoint")]
     pub fn create_fixed_angle_limit_joint(
         simulator: &mut Objects,
@@ -168,11 +168,11 @@ impl JointFactory {
         simulator.create_joint(joint)
     }
 
-    /// Two bodies that share a point of the world and keep the angle they have to each other now. The original has only
-    /// the constructor.
+    /// Two bodies that share a point of the world and keep their present relative angle. The original has only the
+    /// constructor.
     ///
     /// # Errors
-    /// A stale body; what is not finite.
+    /// A stale body; a number that is not finite.
     #[doc(alias = "WeldJoint(Body, Body, Vector2)")]
     pub fn create_weld_joint(
         simulator: &mut Objects,
@@ -188,12 +188,12 @@ impl JointFactory {
 
 /// Joints that the original does not have.
 impl JointFactory {
-    /// A second body that slides along an axis of the first, given as a direction of the world, through a point of the world.
-    /// The bodies keep the angle to each other that they have now. Only the [precise set](crate::Methods::Precise) has such
-    /// joints.
+    /// A second body that slides along an axis of the first. Axis and anchor are a direction and a point of the world.
+    /// The bodies keep their present relative angle. Only the [precise set](crate::Methods::Precise) has such joints.
     ///
     /// # Errors
-    /// A stale body; what is not finite; an axis without length. Under the faithful methods it cannot be added.
+    /// A stale body; a number that is not finite; an axis without length. Under the faithful methods it cannot be
+    /// added.
     #[doc(alias("line joint", "piston"))]
     pub fn create_prismatic_joint(
         simulator: &mut Objects,
@@ -208,7 +208,7 @@ impl JointFactory {
     }
 }
 
-/// Made and added in one call.
+/// Methods that also add the joint to the simulator.
 impl JointFactory {
     added! {
         create_revolute_joint_in = create_revolute_joint(body1: BodyId, body2: BodyId, initial_anchor_position: Vector2) -> JointId;

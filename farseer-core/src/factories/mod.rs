@@ -1,10 +1,10 @@
 //! Ready-made bodies and geoms (behaviour chapter 13).
 //!
-//! Factories check their arguments, pick shapes and formulas and call constructors. The plain methods answer with
-//! an object that takes no part yet; those ending in `_in` also add it to the simulator, which is what the
-//! original's methods with a leading simulator argument do.
+//! Factories check their arguments, choose shapes and formulas and call constructors. The plain methods return an
+//! object that takes no part yet. Methods ending in `_in` also add it to the simulator, as the original's methods with
+//! a leading simulator argument do.
 
-/// What ends in `_in`: the same, added to the simulator.
+/// Methods ending in `_in`: the plain method, and adding the object to the simulator.
 macro_rules! added {
     ($($name:ident = $plain:ident($($argument:ident: $type:ty),*) -> $made:ty;)*) => {$(
         #[doc = concat!("[`", stringify!($plain), "`](Self::", stringify!($plain), "), added to the simulator.")]

@@ -6,19 +6,19 @@ use crate::objects::Objects;
 use crate::springs::{AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, SpringId};
 use crate::{Error, Result};
 
-/// Makes springs. Rest lengths and angles are taken from where the bodies are now, so place the bodies first.
+/// Makes springs. Rest lengths and angles are computed from the present poses of the bodies, so place the bodies first.
 ///
-/// Forces are mass times length per square second, torques force times length.
+/// Forces are in mass units · length units/s², torques in force times length.
 #[doc(alias = "ControllerFactory")]
 #[doc(alias = "SpringFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct SpringFactory;
 
 impl SpringFactory {
-    /// Forces between two points, each in the coordinates of its body, that are at rest at the distance they have now.
+    /// A spring between two points, each in the coordinates of its body, at rest at their present distance.
     ///
     /// # Errors
-    /// A stale body; what is not finite; points too far apart for a finite distance.
+    /// A stale body; a number that is not finite; points too far apart for a finite distance.
     #[doc(alias = "CreateLinearSpring")]
     pub fn create_linear_spring(
         simulator: &mut Objects,
@@ -41,10 +41,10 @@ impl SpringFactory {
         simulator.create_spring(spring)
     }
 
-    /// A force between a point in the body's coordinates and a point of the world, at rest at the distance they have now.
+    /// A spring between a point in the body's coordinates and a point of the world, at rest at their present distance.
     ///
     /// # Errors
-    /// A stale body; what is not finite; points too far apart for a finite distance.
+    /// A stale body; a number that is not finite; points too far apart for a finite distance.
     #[doc(alias = "CreateFixedLinearSpring")]
     pub fn create_fixed_linear_spring(
         simulator: &mut Objects,
@@ -54,9 +54,9 @@ impl SpringFactory {
         spring_constant: f32,
         damping_constant: f32,
     ) -> Result<SpringId> {
-        let held = find(simulator, "body", body)?;
+        let body_with_id = find(simulator, "body", body)?;
         let spring = FixedLinearSpring::new(
-            held,
+            body_with_id,
             body_attach_point,
             world_attach_point,
             spring_constant,
@@ -65,10 +65,10 @@ impl SpringFactory {
         simulator.create_spring(spring)
     }
 
-    /// Torques towards the angle that two bodies have to each other now.
+    /// A torque toward the present relative angle of two bodies.
     ///
     /// # Errors
-    /// A stale body; what is not finite.
+    /// A stale body; a number that is not finite.
     #[doc(alias = "CreateAngleSpring")]
     pub fn create_angle_spring(
         simulator: &mut Objects,
@@ -82,10 +82,10 @@ impl SpringFactory {
         simulator.create_spring(spring)
     }
 
-    /// A torque towards the total rotation that the body has now.
+    /// A torque toward the body's present total rotation.
     ///
     /// # Errors
-    /// A stale body; what is not finite.
+    /// A stale body; a number that is not finite.
     #[doc(alias = "CreateFixedAngleSpring")]
     pub fn create_fixed_angle_spring(
         simulator: &mut Objects,
@@ -93,13 +93,13 @@ impl SpringFactory {
         spring_constant: f32,
         damping_constant: f32,
     ) -> Result<SpringId> {
-        let held = find(simulator, "body", body)?;
-        let spring = FixedAngleSpring::new(held, spring_constant, damping_constant)?;
+        let body_with_id = find(simulator, "body", body)?;
+        let spring = FixedAngleSpring::new(body_with_id, spring_constant, damping_constant)?;
         simulator.create_spring(spring)
     }
 }
 
-/// Made and added in one call.
+/// Methods that also add the spring to the simulator.
 impl SpringFactory {
     added! {
         create_linear_spring_in = create_linear_spring(body1: BodyId, attach_point1: Vector2, body2: BodyId, attach_point2: Vector2, spring_constant: f32, damping_constant: f32) -> SpringId;

@@ -1,7 +1,7 @@
-//! Signed distances sampled on a grid (behaviour chapter 06).
+//! Distance grids: signed distances to an outline, sampled on a grid (behaviour chapter 06).
 //!
-//! Each geom carries a grid of distances to its outline in its own coordinates. Two geoms touch where a
-//! vertex of one lies in a cell of the other's grid whose interpolated distance is negative.
+//! Each geom has a grid of the distances to its outline in its own coordinates. Two geoms touch where a vertex of one
+//! lies in a cell of the other's grid whose interpolated distance is negative.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::shape::distance::{nearest_distance, nearest_distances};
 use crate::shape::{Aabb, Vertices};
 use crate::{Error, Result};
 
-/// More nodes than this are refused; the original runs out of memory at about that size.
+/// Maximum number of nodes of a grid; the original runs out of memory at about that size.
 const MAX_NODES: u64 = 1 << 26;
 
 /// Signed distances to an outline at the nodes of a square grid over its box.
@@ -26,21 +26,23 @@ pub struct DistanceGrid {
     inverse_cell_size: f32,
     x_count: usize,
     y_count: usize,
-    /// Node (x, y) at index `x * y_count + y`.
+    /// Distances in length units, negative inside; node (x, y) at index `x * y_count + y`.
     nodes: Vec<f32>,
-    /// Slack by which the world box of the outline must be widened so that no point that can hit lies outside
-    /// it, as a fraction of the size of the numbers involved; infinite if no such slack is known.
+    /// Margin of the outline's world box, as a fraction of the greatest coordinate involved: no point outside of the
+    /// widened box can touch the geom. Infinite if no such margin is known.
     pub(crate) box_slack: f32,
-    /// Square of the distance from the origin beyond which no point can hit, widened likewise.
-    pub(crate) reach_squared: f32,
+    /// Square of the distance from the origin beyond which no point can touch the geom, in length units², with the same
+    /// margin.
+    pub(crate) hit_radius_squared: f32,
 }
 
 impl DistanceGrid {
-    /// Samples the distances to an outline given in its own coordinates and the engine's winding.
+    /// Samples the distances to an outline given in its own coordinates and in the engine's winding. The cell size is
+    /// in length units.
     ///
     /// # Errors
-    /// `collision_grid_size` if it is not positive and finite, or so small that the grid would have more
-    /// than 2^26 nodes; an outline that is empty; [`Error::LimitExceeded`] if it is more work than the default
+    /// `collision_grid_size` if it is not positive and finite, or so small that the grid would have more than 2^26
+    /// nodes; an empty outline; [`Error::LimitExceeded`] if the work exceeds the default
     /// [`grid_work`](Limits::grid_work).
     #[doc(alias = "CreateDistanceGrid")]
     pub fn new(outline: Vertices, collision_grid_size: f32) -> Result<Self> {
@@ -49,9 +51,8 @@ impl DistanceGrid {
         Ok(plan.sample(outline))
     }
 
-    /// A grid that is still to be made, of which only the outline and the cell size are known: it has no nodes yet and
-    /// nothing is inside of it.
-    fn to_be_made(outline: Vertices, cell_size: f32) -> Self {
+    /// A grid with outline and cell size whose nodes have not been sampled yet. No point is inside of it.
+    fn unsampled(outline: Vertices, cell_size: f32) -> Self {
         DistanceGrid {
             outline,
             aabb: Aabb::default(),
@@ -61,7 +62,7 @@ impl DistanceGrid {
             y_count: 0,
             nodes: Vec::new(),
             box_slack: f32::INFINITY,
-            reach_squared: 0.0,
+            hit_radius_squared: 0.0,
         }
     }
 
@@ -76,13 +77,13 @@ impl DistanceGrid {
         self.aabb
     }
 
-    /// Edge of a cell.
+    /// Edge of a cell, in length units.
     #[doc(alias = "GridCellSize")]
     pub fn cell_size(&self) -> f32 {
         self.cell_size
     }
 
-    /// Reciprocal of the edge of a cell.
+    /// Reciprocal of the edge of a cell, in 1/length units.
     #[doc(alias = "GridCellSizeInv")]
     pub fn inverse_cell_size(&self) -> f32 {
         self.inverse_cell_size
@@ -93,23 +94,23 @@ impl DistanceGrid {
         (self.x_count, self.y_count)
     }
 
-    /// The distances; node (x, y) stands at index `x * size().1 + y`.
+    /// The distances in length units; node (x, y) is at index `x * size().1 + y`.
     #[doc(alias = "Nodes")]
     pub fn nodes(&self) -> &[f32] {
         &self.nodes
     }
 
-    /// The interpolated distance and its gradient at a point of the outline's own coordinates, if the point is
-    /// inside. A point whose cell would reach past the last node is outside; the original fails there.
+    /// The interpolated distance and its gradient at a point in the outline's own coordinates, if the point is inside.
+    /// A point whose cell would reach beyond the last node is outside; the original fails there.
     #[doc(alias = "Intersect")]
     #[inline]
     pub fn intersect(&self, point: Vector2) -> Option<Feature> {
-        if length_squared(point) > self.reach_squared || !self.aabb.contains(point) {
+        if length_squared(point) > self.hit_radius_squared || !self.aabb.contains(point) {
             return None;
         }
         let min = self.aabb.min;
         let inverse = self.inverse_cell_size;
-        // Truncation is the floor here: what is inside the box is not below its minimum.
+        // Truncation is the floor here: a point inside the box is not below its minimum.
         let ix = ((point.x - min.x) * inverse) as i32 as usize;
         let iy = ((point.y - min.y) * inverse) as i32 as usize;
         if ix + 1 >= self.x_count || iy + 1 >= self.y_count {
@@ -128,7 +129,7 @@ impl DistanceGrid {
         let top = lerp(top_left, top_right, x_part);
         let bottom = lerp(bottom_left, bottom_right, x_part);
         let distance = lerp(bottom, top, y_part);
-        // NaN is no hit either.
+        // NaN is no contact either.
         if distance.is_nan() || distance > 0.0 {
             return None;
         }
@@ -153,7 +154,7 @@ pub(crate) struct GridPlan {
     x_count: usize,
     y_count: usize,
     aabb: Aabb,
-    /// Nodes times vertices.
+    /// Number of nodes times number of vertices.
     pub(crate) work: u64,
 }
 
@@ -171,11 +172,11 @@ impl GridPlan {
         Error::check_limit("grid_work", self.work, limits.grid_work)
     }
 
-    /// Makes the grid of the outline that was planned for.
+    /// Makes the grid of the outline for which it was planned.
     pub(crate) fn sample(&self, outline: Vertices) -> DistanceGrid {
         let GridPlan { cell_size, x_count, y_count, aabb, .. } = *self;
         let mut nodes = Vec::with_capacity(x_count * y_count);
-        // Steps add up, as in the original.
+        // Coordinates are summed up step by step, as in the original.
         let steps = |min| std::iter::successors(Some(min), |at| Some(at + cell_size));
         let column: Vec<f32> = steps(aabb.min.y).take(y_count).collect();
         for x in steps(aabb.min.x).take(x_count) {
@@ -197,7 +198,7 @@ impl GridPlan {
             y_count,
             nodes,
             box_slack,
-            reach_squared,
+            hit_radius_squared: reach_squared,
         }
     }
 }
@@ -222,9 +223,12 @@ fn node_counts(outline: &Vertices, cell_size: f32) -> Result<(usize, usize, Aabb
     }
 }
 
-/// For a convex outline the distance is a convex function, so between nodes the interpolated distance is never
-/// below the true one: what hits is inside the outline, up to rounding. Rounding grows with the number of
-/// nodes, because sample positions are accumulated. Of concave outlines nothing is promised.
+/// Relative margin that covers rounding, for [`DistanceGrid::box_slack`].
+///
+/// For a convex outline the distance is a convex function, so between nodes the interpolated distance is never below
+/// the true one. A point with a negative interpolated distance is therefore inside the outline, up to rounding.
+/// Rounding grows with the number of nodes, because sample positions are accumulated. For concave outlines no margin is
+/// known: infinity.
 fn box_slack(outline: &Vertices, nodes_per_axis: usize) -> f32 {
     if !is_strictly_usable_convex(outline) {
         return f32::INFINITY;
@@ -234,10 +238,12 @@ fn box_slack(outline: &Vertices, nodes_per_axis: usize) -> f32 {
     ulps * 2.0 * f32::EPSILON
 }
 
-/// Beyond 170 degrees the rounding of a vertex normal could decide which side of the outline a node is on.
-const SHARPEST_TURN: f64 = 170.0 / 180.0 * std::f64::consts::PI;
+/// Maximum turn at a corner, in radians. Beyond 170 degrees the rounding of a vertex normal could decide on which side
+/// of the outline a node is.
+const MAX_TURN_ANGLE: f64 = 170.0 / 180.0 * std::f64::consts::PI;
 
-/// Convex without zero edges or reversals, in the engine's winding (or with a vanishing turn at some vertices).
+/// Whether an outline is convex without zero edges or reversals, in the engine's winding. The turn may vanish at some
+/// vertices.
 fn is_strictly_usable_convex(outline: &Vertices) -> bool {
     let n = outline.len();
     if n < 3 {
@@ -255,17 +261,17 @@ fn is_strictly_usable_convex(outline: &Vertices) -> bool {
             return false;
         }
         let angle = libm::atan2(cross, dot);
-        if angle < -SHARPEST_TURN {
+        if angle < -MAX_TURN_ANGLE {
             return false;
         }
         turn += angle;
     }
-    // Once around, not several times as a pentagram.
+    // The turns sum up to one full turn, not to several as in a pentagram.
     (turn + std::f64::consts::TAU).abs() < 1e-6
 }
 
-/// Saves a grid as the outline and cell size it is made from. What is loaded is [to be made](DistanceGrid::to_be_made)
-/// again, to the same bits, once it is known what all grids together cost.
+/// Saves a grid as outline and cell size. A loaded grid is [unsampled](DistanceGrid::unsampled) until the cost of all
+/// grids together is known; then it is sampled again, with the same bits.
 pub(crate) mod as_outline {
     use super::*;
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
@@ -292,6 +298,6 @@ pub(crate) mod as_outline {
         if !source.outline.iter().all(|v| v.x.is_finite() && v.y.is_finite()) {
             return Err(D::Error::custom("outline of a distance grid is not finite"));
         }
-        Ok(Some(Arc::new(DistanceGrid::to_be_made(source.outline, source.cell_size))))
+        Ok(Some(Arc::new(DistanceGrid::unsampled(source.outline, source.cell_size))))
     }
 }

@@ -1,4 +1,4 @@
-//! What the simulator keeps of a geom: its outline and where it lies (behaviour chapter 05, section 3).
+//! A geom as the simulator stores it: its outline and its transform (behaviour chapter 05, section 3).
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::storage::bits::Floats;
 use crate::storage::collection::Collection;
 use crate::storage::reusing_clone::reusing_clone;
 
-/// The part of a 4x4 matrix that matters in the plane.
+/// The elements of a 4x4 matrix that matter in the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PlaneMatrix {
     pub(crate) m11: f32,
@@ -36,7 +36,7 @@ impl PlaneMatrix {
         Vector2::new(p.x * self.m11 + p.y * self.m21 + self.m41, p.x * self.m12 + p.y * self.m22 + self.m42)
     }
 
-    /// [`apply`](Self::apply) to every point, two at a time.
+    /// [`apply`](Self::apply) for every point, two at a time.
     fn apply_to_all(&self, points: &[Vector2], results: &mut [Vector2]) {
         let row1 = f32x4::new([self.m11, self.m12, self.m11, self.m12]);
         let row2 = f32x4::new([self.m21, self.m22, self.m21, self.m22]);
@@ -105,7 +105,7 @@ impl PlaneMatrix {
     }
 }
 
-/// A geom's place in the world, as its body's pose gives it.
+/// A geom's transform, computed from its body's pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct GeomPose {
     pub(crate) matrix: PlaneMatrix,
@@ -122,7 +122,7 @@ impl GeomPose {
         rotation: 0.0,
     };
 
-    /// Behaviour chapter 05, section 3.6.
+    /// The transform of a geom on a body (behaviour chapter 05, section 3.6).
     #[inline]
     pub(crate) fn of_body(position: Vector2, rotation: f32, offset: Vector2, rotation_offset: f32) -> Self {
         let angle = rotation + rotation_offset;
@@ -170,7 +170,7 @@ fn is_finite(v: &Vector2) -> bool {
     v.x.is_finite() && v.y.is_finite()
 }
 
-/// The sum of all points, in four parts: four points at a time and without a branch for each.
+/// The sum of all points in four partial sums: four points at a time and without a branch for each.
 #[inline(always)]
 fn sum_of(points: &[Vector2]) -> f32x4 {
     let pair = |a: &Vector2, b: &Vector2| f32x4::new([a.x, a.y, b.x, b.y]);
@@ -179,13 +179,13 @@ fn sum_of(points: &[Vector2]) -> f32x4 {
     fours.iter().fold(rest, |sum, [a, b, c, d]| sum + pair(a, b) + pair(c, d))
 }
 
-/// By how much the square of a direction may differ from 1: each coordinate is rounded once.
-const ONE: f32 = 4.0 * f32::EPSILON;
+/// Tolerance of the squared length of a unit vector, dimensionless: each coordinate is rounded once.
+const UNIT_LENGTH_TOLERANCE: f32 = 4.0 * f32::EPSILON;
 
 /// The geoms of a simulator.
 pub(crate) type Geoms = Collection<GeomEntry, GeomId>;
 
-/// What the simulator keeps of a geom.
+/// A geom in the simulator.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct GeomEntry {
     pub(crate) geom: Geom,
@@ -197,39 +197,41 @@ pub(crate) struct GeomEntry {
     pub(crate) offset: Vector2,
     pub(crate) rotation_offset: f32,
     pub(crate) grid_cell_size: f32,
-    /// What the local vertices stand for.
+    /// The shape for which the polygon stands.
     pub(crate) outline: Outline,
     pub(crate) local_vertices: Vertices,
     #[serde(with = "crate::storage::bits")]
     pub(crate) world_vertices: Vertices,
     #[serde(with = "crate::storage::bits")]
     pub(crate) aabb: Aabb,
-    /// The box is that of a disc about the geom's origin, for engines that collide true circles.
+    /// Radius in length units of a disc about the geom's origin whose box is the geom's box, for engines that collide
+    /// true circles.
     pub(crate) box_radius: Option<f32>,
     #[serde(with = "crate::storage::bits")]
     pub(crate) pose: GeomPose,
     /// A matrix set by the user, until the body moves next.
     pub(crate) user_matrix: Option<Box<Matrix>>,
-    /// Vertices or matrix were set since the body last moved: the next update from the body is due even if
-    /// the body's pose is unchanged.
+    /// Whether vertices or matrix were set since the body last moved. The transform is then updated even if the body's
+    /// pose is unchanged.
     pub(crate) refresh_is_due: bool,
     #[serde(with = "crate::geom::distance_grid::as_outline")]
     pub(crate) grid: Option<Arc<DistanceGrid>>,
-    /// Whether the grid was made from the present outline; it stays when the outline is replaced.
+    /// Whether the grid was made from the present outline; the grid stays when the outline is replaced.
     #[serde(skip)]
     pub(crate) grid_fits_outline: bool,
-    /// The convex parts of the outline, once they were asked for.
+    /// The convex parts of the outline, computed at the first request.
     #[serde(skip)]
     pub(crate) pieces: std::sync::OnceLock<Arc<[Piece]>>,
     pub(crate) in_simulation: bool,
     pub(crate) is_sensor: bool,
-    /// The direction out of the side that holds, in the frame of the body, of length 1: all else passes through.
+    /// For a one-way geom: outward direction of its solid side, a unit vector in the body's coordinates. From all other
+    /// sides shapes pass through.
     pub(crate) one_way: Option<Vector2>,
-    /// It was lent out for editing since the simulator last looked.
+    /// Whether the game has borrowed the geom mutably since edits were last applied.
     pub(crate) is_touched: bool,
     /// Creation numbers of other geoms and whether collision with them is ignored.
     ignored: Vec<(u32, bool)>,
-    /// How often that has changed, wrapping: for who looks for what was edited.
+    /// Number of changes of the ignored geoms, wrapping, to detect edits.
     pub(crate) ignore_changes: i32,
 }
 
@@ -271,12 +273,12 @@ impl GeomEntry {
         }
     }
 
-    /// Takes a polygon over.
+    /// Sets a polygon as the outline.
     pub(crate) fn set_vertices(&mut self, vertices: Vertices) {
         self.set_outline(vertices, Outline::Polygon);
     }
 
-    /// Takes the outline over. Until the body moves next, world vertices and box are the local ones.
+    /// Sets the outline. Until the body moves next, world vertices and box are the local ones.
     pub(crate) fn set_outline(&mut self, mut vertices: Vertices, outline: Outline) {
         if !outline.is_chain() {
             vertices.force_counter_clockwise_order();
@@ -287,7 +289,7 @@ impl GeomEntry {
         self.pieces = std::sync::OnceLock::new();
         self.aabb = self.box_around(&self.local_vertices, Vector2::zeros());
         self.refresh_is_due = true;
-        self.note_whether_grid_fits();
+        self.update_grid_fits_outline();
     }
 
     /// The convex parts of the outline.
@@ -295,15 +297,14 @@ impl GeomEntry {
         self.pieces.get_or_init(|| pieces(self))
     }
 
-    /// Takes a grid over.
+    /// Sets the distance grid.
     pub(crate) fn set_grid(&mut self, grid: Arc<DistanceGrid>) {
         self.grid = Some(grid);
-        self.note_whether_grid_fits();
+        self.update_grid_fits_outline();
     }
 
-    /// Whether the grid was made from the present outline says nothing but what the two say, so that it need not be
-    /// saved.
-    fn note_whether_grid_fits(&mut self) {
+    /// Computes whether the grid was made from the present outline. Grid and outline determine it, so it is not saved.
+    fn update_grid_fits_outline(&mut self) {
         let same =
             |(a, b): (&Vector2, &Vector2)| a.x.to_bits() == b.x.to_bits() && a.y.to_bits() == b.y.to_bits();
         self.grid_fits_outline = self.grid.as_ref().is_some_and(|grid| {
@@ -313,13 +314,13 @@ impl GeomEntry {
         });
     }
 
-    /// Follows the body: matrix, world vertices and box.
-    pub(crate) fn follow(&mut self, position: Vector2, rotation: f32) {
-        self.lie_at(GeomPose::of_body(position, rotation, self.offset, self.rotation_offset));
+    /// Updates matrix, world vertices and box for a pose of the body.
+    pub(crate) fn update_transform(&mut self, position: Vector2, rotation: f32) {
+        self.set_pose(GeomPose::of_body(position, rotation, self.offset, self.rotation_offset));
     }
 
     #[inline(always)]
-    pub(crate) fn lie_at(&mut self, pose: GeomPose) {
+    pub(crate) fn set_pose(&mut self, pose: GeomPose) {
         self.pose = pose;
         self.user_matrix = None;
         self.refresh_is_due = false;
@@ -335,13 +336,13 @@ impl GeomEntry {
         self.refresh();
     }
 
-    /// Brings world vertices and box to the matrix.
+    /// Recomputes world vertices and box from the matrix.
     pub(crate) fn refresh(&mut self) {
         self.pose.matrix.apply_to_all(&self.local_vertices, &mut self.world_vertices);
         self.aabb = self.box_around(&self.world_vertices, self.pose.position);
     }
 
-    /// The box of an outline whose origin is at `origin`.
+    /// The box of an outline in world coordinates with its origin at `origin`.
     #[inline]
     pub(crate) fn box_around(&self, outline: &[Vector2], origin: Vector2) -> Aabb {
         match self.box_radius {
@@ -358,31 +359,31 @@ impl GeomEntry {
         self.aabb = self.box_around(&self.world_vertices, self.pose.position);
     }
 
-    /// Whether the geom's place is finite: outline and box in the world, and the way back from there.
+    /// Whether outline and box in the world, and the inverse transform, are finite.
     #[inline]
-    pub(crate) fn place_is_finite(&self) -> bool {
+    pub(crate) fn pose_is_finite(&self) -> bool {
         let Aabb { min, max } = self.aabb;
         let (position, back) = (self.pose.position, self.pose.inverse);
         // Any infinity or NaN makes a product, and with it the sum, NaN.
         let zero = f32x4::ZERO;
         let mut sum = f32x4::new([min.x, min.y, max.x, max.y]) * zero
             + f32x4::new([position.x, position.y, back.m41, back.m42]) * zero;
-        // The box around an outline is finite where the outline is; that of a disc says nothing of it.
+        // The box around an outline is finite where the outline is; the box of a disc does not depend on the outline.
         if self.box_radius.is_some() {
             sum += sum_of(&self.world_vertices) * zero;
         }
-        sum.simd_eq(zero).all() || self.great_place_is_finite()
+        sum.simd_eq(zero).all() || self.large_pose_is_finite()
     }
 
-    /// As [`place_is_finite`](Self::place_is_finite), number by number: sums of finite ones need not be finite.
+    /// As [`pose_is_finite`](Self::pose_is_finite), number by number: sums of finite numbers need not be finite.
     #[cold]
-    fn great_place_is_finite(&self) -> bool {
+    fn large_pose_is_finite(&self) -> bool {
         let (Aabb { min, max }, GeomPose { position, inverse, .. }) = (self.aabb, self.pose);
         let numbers = [min.x, min.y, max.x, max.y, position.x, position.y, inverse.m41, inverse.m42];
         numbers.iter().all(|number| number.is_finite()) && self.world_vertices.iter().all(is_finite)
     }
 
-    /// Whether the geom's place would be finite with its body there.
+    /// Whether the geom would be finite with its body at this pose.
     pub(crate) fn would_be_finite_at(&self, position: Vector2, rotation: f32) -> bool {
         let pose = GeomPose::of_body(position, rotation, self.offset, self.rotation_offset);
         let is_finite_there = |vertex: &Vector2| is_finite(&pose.matrix.apply(*vertex));
@@ -406,7 +407,7 @@ impl GeomEntry {
         }
     }
 
-    /// Whether everything that enters arithmetic is finite: false only after loading garbage.
+    /// Whether all numbers used in arithmetic are finite. False only after loading corrupt data.
     pub(crate) fn is_valid(&self) -> bool {
         let matrix_is_finite = |matrix: &Matrix| matrix.iter().all(|element| element.is_finite());
         !self.local_vertices.is_empty()
@@ -416,12 +417,14 @@ impl GeomEntry {
             && self.pose.is_finite()
             && self.user_matrix.as_deref().is_none_or(matrix_is_finite)
             && self.outline.fits(&self.local_vertices)
-            && self.place_is_finite()
+            && self.pose_is_finite()
             && is_finite(&self.offset)
             && self.rotation_offset.is_finite()
             && self.geom.is_finite()
             && self.grid_cell_size.is_finite()
-            && self.one_way.is_none_or(|way| (way.x * way.x + way.y * way.y - 1.0).abs() < ONE)
+            && self.one_way.is_none_or(|direction| {
+                (direction.x * direction.x + direction.y * direction.y - 1.0).abs() < UNIT_LENGTH_TOLERANCE
+            })
             && self.box_radius.is_none_or(|radius| radius.is_finite() && radius > 0.0)
     }
 }

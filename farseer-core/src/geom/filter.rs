@@ -1,4 +1,4 @@
-//! Which pairs may collide at all (behaviour chapters 03, section 4, and 08, section 1.2).
+//! Collision filters: which pairs may collide at all (behaviour chapters 03, section 4, and 08, section 1.2).
 
 use serde::{Deserialize, Serialize};
 
@@ -8,19 +8,20 @@ use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, Geoms};
 use crate::methods::CollisionCategory;
 
-/// Whom something may meet, and whether that pushes: the part of a [`Geom`](crate::Geom) that says so, also for things of an
-/// engine that are not geoms of the core.
+/// Filter settings of a [`Geom`](crate::Geom) in one value: which others it may collide with, and whether its contacts
+/// exert impulses. Engines on top use it also for objects that are not geoms of the core.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CollisionFilter {
-    /// What it belongs to. Default all.
+    /// Categories of the object, as bit flags. Default all.
     pub categories: CollisionCategory,
-    /// What it collides with. Two collide if **either** one's mask meets the other's categories. Default all.
+    /// Categories it collides with. Two objects collide if **either** one's mask contains a category of the other.
+    /// Default all.
     pub collides_with: CollisionCategory,
-    /// What is of the same group does not collide; 0 is no group. Default 0.
+    /// Group number: objects of the same group do not collide; 0 is no group. Default 0.
     pub group: i32,
     /// Whether it collides at all. Default true.
     pub is_enabled: bool,
-    /// Whether what touches it pushes, and is pushed; it is reported either way. Default true.
+    /// Whether its contacts exert impulses; they are reported either way. Default true.
     pub responds: bool,
 }
 
@@ -32,7 +33,7 @@ impl Default for CollisionFilter {
 }
 
 impl CollisionFilter {
-    /// Whether two may meet: both collide, they are not of one group, and their categories meet.
+    /// Whether two objects may collide: both are enabled, they are not of one group, and their categories match.
     #[inline]
     pub fn may_meet(&self, other: &CollisionFilter) -> bool {
         self.is_enabled
@@ -46,14 +47,14 @@ impl CollisionFilter {
         self.group == other.group && self.group != 0
     }
 
-    /// Agreement in one direction is enough, as in the original.
+    /// Whether the categories match. Agreement in one direction is enough, as in the original.
     #[inline]
     pub(crate) fn meets_categories_of(&self, other: &CollisionFilter) -> bool {
         self.categories.intersects(other.collides_with) || other.categories.intersects(self.collides_with)
     }
 }
 
-/// Geoms and bodies.
+/// Geoms and bodies, for the tests of pairs.
 #[derive(Clone, Copy)]
 pub(crate) struct Filter<'a> {
     pub(crate) geoms: &'a Geoms,
@@ -61,14 +62,15 @@ pub(crate) struct Filter<'a> {
 }
 
 impl Filter<'_> {
-    /// The test that every method applies (behaviour chapter 08, section 1.2).
+    /// Whether two geoms may form a pair: the test of every broad phase (behaviour chapter 08, section 1.2).
     pub(crate) fn may_collide(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
         self.may_be_pair(a, b, |_, _| false)
     }
 
-    /// The same for the precise set in 2D: a [sensor](senses) also meets static and kinematic bodies.
+    /// Like [`may_collide`](Self::may_collide), for the precise set in 2D: a [sensor](is_sensor_pair) may also pair
+    /// with static and kinematic bodies.
     pub(crate) fn may_touch(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
-        self.may_be_pair(a, b, senses)
+        self.may_be_pair(a, b, is_sensor_pair)
     }
 
     fn may_be_pair(
@@ -92,22 +94,23 @@ impl Filter<'_> {
 }
 
 /// Whether one of two geoms has no collision response, as sensors have none.
-fn senses(a: &GeomEntry, b: &GeomEntry) -> bool {
+fn is_sensor_pair(a: &GeomEntry, b: &GeomEntry) -> bool {
     !(a.geom.collision_response_enabled() && b.geom.collision_response_enabled())
 }
 
-/// The same as [`is_valid_pair`] for the precise set in 2D: a [sensor](senses) also meets static and kinematic bodies.
-pub(crate) fn may_go_on_touching(pair: (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
-    may_stay(pair, geoms, bodies, senses)
+/// Like [`is_valid_pair`], for the precise set in 2D: a [sensor](is_sensor_pair) may also pair with static and
+/// kinematic bodies.
+pub(crate) fn may_keep_touching(pair: (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
+    may_keep_arbiter(pair, geoms, bodies, is_sensor_pair)
 }
 
-/// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and
-/// the broad-phase callback matter only when a pair is created.
+/// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and the
+/// broad-phase callback matter only when a pair is created.
 pub(crate) fn is_valid_pair(pair: (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
-    may_stay(pair, geoms, bodies, |_, _| false)
+    may_keep_arbiter(pair, geoms, bodies, |_, _| false)
 }
 
-fn may_stay(
+fn may_keep_arbiter(
     (id_a, id_b): (GeomId, GeomId),
     geoms: &Geoms,
     bodies: &Bodies,

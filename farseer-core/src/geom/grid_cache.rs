@@ -1,4 +1,4 @@
-//! Equal distance grids are made and kept once, within the limits of a simulator.
+//! Cache of distance grids: equal grids are made and stored once, within the limits of a simulator.
 
 use std::sync::{Arc, Weak};
 
@@ -7,20 +7,20 @@ use crate::limits::Limits;
 use crate::shape::Vertices;
 use crate::{Error, Result};
 
-/// Bits of cell size and outline.
-type Key = Box<[u32]>;
+/// Bit patterns of cell size and outline.
+type GridKey = Box<[u32]>;
 
-/// The grids of a simulator by outline and cell size, so that equal ones are built and kept once.
+/// The grids of a simulator by outline and cell size.
 #[derive(Debug, Default)]
 pub(crate) struct GridCache {
-    /// In the order of their keys.
-    grids: Vec<(Key, Entry)>,
-    /// Work of all charged entries: no less than that of the grids in use.
+    /// Sorted by key.
+    grids: Vec<(GridKey, CachedGrid)>,
+    /// Total work of all charged entries, number of nodes times number of vertices: at least that of the grids in use.
     charged_work: u64,
     inserts_until_cleanup: usize,
 }
 
-/// Who goes back to an earlier state has the same grids most of the time: then `clone_from` makes no new keys.
+/// `clone_from` makes no new keys if both caches have the same ones, as after going back to an earlier state.
 impl Clone for GridCache {
     fn clone(&self) -> Self {
         GridCache { grids: self.grids.clone(), ..*self }
@@ -29,7 +29,8 @@ impl Clone for GridCache {
     fn clone_from(&mut self, source: &Self) {
         let grids = std::mem::take(&mut self.grids);
         *self = GridCache { grids, ..*source };
-        let has_equal_keys = |((one, _), (other, _)): (&(Key, Entry), &(Key, Entry))| one == other;
+        let has_equal_keys =
+            |((one, _), (other, _)): (&(GridKey, CachedGrid), &(GridKey, CachedGrid))| one == other;
         let is_as_long = self.grids.len() == source.grids.len();
         if is_as_long && self.grids.iter().zip(&source.grids).all(has_equal_keys) {
             let entries = self.grids.iter_mut().zip(&source.grids);
@@ -41,23 +42,23 @@ impl Clone for GridCache {
 }
 
 #[derive(Debug, Clone)]
-struct Entry {
+struct CachedGrid {
     grid: Weak<DistanceGrid>,
     work: u64,
-    /// It counts against the limit of all grids. One that was not in use when the work was counted last does not: a
-    /// clone of the simulator may keep it alive, which must not be noticed here.
+    /// Whether the grid counts against the limit of all grids. A grid that was not in use at the last count does not.
+    /// It may still exist because a clone of the simulator uses it, which must not have an effect here.
     is_charged: bool,
 }
 
-impl Entry {
+impl CachedGrid {
     fn charged_work(&self) -> u64 {
         if self.is_charged { self.work } else { 0 }
     }
 }
 
 impl GridCache {
-    /// The grid over an outline; built only if there is none yet, and within the limits. `in_use` answers the grids that
-    /// the simulator has now, and is asked only if what has been charged so far would not fit.
+    /// The grid of an outline. It is sampled only if there is none yet, and within the limits. `in_use` returns the
+    /// grids that the simulator uses now; it is called only if the charged work leaves no room for the new grid.
     pub(crate) fn get<'a>(
         &mut self,
         outline: &Vertices,
@@ -66,8 +67,8 @@ impl GridCache {
         in_use: impl FnOnce() -> Vec<&'a DistanceGrid>,
     ) -> Result<Arc<DistanceGrid>> {
         let bits = outline.iter().flat_map(|v| [v.x.to_bits(), v.y.to_bits()]);
-        let key: Key = std::iter::once(cell_size.to_bits()).chain(bits).collect();
-        let place = self.place(&key).ok();
+        let key: GridKey = std::iter::once(cell_size.to_bits()).chain(bits).collect();
+        let place = self.find(&key).ok();
         let known = place.and_then(|place| {
             let entry = &self.grids[place].1;
             Some((entry.grid.upgrade()?, entry.is_charged))
@@ -79,9 +80,9 @@ impl GridCache {
         plan.check(limits)?;
         self.charge(plan.work, limits, in_use)?;
         let grid = known.map_or_else(|| Arc::new(plan.sample(outline.clone())), |(grid, _)| grid);
-        self.forget_unused();
-        let entry = Entry { grid: Arc::downgrade(&grid), work: plan.work, is_charged: true };
-        match self.place(&key) {
+        self.remove_unused();
+        let entry = CachedGrid { grid: Arc::downgrade(&grid), work: plan.work, is_charged: true };
+        match self.find(&key) {
             Ok(place) => {
                 let replaced = std::mem::replace(&mut self.grids[place].1, entry);
                 self.charged_work -= replaced.charged_work();
@@ -91,12 +92,12 @@ impl GridCache {
         Ok(grid)
     }
 
-    /// Where the grid of a key is, or would be.
-    fn place(&self, key: &Key) -> std::result::Result<usize, usize> {
+    /// Index of a key's grid, or the index at which to insert it.
+    fn find(&self, key: &GridKey) -> std::result::Result<usize, usize> {
         self.grids.binary_search_by(|(other, _)| other.cmp(key))
     }
 
-    /// Counts a new grid, if it fits beside the others.
+    /// Charges a new grid, if the limit allows it.
     fn charge<'a>(
         &mut self,
         work: u64,
@@ -112,7 +113,7 @@ impl GridCache {
         Ok(())
     }
 
-    /// Charges the grids in use, and nothing else.
+    /// Charges the grids in use, and no others.
     fn recount(&mut self, in_use: Vec<&DistanceGrid>) {
         let address = |grid: *const DistanceGrid| grid.addr();
         let mut in_use: Vec<usize> = in_use.into_iter().map(|grid| address(grid)).collect();
@@ -123,8 +124,8 @@ impl GridCache {
         self.charged_work = self.grids.iter().map(|(_, entry)| entry.charged_work()).sum();
     }
 
-    /// Drops entries whose grid is gone, once for every doubling.
-    fn forget_unused(&mut self) {
+    /// Removes entries whose grid does not exist any more, once whenever the number of entries doubles.
+    fn remove_unused(&mut self) {
         if self.inserts_until_cleanup == 0 {
             let charged_work = &mut self.charged_work;
             self.grids.retain(|(_, entry)| {

@@ -1,13 +1,13 @@
-//! How a geom collides (behaviour chapter 05, section 3).
+//! Geoms: collision settings and shape (behaviour chapter 05, section 3).
 
 pub(crate) mod convex_parts;
 pub(crate) mod distance_grid;
+pub(crate) mod edge_adjacency;
 pub(crate) mod entry;
 pub(crate) mod filter;
 pub(crate) mod grid_cache;
 pub(crate) mod outline;
 pub(crate) mod pieces;
-pub(crate) mod seams;
 pub(crate) mod surface;
 pub(crate) mod view;
 
@@ -15,12 +15,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::methods::CollisionCategory;
 pub use crate::storage::ids::GeomId;
-use crate::storage::refusals::{ArgumentNames, Refusals};
+use crate::storage::rejected_arguments::{ArgumentNames, RejectedArguments};
 use filter::CollisionFilter;
 
-/// How a geom collides: everything about it that may be changed freely. `simulator[geom]` is this;
-/// [`PhysicsSimulator::geom`](crate::PhysicsSimulator::geom) shows the shape and place as well: position, world vertices, box
-/// and body, which follow from the body.
+/// Collision settings of a geom: all its properties that may be changed freely. `simulator[geom]` has this type.
+/// [`PhysicsSimulator::geom`](crate::PhysicsSimulator::geom) returns shape and pose as well: position, world vertices,
+/// box and body. They are computed from the body.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Geom {
     pub(crate) collision_categories: CollisionCategory,
@@ -32,11 +32,11 @@ pub struct Geom {
     pub(crate) collision_response_enabled: bool,
     pub(crate) collision_callbacks_enabled: bool,
     tag: u64,
-    /// Arguments refused since the simulator last looked.
-    pub(crate) rejected: Refusals<GeomArguments>,
+    /// Arguments that setters refused since the simulator last reported them.
+    pub(crate) rejected: RejectedArguments<GeomArguments>,
 }
 
-/// What setters of geoms refuse.
+/// The names of the arguments that setters of geoms reject.
 #[derive(Debug)]
 pub(crate) struct GeomArguments;
 
@@ -56,7 +56,7 @@ impl Default for Geom {
             collision_response_enabled: true,
             collision_callbacks_enabled: true,
             tag: 0,
-            rejected: Refusals::default(),
+            rejected: RejectedArguments::default(),
         }
     }
 }
@@ -73,14 +73,14 @@ impl Geom {
         self.collision_categories = value;
     }
 
-    /// The categories the geom collides with. Two geoms collide if **either** one's mask meets the other's
-    /// categories. Default all.
+    /// The categories with which the geom collides. Two geoms collide if **either** one's mask contains a category of
+    /// the other. Default all.
     #[doc(alias = "CollidesWith")]
     pub fn collides_with(&self) -> CollisionCategory {
         self.collides_with
     }
 
-    /// Sets the categories the geom collides with.
+    /// Sets the categories with which the geom collides.
     pub fn set_collides_with(&mut self, value: CollisionCategory) {
         self.collides_with = value;
     }
@@ -96,13 +96,14 @@ impl Geom {
         self.collision_group = value;
     }
 
-    /// Friction, combined with the partner's when the two begin to overlap. Default 0.
+    /// Friction coefficient, dimensionless, combined with that of the other geom when the two begin to overlap. Default
+    /// 0.
     #[doc(alias = "FrictionCoefficient")]
     pub fn friction_coefficient(&self) -> f32 {
         self.friction_coefficient
     }
 
-    /// Sets the friction of contacts that begin later. What is not finite is rejected.
+    /// Sets the friction of contacts that begin later. A value that is not finite is rejected.
     pub fn set_friction_coefficient(&mut self, value: f32) {
         if value.is_finite() {
             self.friction_coefficient = value;
@@ -111,13 +112,13 @@ impl Geom {
         }
     }
 
-    /// Bounciness, usually 0 to 1; the mean of both partners acts. Default 0.
+    /// Restitution coefficient, dimensionless, usually 0 to 1; the mean of both geoms' coefficients acts. Default 0.
     #[doc(alias = "RestitutionCoefficient")]
     pub fn restitution_coefficient(&self) -> f32 {
         self.restitution_coefficient
     }
 
-    /// Sets the bounciness. What is not finite is rejected.
+    /// Sets the restitution coefficient. A value that is not finite is rejected.
     pub fn set_restitution_coefficient(&mut self, value: f32) {
         if value.is_finite() {
             self.restitution_coefficient = value;
@@ -126,13 +127,13 @@ impl Geom {
         }
     }
 
-    /// Whether new pairs with this geom are looked for. Default true.
+    /// Whether the broad phase makes new pairs with this geom. Default true.
     #[doc(alias = "CollisionEnabled")]
     pub fn collision_enabled(&self) -> bool {
         self.collision_enabled
     }
 
-    /// Switches the search for new pairs. Geoms that already touch go on touching until they separate.
+    /// Sets whether new pairs are made. Geoms that already touch continue to do so until they separate.
     pub fn set_collision_enabled(&mut self, value: bool) {
         self.collision_enabled = value;
     }
@@ -143,34 +144,35 @@ impl Geom {
         self.collision_response_enabled
     }
 
-    /// Switches the impulses of this geom's contacts.
+    /// Sets whether this geom's contacts exert impulses.
     pub fn set_collision_response_enabled(&mut self, value: bool) {
         self.collision_response_enabled = value;
     }
 
-    /// Whether a handler is told of what this geom touches: [`on_collision`](crate::EventHandler::on_collision) and
-    /// [`on_separation`](crate::EventHandler::on_separation) with this geom as `this`. Default true, as in the original,
-    /// whose geoms have their own callbacks; not in the original as a switch.
+    /// Whether handlers are called for contacts of this geom: [`on_collision`](crate::EventHandler::on_collision) and
+    /// [`on_separation`](crate::EventHandler::on_separation) with this geom as `this`. Default true, as in the
+    /// original, whose geoms have their own callbacks. The switch is ours.
     pub fn collision_callbacks_enabled(&self) -> bool {
         self.collision_callbacks_enabled
     }
 
-    /// Switches the callbacks of this geom. A geom that is not told refuses nothing, its partner is asked all the same, and
-    /// [events](crate::Event::Collision) are listed either way. With the precise set two geoms that are both switched off
-    /// are not even looked at for their callbacks, so that a game of thousands of things pays for those that it asks for.
+    /// Sets whether handlers are called for contacts of this geom. Without callbacks it refuses no contact. The other
+    /// geom's callback is called all the same, and [events](crate::Event::Collision) are listed either way. With the
+    /// precise set a pair without callbacks on both sides costs no time for them, even in games with thousands of
+    /// geoms.
     pub fn set_collision_callbacks_enabled(&mut self, value: bool) {
         self.collision_callbacks_enabled = value;
     }
 
-    /// Whether these settings let the geom collide with one of those settings: collision is enabled on both, they
-    /// are not of one group, and their categories meet. What else decides about two geoms of a simulator (their
-    /// bodies, and whom they ignore) is not asked.
+    /// Whether these settings let the geom collide with a geom of the `other` settings: collision is enabled on both,
+    /// they are not of one group, and their categories match. The other conditions (the bodies, and ignored geoms) are
+    /// not tested.
     #[inline]
     pub fn may_collide_with(&self, other: &Geom) -> bool {
         self.filter().may_meet(&other.filter())
     }
 
-    /// Whom the geom may meet, in one value.
+    /// The filter settings in one value.
     #[inline]
     pub fn filter(&self) -> CollisionFilter {
         CollisionFilter {
@@ -182,7 +184,7 @@ impl Geom {
         }
     }
 
-    /// A number for the user's own purposes, such as the place of a name in a list. Default 0.
+    /// A number for the user's own purposes, such as the index of a name in a list. Default 0.
     #[doc(alias("Tag", "Geom.Name"))]
     pub fn tag(&self) -> u64 {
         self.tag
@@ -193,14 +195,14 @@ impl Geom {
         self.tag = value;
     }
 
-    /// Names of the arguments that setters have refused since they were last asked for; after sixteen
-    /// of them only further arguments, each once. A simulator asks its
-    /// own geoms and reports them; engines that keep settings of their own ask these.
+    /// Returns the names of the arguments that setters have refused, and clears them; after sixteen refusals only
+    /// arguments that were not refused before, each once. A simulator reports those of its own geoms; engines that keep
+    /// settings of their own call this for them.
     pub fn take_rejected(&mut self) -> impl Iterator<Item = &'static str> + '_ {
         self.rejected.take()
     }
 
-    /// Whether the coefficients are finite: false only for what was loaded from garbage.
+    /// Whether the coefficients are finite. False only after loading corrupt data.
     pub fn is_finite(&self) -> bool {
         self.friction_coefficient.is_finite() && self.restitution_coefficient.is_finite()
     }

@@ -1,11 +1,11 @@
-//! What the polygon of a geom stands for. Not in the original, whose circles are polygons and nothing else.
+//! The shape for which the polygon of a geom stands. Not in the original, whose circles are polygons and no more.
 
 use serde::{Deserialize, Serialize};
 
 use crate::math::Vector2;
 
-/// What the polygon of a geom stands for. The [faithful methods](crate::Methods::Faithful) go by the polygon alone, its
-/// box included.
+/// The shape for which the polygon of a geom stands. The [faithful methods](crate::Methods::Faithful) use the polygon
+/// alone, also for the box.
 ///
 /// ```
 /// use farseer_core::{Body, GeomFactory, GeomPlacement, Outline, PhysicsSimulator};
@@ -19,46 +19,46 @@ use crate::math::Vector2;
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Outline {
-    /// For itself.
+    /// The polygon itself.
     #[default]
     Polygon,
-    /// For the circle about the geom's origin that its corners lie on: what
-    /// [`GeomFactory::create_circle_geom`](crate::GeomFactory::create_circle_geom) makes, with as many corners as the
-    /// circle was given edges.
+    /// The circle about the geom's origin on which the corners lie.
+    /// [`GeomFactory::create_circle_geom`](crate::GeomFactory::create_circle_geom) makes it, with as many corners as
+    /// the circle was given edges.
     Circle {
-        /// In the user's length unit, greater than 0.
+        /// Radius in length units, greater than 0.
         radius: f32,
     },
-    /// For the capsule that its corners lie on, upright about the geom's origin: two half discs with straight sides
-    /// between them. What [`GeomFactory::create_capsule_geom`](crate::GeomFactory::create_capsule_geom) makes.
+    /// The capsule on which the corners lie, upright about the geom's origin: two half discs with straight sides
+    /// between them. [`GeomFactory::create_capsule_geom`](crate::GeomFactory::create_capsule_geom) makes it.
     Capsule {
-        /// From tip to tip along y, in the user's length unit; more than twice the radius.
+        /// From tip to tip along y, in length units; more than twice the radius.
         height: f32,
-        /// Of its round ends, in the user's length unit, greater than 0.
+        /// Radius of its round ends, in length units, greater than 0.
         end_radius: f32,
     },
-    /// For the edges between its points and nothing else: what
-    /// [`GeomFactory::create_chain_geom`](crate::GeomFactory::create_chain_geom) makes. It has no inside, and its points are
-    /// in the order in which they were given.
+    /// A chain: the edges between the points, without an inside.
+    /// [`GeomFactory::create_chain_geom`](crate::GeomFactory::create_chain_geom) makes it. Its points are in the order
+    /// in which they were given.
     Chain {
         /// Whether an edge goes from the last point to the first.
         is_closed: bool,
     },
 }
 
-/// How far corners may be from their circle, as a part of its radius: sine, cosine and two products are rounded, each by
-/// half of this at most.
-const ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
+/// Maximum distance of corners from their circle, as a fraction of its radius. Sine, cosine and two products are
+/// rounded, each by half of this at most.
+const CORNER_TOLERANCE: f64 = 2.0 * f32::EPSILON as f64;
 
 impl Outline {
-    /// Whether these can be its corners: false only after loading garbage.
+    /// Whether the polygon's corners lie on this shape. False only after loading corrupt data.
     pub(crate) fn fits(self, corners: &[Vector2]) -> bool {
         match self {
             Outline::Polygon => true,
-            Outline::Circle { radius } => are_around([0.0; 2], radius, corners),
+            Outline::Circle { radius } => lie_at_radius([0.0; 2], radius, corners),
             Outline::Capsule { height, end_radius } => {
-                let half = half_of_capsule(height, end_radius);
-                height.is_finite() && half >= 0.0 && are_around([-half, half], end_radius, corners)
+                let half = capsule_half_axis(height, end_radius);
+                height.is_finite() && half >= 0.0 && lie_at_radius([-half, half], end_radius, corners)
             }
             Outline::Chain { is_closed } => {
                 let is_edge = |edge: &[Vector2]| edge[0] != edge[1];
@@ -80,15 +80,15 @@ impl Outline {
     }
 }
 
-/// From the middle of a capsule to the centre of either of its ends.
-pub(crate) fn half_of_capsule(height: f32, end_radius: f32) -> f32 {
+/// Half of the distance between the centres of a capsule's ends, in length units.
+pub(crate) fn capsule_half_axis(height: f32, end_radius: f32) -> f32 {
     (height - end_radius - end_radius) * 0.5
 }
 
-/// Whether corners are as far as a radius from what lies on the y axis between two places.
-fn are_around([low, high]: [f32; 2], radius: f32, corners: &[Vector2]) -> bool {
-    // The smallest numbers are rounded by more than a part of them.
-    let slack = (f64::from(radius) + f64::from(high)) * ROUNDING + f64::from(f32::MIN_POSITIVE);
+/// Whether all corners have the distance `radius` from the segment of the y axis between `low` and `high`.
+fn lie_at_radius([low, high]: [f32; 2], radius: f32, corners: &[Vector2]) -> bool {
+    // Subnormal numbers are rounded by more than a fraction of their value.
+    let slack = (f64::from(radius) + f64::from(high)) * CORNER_TOLERANCE + f64::from(f32::MIN_POSITIVE);
     let is_on = |corner: &Vector2| {
         let beyond = f64::from(corner.y) - f64::from(corner.y.clamp(low, high));
         (f64::from(corner.x).hypot(beyond) - f64::from(radius)).abs() <= slack

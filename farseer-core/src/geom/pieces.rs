@@ -1,47 +1,48 @@
-//! The convex parts of a geom, which the precise set collides: circles, capsules, and polygons without corners that turn by
-//! nothing.
+//! The convex pieces of a geom, with which the precise set collides: circles, capsules, convex polygons and edges of
+//! chains.
 //!
-//! What the circle factory made with eight corners or more is a circle; with fewer it is the polygon that it looks like.
-//! What the capsule factory made is a capsule. A concave outline is cut into convex pieces once, which its geom and its clones share.
+//! A circle of the circle factory with eight corners or more is a true circle; with fewer corners it is the polygon. A
+//! capsule of the capsule factory is a true capsule. A concave outline is cut into convex pieces once; the geom and its
+//! clones share them. Corners that do not turn are removed.
 
 use std::sync::Arc;
 
-use super::outline::{Outline, half_of_capsule};
+use super::outline::{Outline, capsule_half_axis};
 use crate::geom::convex_parts::convex_parts;
+use crate::geom::edge_adjacency::{Seam, edges_of_chain, seams_of_part};
 use crate::geom::entry::GeomEntry;
-use crate::geom::seams::{Seam, edges_of_chain, seams_of_part};
 use crate::math::plane::{Vector, cross, difference, dot, length};
 use crate::shape::Vertices;
-use crate::storage::order::{joined, ordered, sort_by_number};
+use crate::storage::order::{packed_key, sort_by_number, total_order_key};
 
-/// From this number of corners on, what the circle factory made is a circle.
-const CIRCLE_CORNERS: usize = 8;
-/// Sine of the angle below which a corner does not turn.
-const STRAIGHT: f32 = 1e-4;
+/// Minimum number of corners with which a circle of the circle factory is a true circle.
+const MIN_CIRCLE_CORNERS: usize = 8;
+/// Sine of the angle below which a corner counts as straight and is removed, dimensionless.
+const MIN_TURN_SINE: f32 = 1e-4;
 
-/// A convex part of an outline, relative to the geom's origin.
+/// A convex piece of an outline, in coordinates relative to the geom's origin.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Piece {
     /// A disc about a point.
     Circle { centre: Vector, radius: f32 },
-    /// All that is as near to a segment.
+    /// All points within a distance of a segment.
     Capsule { ends: [Vector; 2], radius: f32 },
-    /// Corners in the order in which the shoelace area is positive.
+    /// A polygon; corners in the order with a positive shoelace area.
     Polygon(Vec<Vector>),
-    /// A polygon of which other parts of an outline go on, with what each of its edges is of that.
+    /// A convex part of a concave outline, with the adjacency of each edge.
     Part { corners: Vec<Vector>, seams: Vec<Seam> },
-    /// An edge of a chain, with the normal on its free side.
+    /// An edge of a chain, with the normal on its free side and its adjacency.
     Edge { ends: [Vector; 2], normal: Vector, seam: Seam },
 }
 
-/// The convex parts of a geom.
+/// The convex pieces of a geom.
 pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
     match geom.outline {
-        Outline::Circle { radius } if geom.local_vertices.len() >= CIRCLE_CORNERS => {
+        Outline::Circle { radius } if geom.local_vertices.len() >= MIN_CIRCLE_CORNERS => {
             Arc::new([Piece::Circle { centre: [0.0, 0.0], radius }])
         }
         Outline::Capsule { height, end_radius } => {
-            let half = half_of_capsule(height, end_radius);
+            let half = capsule_half_axis(height, end_radius);
             Arc::new([Piece::Capsule { ends: [[0.0, -half], [0.0, half]], radius: end_radius }])
         }
         Outline::Chain { is_closed } => edges_of_chain(&geom.local_vertices, is_closed).collect(),
@@ -55,13 +56,13 @@ fn pieces_of(outline: &Vertices) -> Arc<[Piece]> {
         return Arc::new([polygon_or_point(corners)]);
     }
     match convex_parts(&corners) {
-        Some(parts) => parts.iter().map(|part| part_of(part, &corners)).collect(),
-        // It crosses itself, or is longer than what can be cut.
+        Some(parts) => parts.iter().map(|part| part_with_adjacency(part, &corners)).collect(),
+        // The outline crosses itself, or has too many corners to be cut.
         None => Arc::new([polygon_or_point(hull(corners))]),
     }
 }
 
-/// A polygon that has shrunk to a point is a disc of no size.
+/// A polygon, or a disc of radius 0 if it has shrunk to a point.
 fn polygon_or_point(corners: Vec<Vector>) -> Piece {
     match corners[..] {
         [centre] => Piece::Circle { centre, radius: 0.0 },
@@ -69,12 +70,12 @@ fn polygon_or_point(corners: Vec<Vector>) -> Piece {
     }
 }
 
-fn part_of(part: &[usize], outline: &[Vector]) -> Piece {
+fn part_with_adjacency(part: &[usize], outline: &[Vector]) -> Piece {
     let corners = part.iter().map(|&corner| outline[corner]).collect();
     Piece::Part { seams: seams_of_part(part, outline), corners }
 }
 
-/// The corners in the order of positive area, without those that repeat their neighbour or do not turn.
+/// The corners in the order of positive area, without repeated and straight ones.
 pub(crate) fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
     if area(&corners) < 0.0 {
         corners.reverse();
@@ -84,7 +85,7 @@ pub(crate) fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
         let count = corners.len();
         let (before, after) = (corners[(at + count - 1) % count], corners[(at + 1) % count]);
         let (a, b) = (difference(corners[at], before), difference(after, corners[at]));
-        let goes_straight_on = dot(a, b) >= 0.0 && cross(a, b).abs() <= STRAIGHT * length(a) * length(b);
+        let goes_straight_on = dot(a, b) >= 0.0 && cross(a, b).abs() <= MIN_TURN_SINE * length(a) * length(b);
         if goes_straight_on {
             corners.remove(at);
             at = at.saturating_sub(1);
@@ -99,7 +100,7 @@ fn area(corners: &[Vector]) -> f32 {
     (0..corners.len()).map(|i| cross(corners[i], corners[(i + 1) % corners.len()])).sum()
 }
 
-/// Whether every corner turns the same way, and all of them once around.
+/// Whether every corner turns to the same side, and all of them together one full turn.
 fn is_convex(corners: &[Vector]) -> bool {
     let count = corners.len();
     let edge = |i: usize| difference(corners[(i + 1) % count], corners[i % count]);
@@ -112,7 +113,7 @@ fn is_convex(corners: &[Vector]) -> bool {
 
 /// The convex hull, by Andrew's monotone chain.
 fn hull(mut corners: Vec<Vector>) -> Vec<Vector> {
-    sort_by_number(&mut corners, |corner| joined(corner.map(ordered)));
+    sort_by_number(&mut corners, |corner| packed_key(corner.map(total_order_key)));
     let half = |corners: &mut dyn Iterator<Item = &Vector>| {
         let mut chain: Vec<Vector> = Vec::new();
         for &corner in corners {

@@ -1,8 +1,8 @@
-//! How the surfaces of two geoms combine.
+//! Surface coefficients of two geoms, and how they combine.
 
 use serde::{Deserialize, Serialize};
 
-/// How the friction coefficients of two geoms combine.
+/// Rule for combining the friction coefficients of two geoms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 pub enum FrictionType {
     /// The mean of both.
@@ -21,24 +21,24 @@ impl FrictionType {
     }
 }
 
-/// How something rubs and bounces that is no geom of the core.
+/// Surface coefficients of an object that is no geom of the core.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SurfaceCoefficients {
-    /// Friction, finite; combined with the partner's. Default 0.
+    /// Friction coefficient, dimensionless, finite; combined with that of the other object. Default 0.
     pub friction: f32,
-    /// Bounciness, finite, usually 0 to 1; the mean of both partners acts. Default 0.
+    /// Restitution coefficient, dimensionless, finite, usually 0 to 1; the mean of both acts. Default 0.
     pub restitution: f32,
 }
 
-/// What a handler has set about the surfaces of two geoms that touch, for one update.
+/// Surface coefficients that a handler has set for two touching geoms, for one update.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct SetSurface {
+pub(crate) struct SurfaceOverride {
     pub(crate) friction: Option<f32>,
     pub(crate) restitution: Option<f32>,
     pub(crate) tangent_speed: Option<f32>,
 }
 
-/// How the restitution coefficients of two geoms combine: their mean.
+/// Combines the restitution coefficients of two geoms: their mean.
 #[inline]
 pub(crate) fn mix_restitution(a: f32, b: f32) -> f32 {
     (a + b) * 0.5

@@ -1,4 +1,4 @@
-//! A geom as users see it (behaviour chapter 05, section 3).
+//! Read access to a geom (behaviour chapter 05, section 3).
 
 use crate::body::BodyId;
 use crate::body::entry::BodyEntry;
@@ -11,15 +11,15 @@ use crate::math::{Matrix, Vector2};
 use crate::shape::Feature;
 use crate::shape::distance::{nearest_distance, nearest_feature};
 use crate::shape::{Aabb, Vertices};
-use crate::storage::collection::Life;
+use crate::storage::collection::LifecycleState;
 
-/// A geom as it lies in the world: shape, place and settings.
+/// A geom in the world: shape, pose and settings.
 #[derive(Debug, Clone, Copy)]
 #[doc(alias = "Geom")]
 pub struct GeomRef<'a> {
     pub(crate) entry: &'a GeomEntry,
-    pub(crate) life: Life,
-    /// What it is attached to; nothing while the body is a disposed one that is gone.
+    pub(crate) life: LifecycleState,
+    /// The body of the geom; `None` if the body was disposed and has been removed.
     pub(crate) body: Option<&'a BodyEntry>,
 }
 
@@ -31,14 +31,14 @@ impl std::ops::Deref for GeomRef<'_> {
 }
 
 impl<'a> GeomRef<'a> {
-    /// Where it will lie if the body was moved and the geom has not followed yet.
+    /// The transform that follows from the body's pose, if the body was moved and the geom has not been updated yet.
     #[inline]
     pub(crate) fn pending(&self) -> Option<GeomPose> {
         let (position, rotation) = self.body?.pending_pose()?;
         self.pose_at(position, rotation)
     }
 
-    /// Nothing where the geom would not be finite: that is not going to be followed, the body will be put back.
+    /// `None` where the geom would not be finite: it will not be moved there, and the body will be put back.
     #[cold]
     fn pose_at(&self, position: Vector2, rotation: f32) -> Option<GeomPose> {
         let GeomEntry { offset, rotation_offset, .. } = *self.entry;
@@ -62,8 +62,8 @@ impl<'a> GeomRef<'a> {
         }
     }
 
-    /// Creation number, counted from 0 per simulator and never reused. Of two geoms that touch, the one with
-    /// the smaller number is A.
+    /// Creation number, counted from 0 per simulator and never reused. Of two geoms that touch, the one with the
+    /// smaller number is A.
     #[doc(alias = "Id")]
     pub fn id(&self) -> u32 {
         self.entry.number
@@ -75,27 +75,27 @@ impl<'a> GeomRef<'a> {
         self.entry.collision_id
     }
 
-    /// The body it is attached to.
+    /// The body of the geom.
     #[doc(alias = "Body")]
     #[inline]
     pub fn body(&self) -> BodyId {
         self.entry.body
     }
 
-    /// Position on the body, in the body's coordinates and the user's length unit.
+    /// Position on the body, in the body's coordinates, in length units.
     #[doc(alias = "Offset")]
     pub fn offset(&self) -> Vector2 {
         self.entry.offset
     }
 
-    /// Rotation against the body in radians.
+    /// Rotation relative to the body, in radians.
     #[doc(alias = "RotationOffset")]
     pub fn rotation_offset(&self) -> f32 {
         self.entry.rotation_offset
     }
 
-    /// Whether it is in the [geom list](crate::PhysicsSimulator::geom_list) now. Objects enter and leave their lists
-    /// with updates.
+    /// Whether the geom is in the [geom list](crate::PhysicsSimulator::geom_list) now. Objects enter and leave their
+    /// lists with updates.
     pub fn is_listed(&self) -> bool {
         self.life.is_listed
     }
@@ -106,25 +106,25 @@ impl<'a> GeomRef<'a> {
         self.entry.in_simulation
     }
 
-    /// Whether the geom was last made a sensor.
+    /// Whether the last call of `set_is_sensor` made the geom a sensor.
     #[doc(alias = "IsSensor")]
     pub fn is_sensor(&self) -> bool {
         self.entry.is_sensor
     }
 
-    /// The direction out of the side that holds, in the frame of the body and of length 1, if the geom is
-    /// [open from all others](crate::Objects::set_one_way).
+    /// Outward direction of the solid side, as a unit vector in the body's coordinates, if the geom is
+    /// [one-way](crate::Objects::set_one_way).
     pub fn one_way(&self) -> Option<Vector2> {
         self.entry.one_way
     }
 
-    /// Whether it was disposed and goes at the next update.
+    /// Whether the geom was disposed and will be removed in the next update.
     #[doc(alias = "IsDisposed")]
     pub fn is_disposed(&self) -> bool {
         self.life.is_disposed
     }
 
-    /// Edge of a distance grid cell in the user's length unit; what was asked for under SAT.
+    /// Edge of a distance grid cell, in length units; under SAT the value that was given.
     #[doc(alias("GridCellSize", "CollisionGridCellSize", "CalculateGridCellSizeFromAABB"))]
     pub fn grid_cell_size(&self) -> f32 {
         self.entry.grid_cell_size
@@ -136,8 +136,8 @@ impl<'a> GeomRef<'a> {
         self.entry.grid.as_deref()
     }
 
-    /// What the polygon of the geom stands for. A copy has that of its original; other
-    /// [vertices](crate::PhysicsSimulator::set_vertices) stand for themselves.
+    /// The shape for which the polygon of the geom stands. A copy has the outline of its original; a geom with other
+    /// [vertices](crate::PhysicsSimulator::set_vertices) is a polygon.
     pub fn outline(&self) -> Outline {
         self.entry.outline
     }
@@ -168,7 +168,7 @@ impl<'a> GeomRef<'a> {
         }
     }
 
-    /// Radius of the disc whose box [`aabb`](Self::aabb) is, if that was
+    /// Radius in length units of the disc whose box is [`aabb`](Self::aabb), if it was
     /// [set](crate::PhysicsSimulator::set_box_radius).
     pub fn box_radius(&self) -> Option<f32> {
         self.entry.box_radius
@@ -188,7 +188,7 @@ impl<'a> GeomRef<'a> {
         self.pending().map_or(self.entry.pose.rotation, |pose| pose.rotation)
     }
 
-    /// From the geom's own coordinates to the world.
+    /// Transform from the geom's own coordinates to the world.
     #[doc(alias = "Matrix")]
     #[inline]
     pub fn matrix(&self) -> Matrix {
@@ -198,7 +198,7 @@ impl<'a> GeomRef<'a> {
         }
     }
 
-    /// From the world to the geom's own coordinates.
+    /// Transform from the world to the geom's own coordinates.
     #[doc(alias = "MatrixInverse")]
     pub fn matrix_inverse(&self) -> Matrix {
         crate::math::matrix::invert(&self.matrix())
@@ -216,20 +216,20 @@ impl<'a> GeomRef<'a> {
         transform(world, &self.matrix_inverse())
     }
 
-    /// A direction in the geom's coordinates, turned into the world.
+    /// A direction in the geom's coordinates, rotated into the world.
     #[doc(alias = "TransformNormalToWorld")]
     pub fn transform_normal_to_world(&self, normal: Vector2) -> Vector2 {
         transform_normal(normal, &self.matrix())
     }
 
-    /// Whether collision with the geom of this creation number is ignored from this side.
+    /// Whether this geom ignores collisions with the `other` geom.
     #[doc(alias = "IsGeometryIgnored")]
     pub fn is_geometry_ignored(&self, other: GeomRef<'_>) -> bool {
         self.entry.ignores(other.id())
     }
 
-    /// Signed distance to the outline of a point in the geom's coordinates, negative inside. A chain counts as if it were
-    /// closed here.
+    /// Signed distance of a point in the geom's coordinates from the outline, in length units, negative inside. A chain
+    /// is treated as a closed polygon here.
     #[doc(alias = "GetNearestDistance")]
     pub fn get_nearest_distance(&self, point: Vector2) -> f32 {
         nearest_distance(&self.entry.local_vertices, point)

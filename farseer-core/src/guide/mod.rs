@@ -2,9 +2,14 @@
 //!
 //! | page | about |
 //! |---|---|
-//! | [`choosing`] | which methods for which game, what they choose by themselves, and where each fails |
+//! | [`choosing`] | which methods for which game, and where each fails |
+//! | [`settings`] | settings of a simulator with the precise set |
+//! | [`solvers`] | islands, and which solver takes them |
+//! | [`joints`] | joints, motors, limits and springs with the precise set |
+//! | [`sleep_and_ccd`] | sleeping, continuous collision, tiles |
+//! | [`events`] | collisions, handlers and shapes with the precise set |
 //! | [`porting`] | from C# to Rust, member by member, with a small game before and after |
-//! | [`differences`] | where this does something else than Farseer 2.1.3, and why |
+//! | [`differences`] | where this engine does something else than Farseer 2.1.3, and why |
 //! | [`quirks`] | oddities of Farseer 2.1.3 that were kept, and what to do about them |
 //! | [`out_of_scope`] | what is not there on purpose, and what to use instead |
 //!
@@ -25,3 +30,18 @@ pub mod porting {}
 
 #[doc = include_str!("quirks.md")]
 pub mod quirks {}
+
+#[doc = include_str!("events.md")]
+pub mod events {}
+
+#[doc = include_str!("joints.md")]
+pub mod joints {}
+
+#[doc = include_str!("settings.md")]
+pub mod settings {}
+
+#[doc = include_str!("sleep_and_ccd.md")]
+pub mod sleep_and_ccd {}
+
+#[doc = include_str!("solvers.md")]
+pub mod solvers {}

@@ -1,4 +1,4 @@
-//! Two anchors and the line between them (behaviour chapter 10, section 12).
+//! Two anchors and the constraint along the line between them (behaviour chapter 10, section 12).
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use crate::math::Vector2;
 use crate::math::finite::finite_vector;
 use crate::math::vector2::{cross, dot, length};
 
-/// Two anchors, each in the coordinates of its body, and what acts along the line between them.
+/// Two anchors, each in the coordinates of its body, with direction and effective mass along the line between them.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct AnchorDistance {
     pub(crate) anchor1: Vector2,
@@ -43,15 +43,15 @@ macro_rules! two_anchors {
             self.anchors.anchor2
         }
 
-        /// Where the first anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
-        /// nearest ones.
+        /// World position of the first anchor when it was set or when the joint last prepared a step. Infinite
+        /// coordinates are replaced by the nearest finite ones.
         #[doc(alias = "WorldAnchor1")]
         pub fn world_anchor1(&self) -> Vector2 {
             self.anchors.world_anchor1.map($crate::math::scalar::nearest_finite)
         }
 
-        /// Where the second anchor was when it was set or when the joint last prepared a step; beyond finite numbers the
-        /// nearest ones.
+        /// World position of the second anchor when it was set or when the joint last prepared a step. Infinite
+        /// coordinates are replaced by the nearest finite ones.
         #[doc(alias = "WorldAnchor2")]
         pub fn world_anchor2(&self) -> Vector2 {
             self.anchors.world_anchor2.map($crate::math::scalar::nearest_finite)
@@ -77,32 +77,32 @@ impl AnchorDistance {
     }
 
     pub(crate) fn set_anchor1(&mut self, anchor: Vector2, body1: &Body) -> Result<()> {
-        let (arm, world) = placed("anchor1", anchor, body1)?;
+        let (arm, world) = arm_and_world_anchor("anchor1", anchor, body1)?;
         (self.anchor1, self.arm1, self.world_anchor1) = (anchor, arm, world);
         Ok(())
     }
 
     pub(crate) fn set_anchor2(&mut self, anchor: Vector2, body2: &Body) -> Result<()> {
-        let (arm, world) = placed("anchor2", anchor, body2)?;
+        let (arm, world) = arm_and_world_anchor("anchor2", anchor, body2)?;
         (self.anchor2, self.arm2, self.world_anchor2) = (anchor, arm, world);
         Ok(())
     }
 
-    /// Brings the anchors to the poses and answers their distance.
+    /// Updates the anchors from the poses and returns their distance in length units.
     #[inline]
-    pub(crate) fn follow(&mut self, poses: &[JointPose; 2]) -> f32 {
+    pub(crate) fn update_anchors(&mut self, poses: &[JointPose; 2]) -> f32 {
         (self.arm1, self.arm2) = (poses[0].rotate(self.anchor1), poses[1].rotate(self.anchor2));
         self.world_anchor1 = poses[0].position + self.arm1;
         self.world_anchor2 = poses[1].position + self.arm2;
         length(self.world_anchor2 - self.world_anchor1)
     }
 
-    pub(super) fn show(&mut self, both: [[Vector2; 2]; 2]) {
+    pub(super) fn set_world_anchors(&mut self, both: [[Vector2; 2]; 2]) {
         [[self.arm1, self.world_anchor1], [self.arm2, self.world_anchor2]] = both;
     }
 
-    /// Finds direction and effective mass, then applies the impulse of the last step. Anchors on one spot have
-    /// the direction (0, 0).
+    /// Computes direction and effective mass, then applies the warm start. Anchors at the same point have the direction
+    /// (0, 0).
     #[inline]
     pub(crate) fn prepare(
         &mut self,
@@ -121,16 +121,16 @@ impl AnchorDistance {
         self.apply(self.direction * accumulated, bodies);
     }
 
-    /// Speed with which the anchors part.
+    /// Speed at which the anchors separate, in length units/s.
     #[inline]
     pub(crate) fn speed(&self, bodies: &JointBodies) -> f32 {
         let relative = bodies.second().velocity_at(self.arm2) - bodies.first().velocity_at(self.arm1);
         dot(relative, self.direction)
     }
 
-    /// Applies an impulse along the line and answers whether there was one.
+    /// Applies an impulse along the line and returns whether it was not zero.
     #[inline]
-    pub(crate) fn push(&self, magnitude: f32, bodies: &mut JointBodies) -> bool {
+    pub(crate) fn apply_along_line(&self, magnitude: f32, bodies: &mut JointBodies) -> bool {
         let impulse = self.direction * magnitude;
         let acts = is_non_zero(impulse);
         if acts {
@@ -150,8 +150,8 @@ impl AnchorDistance {
     }
 }
 
-/// The anchor in world orientation and its place in the world.
-fn placed(argument: &'static str, anchor: Vector2, body: &Body) -> Result<(Vector2, Vector2)> {
+/// The anchor in world orientation, and its world position.
+fn arm_and_world_anchor(argument: &'static str, anchor: Vector2, body: &Body) -> Result<(Vector2, Vector2)> {
     finite_vector(argument, anchor)?;
     let pose = JointPose {
         position: body.position(),

@@ -1,8 +1,8 @@
-//! Two bodies at a fixed angle to each other (behaviour chapter 10, section 6).
+//! Angle joint: two bodies at a fixed relative angle (behaviour chapter 10, section 6).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
@@ -12,7 +12,7 @@ use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
 use crate::math::scalar;
 
-/// Keeps the difference of two bodies' total rotations at a target. The bodies may move freely otherwise.
+/// Holds the difference of two bodies' total rotations at a target. The bodies may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct AngleJoint {
     body1: BodyId,
@@ -37,8 +37,8 @@ impl AngleJoint {
 
     pub(crate) fn without_bodies() -> Self {
         AngleJoint {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             target_angle: 0.0,
             max_impulse: f32::MAX,
             velocity_bias: 0.0,
@@ -49,12 +49,12 @@ impl AngleJoint {
     two_bodies! {}
 
     checked_properties! {
-        /// Wanted total rotation of the second body minus that of the first, in radians. Default 0, whatever the
+        /// Target of the second body's total rotation minus that of the first, in radians. Default 0, whatever the
         /// angle was when the joint was made.
         #[doc(alias = "TargetAngle")]
         target_angle, set_target_angle;
-        /// Greatest angular impulse of one solver iteration; a negative one pushes the wrong way. Default
-        /// [`f32::MAX`].
+        /// Maximum angular impulse of one solver iteration, in mass units · length units²/s; a negative one acts in the
+        /// wrong direction. Default [`f32::MAX`].
         #[doc(alias = "MaxImpulse")]
         max_impulse, set_max_impulse;
     }
@@ -73,10 +73,10 @@ impl AngleJoint {
     }
 
     pub(crate) fn solve(&mut self, _softness: f32, bodies: &mut JointBodies) -> bool {
-        turn_together(bodies, self.velocity_bias, self.mass_factor, self.max_impulse)
+        solve_relative_angle(bodies, self.velocity_bias, self.mass_factor, self.max_impulse)
     }
 
-    /// It keeps none from step to step.
+    /// The joint keeps no impulse from step to step.
     pub(crate) fn forget_impulse(&mut self) {}
 
     pub(crate) fn impulse_is_finite(&self) -> bool {
@@ -88,9 +88,9 @@ impl AngleJoint {
     }
 }
 
-/// Changes the relative angular velocity of two bodies to the bias, and answers whether there was an impulse.
+/// Changes the relative angular velocity of two bodies to the bias, and returns whether there was an impulse.
 #[inline]
-pub(crate) fn turn_together(
+pub(crate) fn solve_relative_angle(
     bodies: &mut JointBodies,
     velocity_bias: f32,
     mass_factor: f32,

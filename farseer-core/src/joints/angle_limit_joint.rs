@@ -1,8 +1,8 @@
-//! Two bodies whose angle to each other stays in a range (behaviour chapter 10, section 8).
+//! Angle limit joint: two bodies whose relative angle stays in a range (behaviour chapter 10, section 8).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
@@ -12,7 +12,7 @@ use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::finite::finite;
 
-/// Keeps the difference of two bodies' total rotations in a range. The bodies may move freely otherwise.
+/// Holds the difference of two bodies' total rotations in a range. The bodies may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct AngleLimitJoint {
     body1: BodyId,
@@ -45,8 +45,8 @@ impl AngleLimitJoint {
 
     pub(crate) fn without_bodies() -> Self {
         AngleLimitJoint {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             lower_limit: 0.0,
             upper_limit: 0.0,
             slop: DEFAULT_SLOP,
@@ -59,14 +59,14 @@ impl AngleLimitJoint {
     two_bodies! {}
 
     checked_properties! {
-        /// Least total rotation of the second body minus that of the first, in radians. Nothing asks whether it
-        /// is below the upper limit.
+        /// Minimum of the second body's total rotation minus that of the first, in radians. It is not checked against
+        /// the upper limit.
         #[doc(alias = "LowerLimit")]
         lower_limit, set_lower_limit;
-        /// Greatest total rotation of the second body minus that of the first, in radians.
+        /// Maximum of the second body's total rotation minus that of the first, in radians.
         #[doc(alias = "UpperLimit")]
         upper_limit, set_upper_limit;
-        /// Violation in radians that is not corrected; its velocity is. Default 0.01.
+        /// Violation in radians up to which the angle is not corrected; the velocity is. Default 0.01.
         #[doc(alias = "Slop")]
         slop, set_slop;
     }
@@ -78,11 +78,11 @@ impl AngleLimitJoint {
         bodies: &mut JointBodies,
     ) -> f32 {
         let difference = poses[1].total_rotation - poses[0].total_rotation;
-        let error = self.limit.judge(difference, self.lower_limit, self.upper_limit, self.slop);
+        let error = self.limit.update(difference, self.lower_limit, self.upper_limit, self.slop);
         self.velocity_bias = step.bias_factor * step.inverse_dt * error;
         self.mass_factor =
             1.0 / (step.softness + bodies.first().inverse_inertia + bodies.second().inverse_inertia);
-        turn_apart(bodies, self.limit.accumulated);
+        apply_angular_impulses(bodies, self.limit.accumulated);
         error
     }
 
@@ -96,7 +96,7 @@ impl AngleLimitJoint {
         if impulse == 0.0 {
             return false;
         }
-        turn_apart(bodies, impulse);
+        apply_angular_impulses(bodies, impulse);
         true
     }
 
@@ -114,7 +114,7 @@ impl AngleLimitJoint {
 }
 
 #[inline]
-fn turn_apart(bodies: &mut JointBodies, impulse: f32) {
+fn apply_angular_impulses(bodies: &mut JointBodies, impulse: f32) {
     let first = bodies.first_mut();
     first.angular_velocity -= first.inverse_inertia * impulse;
     let second = bodies.second_mut();

@@ -1,8 +1,8 @@
-//! A body at a fixed angle (behaviour chapter 10, section 7).
+//! Fixed angle joint: a body at a fixed angle (behaviour chapter 10, section 7).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
@@ -12,7 +12,7 @@ use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
 use crate::math::scalar;
 
-/// Keeps a body's total rotation at a target. The body may move freely otherwise.
+/// Holds a body's total rotation at a target. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FixedAngleJoint {
     body: BodyId,
@@ -35,7 +35,7 @@ impl FixedAngleJoint {
 
     pub(crate) fn without_bodies() -> Self {
         FixedAngleJoint {
-            body: nobody(),
+            body: missing_body_id(),
             target_angle: 0.0,
             max_impulse: f32::MAX,
             velocity_bias: 0.0,
@@ -46,11 +46,11 @@ impl FixedAngleJoint {
     one_body! {}
 
     checked_properties! {
-        /// Wanted total rotation in radians. Default 0, whatever the angle was when the joint was made.
+        /// Target total rotation in radians. Default 0, whatever the angle was when the joint was made.
         #[doc(alias = "TargetAngle")]
         target_angle, set_target_angle;
-        /// Greatest angular impulse of one solver iteration; a negative one pushes the wrong way. Default
-        /// [`f32::MAX`].
+        /// Maximum angular impulse of one solver iteration, in mass units · length units²/s; a negative one acts in the
+        /// wrong direction. Default [`f32::MAX`].
         #[doc(alias = "MaxImpulse")]
         max_impulse, set_max_impulse;
     }
@@ -78,7 +78,7 @@ impl FixedAngleJoint {
         true
     }
 
-    /// It keeps none from step to step.
+    /// The joint keeps no impulse from step to step.
     pub(crate) fn forget_impulse(&mut self) {}
 
     pub(crate) fn impulse_is_finite(&self) -> bool {

@@ -1,8 +1,8 @@
-//! A body whose angle stays in a range (behaviour chapter 10, section 9).
+//! Fixed angle limit joint: a body whose angle stays in a range (behaviour chapter 10, section 9).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
@@ -12,7 +12,7 @@ use crate::joints::limit::Limit;
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::finite::finite;
 
-/// Keeps a body's total rotation in a range. The body may move freely otherwise.
+/// Holds a body's total rotation in a range. The body may move freely otherwise.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FixedAngleLimitJoint {
     body: BodyId,
@@ -38,7 +38,7 @@ impl FixedAngleLimitJoint {
 
     pub(crate) fn without_bodies() -> Self {
         FixedAngleLimitJoint {
-            body: nobody(),
+            body: missing_body_id(),
             lower_limit: 0.0,
             upper_limit: 0.0,
             slop: DEFAULT_SLOP,
@@ -51,13 +51,13 @@ impl FixedAngleLimitJoint {
     one_body! {}
 
     checked_properties! {
-        /// Least total rotation in radians. Nothing asks whether it is below the upper limit.
+        /// Minimum total rotation in radians. It is not checked against the upper limit.
         #[doc(alias = "LowerLimit")]
         lower_limit, set_lower_limit;
-        /// Greatest total rotation in radians.
+        /// Maximum total rotation in radians.
         #[doc(alias = "UpperLimit")]
         upper_limit, set_upper_limit;
-        /// Violation in radians that is not corrected; its velocity is. Default 0.01.
+        /// Violation in radians up to which the angle is not corrected; the velocity is. Default 0.01.
         #[doc(alias = "Slop")]
         slop, set_slop;
     }
@@ -69,7 +69,7 @@ impl FixedAngleLimitJoint {
         bodies: &mut JointBodies,
     ) -> f32 {
         let rotation = poses[0].total_rotation;
-        let error = self.limit.judge(rotation, self.lower_limit, self.upper_limit, self.slop);
+        let error = self.limit.update(rotation, self.lower_limit, self.upper_limit, self.slop);
         self.velocity_bias = step.bias_factor * step.inverse_dt * error;
         let body = bodies.first_mut();
         // Unlike the joint of two bodies, which adds the softness to the inverse inertia.

@@ -1,24 +1,24 @@
-//! A body that turns about a point of the world (behaviour chapter 10, section 11).
+//! Fixed revolute joint: a body that turns about a point of the world (behaviour chapter 10, section 11).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
 use crate::joints::bodies::one_body;
-use crate::joints::drive::Drive;
 use crate::joints::joint_body::{Inverse2, JointBodies, JointPose, JointStep, is_non_zero};
+use crate::joints::motor_and_limits::MotorAndLimits;
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::calculator::truncate;
 use crate::math::finite::finite_vector;
 use crate::math::vector2::length;
 
-/// Its own bias factor; that of the other joints is 0.2.
+/// Bias factor of this kind, dimensionless, Farseer's value; other joints have 0.2.
 pub(super) const BIAS_FACTOR: f32 = 0.8;
 
-/// Keeps a point of a body at a point of the world. The bias factor of the joint is 0.8 when it is made. Under
+/// Holds a point of a body at a point of the world. The bias factor of the joint is 0.8 when it is made. Under
 /// the precise set it can have a [motor](crate::Objects::set_joint_motor) and
 /// [limits](crate::Objects::set_joint_limits).
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -27,7 +27,7 @@ pub struct FixedRevoluteJoint {
     anchor: Vector2,
     pub(super) local_anchor: Vector2,
     max_impulse: f32,
-    /// What was taken from the body, before it was limited.
+    /// Accumulated impulse on the body, with opposite sign, before it was limited.
     accumulated: Vector2,
     #[serde(with = "crate::storage::bits")]
     arm: Vector2,
@@ -35,7 +35,7 @@ pub struct FixedRevoluteJoint {
     velocity_bias: Vector2,
     #[serde(with = "crate::storage::bits")]
     inverse: Inverse2,
-    pub(super) drive: Drive,
+    pub(super) drive: MotorAndLimits,
 }
 
 impl FixedRevoluteJoint {
@@ -47,7 +47,7 @@ impl FixedRevoluteJoint {
 
     pub(crate) fn without_bodies() -> Self {
         FixedRevoluteJoint {
-            body: nobody(),
+            body: missing_body_id(),
             anchor: Vector2::zeros(),
             local_anchor: Vector2::zeros(),
             max_impulse: f32::MAX,
@@ -55,7 +55,7 @@ impl FixedRevoluteJoint {
             arm: Vector2::zeros(),
             velocity_bias: Vector2::zeros(),
             inverse: Inverse2::default(),
-            drive: Drive::default(),
+            drive: MotorAndLimits::default(),
         }
     }
 
@@ -68,19 +68,19 @@ impl FixedRevoluteJoint {
     }
 
     checked_properties! {
-        /// Greatest impulse that the warm start and each solver iteration apply. Default [`f32::MAX`]: no limit.
-        /// With any smaller value the impulse is normalised and rescaled even if it is within the limit, which
-        /// changes its last digits.
+        /// Maximum impulse of the warm start and of each solver iteration, in mass units · length units/s. Default
+        /// [`f32::MAX`]: no limit. With any smaller value the impulse is normalised and rescaled even if it is within
+        /// the limit, which changes its last digits.
         #[doc(alias = "MaxImpulse")]
         max_impulse, set_max_impulse;
     }
 
-    /// Fixes what of the body is at a point of the world now to this point. The impulse stays.
+    /// Attaches the body at a point of the world, at the body's present pose. The impulse stays.
     pub(crate) fn set_anchor(&mut self, anchor: Vector2, body: &Body) -> Result<()> {
         finite_vector("anchor", anchor)?;
         self.local_anchor = finite_vector("anchor", body.get_local_position(anchor))?;
         self.anchor = anchor;
-        self.drive.count_from(None, body);
+        self.drive.set_reference(None, body);
         Ok(())
     }
 
@@ -112,7 +112,7 @@ impl FixedRevoluteJoint {
         let difference = self.velocity_bias - velocity;
         let impulse = self.inverse.apply(difference - self.accumulated * softness);
         self.accumulated += impulse;
-        // The original asks for the difference, not for the impulse.
+        // The original tests the difference, not the impulse.
         if !is_non_zero(difference) {
             return false;
         }

@@ -1,10 +1,10 @@
-//! What joints read and change of bodies.
+//! State of the bodies of a joint in the joint solver.
 
 use crate::math::vector2::cross;
 use crate::math::{Vector2, scalar};
 use crate::storage::bits::Floats;
 
-/// What a joint reads of a body before the passes.
+/// Pose of a body, for the pre-step of joints.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct JointPose {
     pub(crate) position: Vector2,
@@ -13,7 +13,7 @@ pub(crate) struct JointPose {
 }
 
 impl JointPose {
-    /// A vector of the body's coordinates in world orientation, through the body matrix.
+    /// Rotates a vector of the body's coordinates into world orientation, through the body matrix.
     #[inline]
     pub(crate) fn rotate(&self, local: Vector2) -> Vector2 {
         let (s, c) = scalar::sin_cos(self.rotation);
@@ -23,7 +23,7 @@ impl JointPose {
     }
 }
 
-/// What a joint reads and changes of a body.
+/// Velocity and inverse mass of a body in the joint solver.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct JointBody {
     pub(crate) velocity: Vector2,
@@ -34,18 +34,17 @@ pub(crate) struct JointBody {
 }
 
 impl JointBody {
-    /// Changes the velocity at once; that of a static body stays. Also an impulse of 0 is added: it turns -0
-    /// into +0.
+    /// Changes the velocity at once, unless the body is static. An impulse of 0 is added, too: it turns -0 into +0.
     #[inline]
     pub(crate) fn apply_impulse(&mut self, impulse: Vector2) {
         if !self.is_static {
-            self.push(impulse);
+            self.add_impulse(impulse);
         }
     }
 
     /// [`apply_impulse`](Self::apply_impulse) without the test whether the body is static.
     #[inline]
-    pub(crate) fn push(&mut self, impulse: Vector2) {
+    pub(crate) fn add_impulse(&mut self, impulse: Vector2) {
         self.velocity += impulse * self.inverse_mass;
     }
 
@@ -55,7 +54,7 @@ impl JointBody {
         self.angular_velocity += impulse * self.inverse_inertia;
     }
 
-    /// Both effects of an impulse at an offset from the body's origin.
+    /// Applies an impulse at an offset from the body's origin: it changes both velocities.
     #[inline]
     pub(crate) fn apply_impulse_at(&mut self, impulse: Vector2, arm: Vector2) {
         self.apply_impulse(impulse);
@@ -74,27 +73,27 @@ impl JointBody {
     }
 }
 
-/// The two bodies of a joint; both places may name the same body. Joints on one body use the first.
+/// The two bodies of a joint; both may be the same body. Joints on one body use the first.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct JointBodies {
     bodies: [JointBody; 2],
-    /// 0 if both are one body.
+    /// Index of the second body: 1, or 0 if both are the same body.
     second: usize,
-    /// The joint itself holds what is not finite.
-    is_spoilt: bool,
+    /// Whether the joint's own impulse is not finite.
+    has_non_finite_impulse: bool,
 }
 
 impl JointBodies {
     /// Two different bodies.
     #[inline]
     pub(crate) fn two(first: JointBody, second: JointBody) -> Self {
-        JointBodies { bodies: [first, second], second: 1, is_spoilt: false }
+        JointBodies { bodies: [first, second], second: 1, has_non_finite_impulse: false }
     }
 
-    /// One body in both places.
+    /// The same body twice.
     #[inline]
     pub(crate) fn one(body: JointBody) -> Self {
-        JointBodies { bodies: [body, body], second: 0, is_spoilt: false }
+        JointBodies { bodies: [body, body], second: 0, has_non_finite_impulse: false }
     }
 
     #[inline]
@@ -120,16 +119,16 @@ impl JointBodies {
     /// Whether velocities and the impulse of the joint are finite.
     #[inline]
     pub(crate) fn is_finite(&self) -> bool {
-        !self.is_spoilt && self.first().is_finite() && self.second().is_finite()
+        !self.has_non_finite_impulse && self.first().is_finite() && self.second().is_finite()
     }
 
     #[inline]
-    pub(crate) fn spoil(&mut self) {
-        self.is_spoilt = true;
+    pub(crate) fn mark_non_finite(&mut self) {
+        self.has_non_finite_impulse = true;
     }
 }
 
-/// What all kinds of joints need to know in the pre-step.
+/// Settings of a joint for the pre-step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct JointStep {
     pub(crate) inverse_dt: f32,
@@ -138,14 +137,14 @@ pub(crate) struct JointStep {
 }
 
 impl JointStep {
-    /// The factor from an error to the velocity that takes it away.
+    /// Factor from a position error to the bias velocity that corrects it, in 1/s.
     #[inline]
     pub(crate) fn correction(&self) -> f32 {
         -self.bias_factor * self.inverse_dt
     }
 }
 
-/// Inverse of a 2x2 matrix of a row vector.
+/// Inverse of a 2x2 matrix that multiplies row vectors.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Inverse2 {
     i11: f32,
@@ -155,8 +154,8 @@ pub(crate) struct Inverse2 {
 }
 
 impl Inverse2 {
-    /// Inverse of the symmetric matrix `k11 k12 / k12 k22` made softer. As in the original the softness goes to
-    /// the first row, not to the diagonal. A singular matrix gives what is not finite.
+    /// Inverse of the symmetric matrix `k11 k12 / k12 k22`, softened. As in the original the softness is added to the
+    /// first row, not to the diagonal. The inverse of a singular matrix is not finite.
     #[inline]
     pub(crate) fn of(k11: f32, k12: f32, k22: f32, softness: f32) -> Self {
         let k21 = k12;
@@ -187,7 +186,7 @@ impl Floats for Inverse2 {
     }
 }
 
-/// Whether a component is other than 0; NaN is.
+/// Whether a component is not 0; NaN is not 0.
 #[inline]
 pub(crate) fn is_non_zero(v: Vector2) -> bool {
     v.x != 0.0 || v.y != 0.0

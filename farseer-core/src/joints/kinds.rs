@@ -1,4 +1,4 @@
-//! The kinds of joints, and from a joint to the joint of its kind.
+//! The kinds of joints, and typed access to a joint of a kind.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ mod sealed {
     }
 }
 
-/// A kind of joint, for typed access such as `simulator.joint_as::<PinJoint>(joint)`. No other types can be.
+/// A kind of joint, for typed access such as `simulator.joint_as::<PinJoint>(joint)`. No other types can implement it.
 pub trait JointType: sealed::Sealed + Sized {
     /// The name of the kind.
     const NAME: &'static str;
@@ -28,7 +28,7 @@ pub trait JointType: sealed::Sealed + Sized {
     fn of_mut(joint: &mut Joint) -> Option<&mut Self>;
 }
 
-/// Everything that takes a list of all kinds: the one place to name another.
+/// Defines all items that list the kinds: a new kind is added to this one list.
 macro_rules! joint_kinds {
     (($d:tt) $($(#[$doc:meta])* $kind:ident: $joint:ident,)*) => {
         /// The kinds of joints.
@@ -39,7 +39,7 @@ macro_rules! joint_kinds {
             $kind($joint),
         )*}
 
-        /// Does the same to the joint of whatever kind.
+        /// Evaluates an expression with the joint of whatever kind.
         macro_rules! each_kind {
             ($d kind:expr, $d joint:ident => $d do:expr) => {
                 match $d kind {

@@ -1,10 +1,10 @@
-//! A value kept in a range by an impulse that only pushes back.
+//! Inequality constraint: an accumulated impulse that keeps a value in a range.
 
 use serde::{Deserialize, Serialize};
 
 use crate::math::scalar;
 
-/// Which limit is violated, and the impulse that holds against it.
+/// The violated limit and its accumulated impulse.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub(crate) struct Limit {
     pub(crate) accumulated: f32,
@@ -13,9 +13,9 @@ pub(crate) struct Limit {
 }
 
 impl Limit {
-    /// Finds the violated limit and answers the error: 0 within the slop, else measured from the limit itself.
-    /// The impulse of the step before is kept only for the same limit.
-    pub(crate) fn judge(&mut self, value: f32, lower: f32, upper: f32, slop: f32) -> f32 {
+    /// Determines the violated limit and returns the error: 0 within the slop, else measured from the limit itself. The
+    /// accumulated impulse is kept only while the same limit is violated.
+    pub(crate) fn update(&mut self, value: f32, lower: f32, upper: f32, slop: f32) -> f32 {
         if value > upper {
             if self.below {
                 self.accumulated = 0.0;
@@ -39,7 +39,7 @@ impl Limit {
         self.above || self.below
     }
 
-    /// Adds an impulse as far as the sum pushes back into the range, and answers what was added.
+    /// Accumulates an impulse, clamped so that the sum acts toward the range, and returns the change of the sum.
     #[inline]
     pub(crate) fn accumulate(&mut self, impulse: f32) -> f32 {
         let old = self.accumulated;

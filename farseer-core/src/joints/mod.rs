@@ -1,23 +1,23 @@
-//! Joints keep bodies at a distance, an angle or a point by changing their velocities (behaviour chapter 10).
+//! Joints: constraints on points, distances or angles of bodies, solved by impulses (behaviour chapter 10).
 //!
-//! A joint corrects a fraction of its error per update, the bias factor, in as many passes as the simulator has
-//! [iterations](crate::PhysicsSimulator::iterations). Angles are in radians, distances in the user's unit.
+//! A joint corrects a fraction of its error per update, the bias factor, over all of the simulator's
+//! [iterations](crate::PhysicsSimulator::iterations). Angles are in radians, distances in length units.
 
-// What is made of a kind is always the whole joint.
+// Constructors of a kind return the whole joint.
 #![expect(clippy::new_ret_no_self)]
 
 mod anchor_distance;
 mod angle_joint;
 mod angle_limit_joint;
 mod bodies;
-mod drive;
+pub(crate) mod constraint_spec;
 mod fixed_angle_joint;
 mod fixed_angle_limit_joint;
 mod fixed_revolute_joint;
-pub(crate) mod held;
 pub(crate) mod joint_body;
 mod kinds;
 mod limit;
+mod motor_and_limits;
 mod pin_joint;
 mod prismatic_joint;
 mod revolute_joint;
@@ -29,12 +29,12 @@ use serde::{Deserialize, Serialize};
 
 pub use angle_joint::AngleJoint;
 pub use angle_limit_joint::AngleLimitJoint;
-pub(crate) use drive::Drive;
-pub use drive::{JointLimits, JointMotor};
 pub use fixed_angle_joint::FixedAngleJoint;
 pub use fixed_angle_limit_joint::FixedAngleLimitJoint;
 pub use fixed_revolute_joint::FixedRevoluteJoint;
 pub use kinds::{JointKind, JointType};
+pub(crate) use motor_and_limits::MotorAndLimits;
+pub use motor_and_limits::{JointLimits, JointMotor};
 pub use pin_joint::PinJoint;
 pub use prismatic_joint::PrismaticJoint;
 pub use revolute_joint::RevoluteJoint;
@@ -54,18 +54,18 @@ use kinds::each_kind;
 pub(crate) type Joints = Collection<Joint, JointId>;
 
 crate::storage::arena::define_id! {
-    /// Names a [`Joint`] of a simulator: the one that made it, its clones and what is loaded from its saves.
+    /// Id of a [`Joint`], valid in the simulator that made it, in its clones and in simulators loaded from its saves.
     JointId
 }
 
 const DEFAULT_BIAS_FACTOR: f32 = 0.2;
 const DEFAULT_SLOP: f32 = 0.01;
 
-/// What all joints have in common, and the joint of a certain kind.
+/// A joint: the settings that all kinds share, and the joint of its kind.
 ///
 /// Joints are made by [`JointFactory`](crate::JointFactory), or without bodies by
-/// [`create_empty_joint`](crate::PhysicsSimulator::create_empty_joint). A joint in the simulation goes when one of its
-/// bodies is disposed; another one when it is added.
+/// [`create_empty_joint`](crate::PhysicsSimulator::create_empty_joint). A joint in the simulation is removed when one
+/// of its bodies is disposed; a joint that was not added yet is removed when it is added.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Joint {
     bias_factor: f32,
@@ -75,8 +75,8 @@ pub struct Joint {
     joint_error: f32,
     enabled: bool,
     tag: u64,
-    /// Of the last update, on the second body; the precise set's. In f64, so that impulses that hold what stands still hold it still in
-    /// the next update.
+    /// Force and torque on the second body in the last update, computed by the precise set. In f64, so that impulses
+    /// that hold bodies at rest still do so in the next update.
     force: [f64; 3],
     force_along_depth: f32,
     greatest_force: f32,
@@ -109,39 +109,38 @@ impl Joint {
         /// Fraction of the error that an update corrects. Default 0.2; 0.8 for a [`FixedRevoluteJoint`].
         #[doc(alias = "BiasFactor")]
         bias_factor, set_bias_factor;
-        /// Greatest error the joint bears, whatever its sign; beyond it the joint breaks: it is disabled and
-        /// [`Event::JointBroke`](crate::Event::JointBroke) is reported. A negative one breaks at once. Default
-        /// [`f32::MAX`].
+        /// Maximum absolute error, in length units or radians. Beyond it the joint breaks: it is disabled and
+        /// [`Event::JointBroke`](crate::Event::JointBroke) is reported. With a negative value it breaks at once.
+        /// Default [`f32::MAX`].
         #[doc(alias = "Breakpoint")]
         breakpoint, set_breakpoint;
-        /// How much the joint yields; what the number means depends on the kind. Default 0: not at all.
+        /// How far the joint yields to its load; the unit depends on the kind. Default 0: rigid.
         #[doc(alias = "Softness")]
         softness, set_softness;
-        /// Greatest force with which the joint holds, in the user's unit of mass times length per s^2: one that had to hold
-        /// with more in the mean of an update breaks at its end. Default [`f32::MAX`]. Only the
-        /// [precise set](crate::Methods::Precise) measures forces; there hardly any error is left for
-        /// [`breakpoint`](Self::breakpoint) to measure.
+        /// Maximum force of the joint, in mass units · length units/s². A joint whose mean force in an update is
+        /// greater breaks at the end of the update. Default [`f32::MAX`]. Only the [precise
+        /// set](crate::Methods::Precise) computes forces; there joints have hardly any error for
+        /// [`breakpoint`](Self::breakpoint) to detect.
         greatest_force, set_greatest_force;
-        /// Greatest torque with which the joint holds the angle of its bodies, in the user's unit of mass times length^2
-        /// per s^2, as [`greatest_force`](Self::greatest_force). Default [`f32::MAX`].
+        /// Maximum torque with which the joint keeps the relative angle of its bodies, in mass units · length
+        /// units²/s². A joint breaks by it as by [`greatest_force`](Self::greatest_force). Default [`f32::MAX`].
         greatest_torque, set_greatest_torque;
     }
 
-    /// The force with which the joint held its second body, or its only one, in the mean of the last update, in
-    /// the user's unit of mass times length per s^2; the first body felt the opposite. Zero with the faithful set, which
-    /// does not measure it.
+    /// The mean force of the joint on its second body, or its only one, in the last update, in mass units · length
+    /// units/s². The opposite force acts on the first body. Zero with the faithful set, which does not compute it.
     pub fn force(&self) -> Vector2 {
         Vector2::new(self.force[0] as f32, self.force[1] as f32)
     }
 
-    /// The torque with which the joint held the angle of its second body, or its only one, as [`force`](Self::force): what
-    /// a force at its anchor does to turn a body is not in it.
+    /// The mean torque with which the joint kept the angle of its second body, or its only one, in mass units · length
+    /// units²/s². The torque of [`force`](Self::force) about the body's centre is not included.
     pub fn torque(&self) -> f32 {
         self.force[2] as f32
     }
 
-    /// What of the [force](Self::force) was along the depth axis, in an engine that has one: of pins and sliders, and of what
-    /// hangs together with them. 0 of all others.
+    /// Component of the [force](Self::force) along the depth axis, in mass units · length units/s², in an engine with
+    /// depth. It is computed for pin and slider joints and for joints in the same articulation, and 0 for all others.
     pub fn force_along_depth(&self) -> f32 {
         self.force_along_depth
     }
@@ -150,9 +149,9 @@ impl Joint {
         self.force
     }
 
-    /// Notes what held the joint at the end of an update. Answers whether the mean over the update was too much; the joint is disabled
-    /// then, and tells that.
-    pub(crate) fn bear(&mut self, force: [f64; 3], mean: [f64; 3], along_depth: f32) -> bool {
+    /// Stores force and torque at the end of an update. If their mean over the update exceeds a maximum the joint is
+    /// disabled, and the result is true.
+    pub(crate) fn store_load(&mut self, force: [f64; 3], mean: [f64; 3], along_depth: f32) -> bool {
         let finite = |number: f64| if number.abs() <= f64::from(f32::MAX) { number } else { 0.0 };
         let mean = mean.map(finite);
         let [x, y, torque] = mean.map(|number| number as f32);
@@ -171,20 +170,20 @@ impl Joint {
         breaks
     }
 
-    /// Whether a force and a torque are more than the joint bears.
+    /// Whether force or torque exceeds the joint's maximum.
     fn is_overloaded(&self, [force, torque]: [f32; 2]) -> bool {
         !(force <= self.greatest_force && torque.abs() <= self.greatest_torque)
     }
 
-    /// Whether it bears what held it in the last update.
-    pub(crate) fn bears_its_load(&self) -> bool {
+    /// Whether force and torque of the last update are within the joint's maxima.
+    pub(crate) fn is_within_load_limits(&self) -> bool {
         let [x, y, torque] = self.force.map(|number| number as f32);
         let force = length(Vector2::new(length(Vector2::new(x, y)), self.force_along_depth));
         !self.is_overloaded([force, torque])
     }
 
-    /// Error of the last update that found the joint enabled and a body it could move: an angle in radians or a
-    /// length. One that is no finite number, because the anchors are too far away, is shown as the greatest there is.
+    /// Error of the last update in which the joint was enabled and could move a body, in radians or length units. An
+    /// error that is not finite, because the anchors are too far apart, is shown as the greatest finite number.
     #[doc(alias = "JointError")]
     pub fn joint_error(&self) -> f32 {
         nearest_finite(self.joint_error)
@@ -213,14 +212,13 @@ impl Joint {
         self.tag = value;
     }
 
-    /// The first body, or the only one. The id names nothing until the first one of a joint that was made without bodies
-    /// is set: `simulator.body(joint.body1())` is `None` then.
+    /// The first body, or the only one. For a joint that was made without bodies the id is invalid until it is set:
+    /// `simulator.body(joint.body1())` is `None` then.
     pub fn body1(&self) -> BodyId {
         self.bodies().0
     }
 
-    /// The second body, if the joint is one between two bodies. Until it is set the id names nothing, as that of
-    /// [`body1`](Self::body1).
+    /// The second body, if the joint has two. Until it is set the id is invalid, as that of [`body1`](Self::body1).
     pub fn body2(&self) -> Option<BodyId> {
         self.bodies().1
     }
@@ -234,18 +232,18 @@ impl Joint {
         &self.kind
     }
 
-    /// The [motor](crate::Objects::set_joint_motor) that drives the joint.
+    /// The joint's [motor](crate::Objects::set_joint_motor).
     pub fn motor(&self) -> Option<JointMotor> {
-        self.drive()?.motor()
+        self.motor_and_limits()?.motor()
     }
 
-    /// The [limits](crate::Objects::set_joint_limits) within which the joint may move.
+    /// The [limits](crate::Objects::set_joint_limits) of the joint's motion.
     pub fn limits(&self) -> Option<JointLimits> {
-        self.drive()?.limits()
+        self.motor_and_limits()?.limits()
     }
 
-    /// What of a joint leaves a way free on which it can be driven.
-    pub(crate) fn drive(&self) -> Option<&Drive> {
+    /// Motor and limits, for kinds that can have them.
+    pub(crate) fn motor_and_limits(&self) -> Option<&MotorAndLimits> {
         match &self.kind {
             JointKind::Revolute(joint) => Some(&joint.drive),
             JointKind::FixedRevolute(joint) => Some(&joint.drive),
@@ -254,7 +252,7 @@ impl Joint {
         }
     }
 
-    pub(crate) fn drive_mut(&mut self) -> Option<&mut Drive> {
+    pub(crate) fn motor_and_limits_mut(&mut self) -> Option<&mut MotorAndLimits> {
         match &mut self.kind {
             JointKind::Revolute(joint) => Some(&mut joint.drive),
             JointKind::FixedRevolute(joint) => Some(&mut joint.drive),
@@ -271,7 +269,7 @@ impl Joint {
         *self.bodies_mut().0 = body;
     }
 
-    /// Does nothing to a joint of one body.
+    /// Sets the second body; no effect on a joint of one body.
     pub(crate) fn set_body2(&mut self, body: BodyId) {
         if let Some(body2) = self.bodies_mut().1 {
             *body2 = body;
@@ -282,8 +280,8 @@ impl Joint {
         each_kind!(&mut self.kind, joint => joint.bodies_mut())
     }
 
-    /// The breaking test. Answers whether the joint broke just now; it is disabled then. As in the original the
-    /// pass that finds it broken still acts.
+    /// Tests the breakpoint and returns whether the joint broke just now; then it is disabled. As in the original the
+    /// iteration that finds it broken still acts.
     pub(crate) fn breaks(&mut self) -> bool {
         let holds = self.joint_error.abs() <= self.breakpoint;
         let breaks = self.enabled && !holds;
@@ -293,24 +291,24 @@ impl Joint {
         breaks
     }
 
-    /// Finds the error, prepares the passes and applies the impulse of the last step. The simulator has seen to it
-    /// that the joint is enabled and that a body is enabled and one is not static.
+    /// Computes error and effective mass and applies the warm start. The caller has checked that the joint is enabled,
+    /// that one of its bodies is enabled and one is not static.
     pub(crate) fn pre_step(&mut self, inverse_dt: f32, poses: &[JointPose; 2], bodies: &mut JointBodies) {
         let step = JointStep { inverse_dt, bias_factor: self.bias_factor, softness: self.softness };
         self.joint_error = each_kind!(&mut self.kind, joint => joint.pre_step(step, poses, bodies));
     }
 
-    /// One pass; answers whether the original raises JointUpdated.
+    /// One iteration; returns whether the original raises JointUpdated.
     pub(crate) fn solve(&mut self, bodies: &mut JointBodies) -> bool {
         let softness = self.softness;
         let has_acted = each_kind!(&mut self.kind, joint => joint.solve(softness, bodies));
         if !self.is_impulse_finite() {
-            bodies.spoil();
+            bodies.mark_non_finite();
         }
         has_acted
     }
 
-    /// Forgets the impulse, so that the next pre-step starts afresh.
+    /// Resets the accumulated impulse, so that the next pre-step starts without warm start.
     pub(crate) fn forget_impulse(&mut self) {
         each_kind!(&mut self.kind, joint => joint.forget_impulse());
         (self.force, self.force_along_depth) = ([0.0; 3], 0.0);
@@ -320,8 +318,8 @@ impl Joint {
         each_kind!(&self.kind, joint => joint.impulse_is_finite())
     }
 
-    /// Whether settings and impulse are finite. What the pre-step makes anew from the bodies need not be, and is
-    /// saved as bits: the velocities that come of it are looked at before a body gets them.
+    /// Whether settings and impulse are finite. Values that the pre-step computes from the bodies need not be, and are
+    /// saved as bits: the resulting velocities are checked before a body gets them.
     pub(crate) fn is_valid(&self) -> bool {
         let settings =
             [self.bias_factor, self.breakpoint, self.softness, self.greatest_force, self.greatest_torque];

@@ -1,8 +1,8 @@
-//! Two anchors at a fixed distance (behaviour chapter 10, section 12).
+//! Pin joint: two anchors at a fixed distance (behaviour chapter 10, section 12).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
@@ -14,12 +14,13 @@ use crate::math::Vector2;
 use crate::math::finite::finite;
 use crate::math::vector2::length;
 
-/// Keeps an anchor of one body at a fixed distance from an anchor of another, like a rod.
+/// Holds an anchor of one body at a fixed distance from an anchor of another, like a rod.
 ///
-/// Anchors on one spot have no direction to push in: the impulse only grows, and acts as a whole when they part.
+/// Anchors at the same point define no direction: the impulse accumulates without effect, and acts all at once when
+/// they separate.
 ///
-/// Under the [precise set](crate::Methods::Precise) of an engine with depth the anchors are at the depths of their bodies, and
-/// the joint acts along all three axes; the distance that it is made with is that of the plane.
+/// Under the [precise set](crate::Methods::Precise) of an engine with depth the anchors are at the depths of their
+/// bodies, and the joint acts along all three axes; its initial distance is that in the plane.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct PinJoint {
     body1: BodyId,
@@ -51,8 +52,8 @@ impl PinJoint {
 
     pub(crate) fn without_bodies() -> Self {
         PinJoint {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             anchors: AnchorDistance::default(),
             target_distance: 0.0,
             accumulated: 0.0,
@@ -65,8 +66,8 @@ impl PinJoint {
     two_anchors! {}
 
     checked_properties! {
-        /// Wanted distance of the anchors: at first the one they had when the joint was made, or 0 if it was made without
-        /// its bodies. New anchors or bodies leave it as it is.
+        /// Target distance of the anchors, in length units: at first their distance when the joint was made, or 0 if it
+        /// was made without its bodies. New anchors or bodies do not change it.
         #[doc(alias = "TargetDistance")]
         target_distance, set_target_distance;
     }
@@ -77,7 +78,7 @@ impl PinJoint {
         poses: &[JointPose; 2],
         bodies: &mut JointBodies,
     ) -> f32 {
-        let distance = self.anchors.follow(poses);
+        let distance = self.anchors.update_anchors(poses);
         let error = distance - self.target_distance;
         self.velocity_bias = step.correction() * error;
         self.anchors.prepare(distance, step.softness, self.accumulated, bodies);
@@ -88,7 +89,7 @@ impl PinJoint {
         let wanted = self.velocity_bias - self.anchors.speed(bodies) - softness * self.accumulated;
         let magnitude = wanted * self.anchors.effective_mass;
         self.accumulated += magnitude;
-        self.anchors.push(magnitude, bodies)
+        self.anchors.apply_along_line(magnitude, bodies)
     }
 
     pub(crate) fn forget_impulse(&mut self) {

@@ -1,24 +1,24 @@
-//! Two bodies, one of which slides along an axis of the other: not in the original, and only for the precise set.
+//! Prismatic joint: a body slides along an axis of another. Not in the original, and only for the precise set.
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
 use crate::joints::bodies::two_bodies;
-use crate::joints::drive::Drive;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::motor_and_limits::MotorAndLimits;
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, scalar};
 
-/// Lets the second body slide along an axis that is fixed in the first one, and keeps their angle to each other as it was
+/// Lets the second body slide along an axis that is fixed in the first one, and keeps their relative angle as it was
 /// when the joint was made: a piston, a lift, a drawer. It can have a [motor](crate::Objects::set_joint_motor) and
 /// [limits](crate::Objects::set_joint_limits).
 ///
-/// Only the [precise set](crate::Methods::Precise) has it: under the faithful one it cannot be added. Its
-/// [error](crate::Joint::joint_error) is how far the anchor of the second body is off the line.
+/// Only the [precise set](crate::Methods::Precise) supports it: under the faithful one it cannot be added. Its
+/// [error](crate::Joint::joint_error) is the distance of the second body's anchor from the line.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct PrismaticJoint {
     body1: BodyId,
@@ -26,7 +26,7 @@ pub struct PrismaticJoint {
     pub(super) point: SharedPoint,
     axis: Vector2,
     pub(super) target_angle: f32,
-    pub(super) drive: Drive,
+    pub(super) drive: MotorAndLimits,
 }
 
 impl PrismaticJoint {
@@ -50,12 +50,12 @@ impl PrismaticJoint {
 
     pub(crate) fn without_bodies() -> Self {
         PrismaticJoint {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             point: SharedPoint::default(),
             axis: Vector2::new(1.0, 0.0),
             target_angle: 0.0,
-            drive: Drive::default(),
+            drive: MotorAndLimits::default(),
         }
     }
 
@@ -66,7 +66,7 @@ impl PrismaticJoint {
         self.point.anchor
     }
 
-    /// The axis in the coordinates of the first body, of length 1.
+    /// The axis as a unit vector in the coordinates of the first body.
     pub fn axis(&self) -> Vector2 {
         self.axis
     }
@@ -75,7 +75,7 @@ impl PrismaticJoint {
         self.point.set_anchor(anchor, body1, body2)
     }
 
-    /// Takes an axis of the world, at the body's present angle.
+    /// Sets the axis to a direction of the world, at the body's present angle.
     pub(crate) fn set_axis(&mut self, axis: Vector2, body1: &Body) -> Result<()> {
         finite_vector("axis", axis)?;
         let [x, y] = [f64::from(axis.x), f64::from(axis.y)];
@@ -89,12 +89,12 @@ impl PrismaticJoint {
         Ok(())
     }
 
-    /// The first body's position plus the arm of the last update.
+    /// The first body's position plus its arm in the last update.
     pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
         body1.position() + self.point.arm1
     }
 
-    /// How far the second body has slid.
+    /// Distance along the axis by which the second body has slid, in length units.
     pub(crate) fn travel(&self, body1: &Body, body2: &Body) -> f32 {
         let [anchor1, anchor2] = self.point.local_anchors();
         let apart = body2.get_world_position(anchor2) - body1.get_world_position(anchor1);
@@ -103,7 +103,7 @@ impl PrismaticJoint {
         apart.x * (cosine * x - sine * y) + apart.y * (sine * x + cosine * y)
     }
 
-    /// The faithful set, which asks for this, has no such joints.
+    /// Never called: the faithful set, which calls it for other kinds, has no such joints.
     pub(crate) fn pre_step(&mut self, _: JointStep, _: &[JointPose; 2], _: &mut JointBodies) -> f32 {
         0.0
     }

@@ -1,25 +1,25 @@
-//! Two bodies that turn about a common point (behaviour chapter 10, section 10).
+//! Revolute joint: two bodies that turn about a common point (behaviour chapter 10, section 10).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::error::Result;
 use crate::joints::bodies::two_bodies;
-use crate::joints::drive::Drive;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
+use crate::joints::motor_and_limits::MotorAndLimits;
 use crate::joints::shared_point::SharedPoint;
 use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 
-/// Keeps a point of two bodies together: a hinge. There is no limit to its impulse. Under the precise set
-/// it can have a [motor](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits).
+/// Holds a point of two bodies together: a hinge. Its impulse has no limit. Under the precise set it can have a
+/// [motor](crate::Objects::set_joint_motor) and [limits](crate::Objects::set_joint_limits).
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RevoluteJoint {
     body1: BodyId,
     body2: BodyId,
     pub(super) point: SharedPoint,
-    pub(super) drive: Drive,
+    pub(super) drive: MotorAndLimits,
 }
 
 impl RevoluteJoint {
@@ -31,10 +31,10 @@ impl RevoluteJoint {
 
     pub(crate) fn without_bodies() -> Self {
         RevoluteJoint {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             point: SharedPoint::default(),
-            drive: Drive::default(),
+            drive: MotorAndLimits::default(),
         }
     }
 
@@ -48,11 +48,11 @@ impl RevoluteJoint {
 
     pub(crate) fn set_anchor(&mut self, anchor: Vector2, body1: &Body, body2: &Body) -> Result<()> {
         self.point.set_anchor(anchor, body1, body2)?;
-        self.drive.count_from(Some(body1), body2);
+        self.drive.set_reference(Some(body1), body2);
         Ok(())
     }
 
-    /// The first body's position plus the arm of the last pre-step.
+    /// The first body's position plus its arm in the last pre-step.
     pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
         body1.position() + self.point.arm1
     }

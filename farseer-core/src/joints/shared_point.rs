@@ -1,4 +1,4 @@
-//! What keeps a point of two bodies together (behaviour chapter 10, section 10).
+//! Point constraint of revolute and weld joints (behaviour chapter 10, section 10).
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use crate::math::Vector2;
 use crate::math::finite::finite_vector;
 use crate::math::vector2::{cross, length};
 
-/// A point of two bodies that is to stay one, and the impulse that holds it.
+/// A point constraint between two bodies, with its accumulated impulse.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct SharedPoint {
     pub(crate) anchor: Vector2,
@@ -43,7 +43,8 @@ impl SharedPoint {
         Ok(())
     }
 
-    /// Prepares the passes, applies the impulse of the last step and answers how far the point is torn apart.
+    /// Computes bias and effective mass, applies the warm start and returns the distance of the two points, in length
+    /// units.
     pub(crate) fn pre_step(
         &mut self,
         step: JointStep,
@@ -70,7 +71,8 @@ impl SharedPoint {
         length(error)
     }
 
-    /// One pass; answers whether there was an impulse. The weld joint leaves the first body's spin alone.
+    /// One iteration; returns whether there was an impulse. For the weld joint it does not change the first body's
+    /// angular velocity.
     #[inline]
     pub(crate) fn solve(&mut self, softness: f32, turns_first: bool, bodies: &mut JointBodies) -> bool {
         let relative = bodies.second().velocity_at(self.arm2) - bodies.first().velocity_at(self.arm1);
@@ -80,22 +82,22 @@ impl SharedPoint {
             return false;
         }
         let second = bodies.second_mut();
-        second.push(impulse);
+        second.add_impulse(impulse);
         second.apply_angular_impulse(cross(self.arm2, impulse));
         let first = bodies.first_mut();
-        first.push(-impulse);
+        first.add_impulse(-impulse);
         if turns_first {
             first.apply_angular_impulse(-cross(self.arm1, impulse));
         }
         true
     }
 
-    /// The point in the coordinates of both bodies.
+    /// The point in the coordinates of each body.
     pub(super) fn local_anchors(&self) -> [Vector2; 2] {
         [self.local_anchor1, self.local_anchor2]
     }
 
-    pub(super) fn show(&mut self, arm: Vector2) {
+    pub(super) fn set_arm(&mut self, arm: Vector2) {
         self.arm1 = arm;
     }
 

@@ -1,8 +1,8 @@
-//! Two anchors whose distance stays in a range (behaviour chapter 10, section 13).
+//! Slider joint: two anchors whose distance stays in a range (behaviour chapter 10, section 13).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
@@ -14,7 +14,7 @@ use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::finite::finite;
 
-/// Keeps the distance of an anchor of one body and an anchor of another in a range, like a rope or a telescope.
+/// Holds the distance of an anchor of one body and an anchor of another in a range, like a rope or a telescope.
 ///
 /// Under the [precise set](crate::Methods::Precise) of an engine with depth the anchors are at the depths of their bodies, and
 /// the joint acts along all three axes.
@@ -52,8 +52,8 @@ impl SliderJoint {
 
     pub(crate) fn without_bodies() -> Self {
         SliderJoint {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             anchors: AnchorDistance::default(),
             min: 0.0,
             max: 0.0,
@@ -68,18 +68,18 @@ impl SliderJoint {
     two_anchors! {}
 
     checked_properties! {
-        /// Least distance of the anchors. Nothing asks whether it is below the greatest.
+        /// Minimum distance of the anchors, in length units. It is not checked against the maximum.
         #[doc(alias = "Min")]
         min, set_min;
-        /// Greatest distance of the anchors.
+        /// Maximum distance of the anchors, in length units.
         #[doc(alias = "Max")]
         max, set_max;
-        /// Violation, a length, that is not corrected; its velocity is. Default 0.01.
+        /// Violation in length units up to which the distance is not corrected; the velocity is. Default 0.01.
         #[doc(alias = "Slop")]
         slop, set_slop;
     }
 
-    /// The first body's position plus the arm of the last setter or pre-step.
+    /// The first body's position plus its arm at the last setter or pre-step.
     pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
         body1.position() + self.anchors.arm1
     }
@@ -90,8 +90,8 @@ impl SliderJoint {
         poses: &[JointPose; 2],
         bodies: &mut JointBodies,
     ) -> f32 {
-        let distance = self.anchors.follow(poses);
-        let error = self.limit.judge(distance, self.min, self.max, self.slop);
+        let distance = self.anchors.update_anchors(poses);
+        let error = self.limit.update(distance, self.min, self.max, self.slop);
         self.velocity_bias = step.bias_factor * step.inverse_dt * error;
         self.anchors.prepare(distance, step.softness, self.limit.accumulated, bodies);
         error
@@ -103,7 +103,7 @@ impl SliderJoint {
         }
         let wanted = -self.velocity_bias - self.anchors.speed(bodies) - softness * self.limit.accumulated;
         let magnitude = self.limit.accumulate(wanted * self.anchors.effective_mass);
-        self.anchors.push(magnitude, bodies)
+        self.anchors.apply_along_line(magnitude, bodies)
     }
 
     pub(crate) fn forget_impulse(&mut self) {

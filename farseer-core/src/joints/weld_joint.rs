@@ -1,12 +1,12 @@
-//! Two bodies that share a point and an angle (behaviour chapter 10, section 14).
+//! Weld joint: two bodies that share a point and an angle (behaviour chapter 10, section 14).
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
-use crate::joints::angle_joint::turn_together;
+use crate::joints::angle_joint::solve_relative_angle;
 use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::shared_point::SharedPoint;
@@ -14,11 +14,11 @@ use crate::joints::{Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::finite::finite;
 
-/// Keeps a point of two bodies together and their angle to each other as it was when the joint was made, or at
-/// equal total rotations if it was made without its bodies.
+/// Holds a point of two bodies together and their relative angle as it was when the joint was made, or at equal total
+/// rotations if it was made without its bodies.
 ///
-/// As in the original the passes do not turn the first body when they pull at the point, so that angular momentum
-/// is not kept, and only the distance at the point counts for breaking.
+/// As in the original the impulses at the point do not turn the first body in the iterations, so that angular momentum
+/// is not conserved. Only the distance at the point counts for breaking.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct WeldJoint {
     body1: BodyId,
@@ -46,8 +46,8 @@ impl WeldJoint {
 
     pub(crate) fn without_bodies() -> Self {
         WeldJoint {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             point: SharedPoint::default(),
             target_angle: 0.0,
             max_impulse: f32::MAX,
@@ -65,8 +65,8 @@ impl WeldJoint {
     }
 
     checked_properties! {
-        /// Greatest angular impulse with which one solver iteration keeps the angle; the point has no limit.
-        /// Default [`f32::MAX`].
+        /// Maximum angular impulse with which one solver iteration keeps the angle, in mass units · length units²/s;
+        /// the point has no limit. Default [`f32::MAX`].
         #[doc(alias = "MaxImpulse")]
         max_impulse, set_max_impulse;
     }
@@ -75,7 +75,7 @@ impl WeldJoint {
         self.point.set_anchor(anchor, body1, body2)
     }
 
-    /// The first body's position plus the arm of the last pre-step.
+    /// The first body's position plus its arm in the last pre-step.
     pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
         body1.position() + self.point.arm1
     }
@@ -95,8 +95,8 @@ impl WeldJoint {
     }
 
     pub(crate) fn solve(&mut self, softness: f32, bodies: &mut JointBodies) -> bool {
-        turn_together(bodies, self.angular_velocity_bias, self.mass_factor, self.max_impulse);
-        // Pulling at the point does not turn the first body, though the warm start does.
+        solve_relative_angle(bodies, self.angular_velocity_bias, self.mass_factor, self.max_impulse);
+        // The impulse at the point does not turn the first body, though the warm start does.
         self.point.solve(softness, false, bodies)
     }
 

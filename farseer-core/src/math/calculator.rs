@@ -6,11 +6,11 @@
 use super::{Vector2, math_helper, scalar, vector2};
 use crate::error::{Error, Result};
 
-/// 180 / pi: what multiplies radians to give degrees. The name is the original's, and the wrong way round.
+/// 180 / pi, the factor from radians to degrees. The name is the original's, and the wrong way round.
 #[doc(alias = "Calculator.DegreesToRadiansRatio")]
 pub const DEGREES_TO_RADIANS_RATIO: f32 = f32::from_bits(0x4265_2EE1);
 
-/// pi / 180: what multiplies degrees to give radians. The name is the original's, and the wrong way round.
+/// pi / 180, the factor from degrees to radians. The name is the original's, and the wrong way round.
 #[doc(alias = "Calculator.RadiansToDegreesRatio")]
 pub const RADIANS_TO_DEGREES_RATIO: f32 = f32::from_bits(0x3C8E_FA35);
 
@@ -25,9 +25,9 @@ pub fn clamp(value: f32, low: f32, high: f32) -> f32 {
     scalar::max(low, scalar::min(value, high))
 }
 
-/// Bilinear interpolation between the corners of a rectangle, whose nearest point to `point` is taken:
-/// `value1` at `(min.x, min.y)`, `value2` at `(min.x, max.y)`, `value3` at `(max.x, max.y)`, `value4` at
-/// `(max.x, min.y)`. The result is limited to `min_value` to `max_value`; an empty rectangle gives NaN.
+/// Bilinear interpolation between the corners of a rectangle, at the rectangle's point that is nearest to `point`:
+/// `value1` at `(min.x, min.y)`, `value2` at `(min.x, max.y)`, `value3` at `(max.x, max.y)`, `value4` at `(max.x,
+/// min.y)`. The result is limited to `min_value` to `max_value`; an empty rectangle gives NaN.
 #[doc(alias = "Calculator.BiLerp")]
 #[allow(clippy::too_many_arguments)] // The original's signature.
 pub fn bi_lerp(
@@ -108,8 +108,8 @@ pub fn degrees_to_radians(degrees: f32) -> f32 {
     degrees * RADIANS_TO_DEGREES_RATIO
 }
 
-/// A number from `min` to `max`. `uniform`, 0 to below 1, is the random part: the original draws it from a
-/// clock-seeded generator, here the caller brings a generator.
+/// A number from `min` to `max`. `uniform` is a random number, at least 0 and below 1: the original draws it from a
+/// clock-seeded generator, here the caller brings one.
 #[doc(alias = "Calculator.RandomNumber")]
 pub fn random_number(min: f32, max: f32, uniform: f64) -> f32 {
     (f64::from(max - min) * uniform + f64::from(min)) as f32
@@ -134,7 +134,7 @@ pub fn radians_to_vector(radians: f32) -> Vector2 {
     Vector2::new(sin, -cos)
 }
 
-/// The vector turned by `radians`, by way of its angle and length.
+/// The vector rotated by `radians`, computed from its angle and length.
 #[doc(alias = "Calculator.RotateVector")]
 pub fn rotate_vector(vector: Vector2, radians: f32) -> Vector2 {
     let length = vector2::length(vector);
@@ -246,8 +246,7 @@ pub fn interpolate_rotation(radians1: f32, radians2: f32, t: f32) -> f32 {
 
 /// The range of the points' dot products with `axis`, **which is normalised in place**: `(min, max)`.
 ///
-/// # Errors
-/// When there are no points; the axis is normalised all the same.
+/// A list without points; the axis is normalised all the same.
 #[doc(alias = "Calculator.ProjectToAxis")]
 pub fn project_to_axis(points: &[Vector2], axis: &mut Vector2) -> Result<(f32, f32)> {
     *axis = vector2::normalize(*axis);

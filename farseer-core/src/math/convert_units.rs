@@ -65,7 +65,7 @@ impl ConvertUnits {
     }
 }
 
-/// What [`ConvertUnits`] converts: numbers, which become `f32` first, vectors, and pairs of coordinates.
+/// A length that [`ConvertUnits`] can convert: a number, which becomes `f32` first, a vector, or a pair of coordinates.
 pub trait Length {
     /// `f32` for numbers, [`Vector2`] for vectors and pairs.
     type Converted;

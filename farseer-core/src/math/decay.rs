@@ -1,10 +1,13 @@
-//! What drag and dampers leave of a velocity.
+//! Exponential decay of a velocity by drag and dampers.
 
 use wide::f32x4;
 
-/// exp(-r t) - 1 and (1 - exp(-r t)) / r. The exponential as the reciprocal of its series: positive and falling for every
-/// rate, and right to 4e-8 for rates up to 0.03 / t.
-pub(crate) fn over(rate: f32, t: f32) -> (f32, f32) {
+/// exp(-r t) - 1 and (1 - exp(-r t)) / r: relative change of a velocity at decay rate r (1/s) after t seconds, and the
+/// time (s) over which the old velocity would cover the same distance.
+///
+/// exp(-r t) is computed as the reciprocal of the series of exp(r t), cut after the fourth power. So it is positive,
+/// falls with the rate, and is right to 4e-8 for rates up to 0.03 / t.
+pub(crate) fn decay_and_integral(rate: f32, t: f32) -> (f32, f32) {
     let x = rate * t;
     if x == 0.0 {
         return (0.0, t);
@@ -14,9 +17,9 @@ pub(crate) fn over(rate: f32, t: f32) -> (f32, f32) {
     (-series / (1.0 + series), t * rest / (1.0 + series))
 }
 
-/// The same of four rates.
+/// The same for four rates.
 #[inline(always)]
-pub(crate) fn over_each(rates: f32x4, t: f32) -> (f32x4, f32x4) {
+pub(crate) fn decay_and_integral_simd(rates: f32x4, t: f32) -> (f32x4, f32x4) {
     let (one, t) = (f32x4::splat(1.0), f32x4::splat(t));
     let part = |part: f32| f32x4::splat(part);
     let x = rates * t;
@@ -26,7 +29,7 @@ pub(crate) fn over_each(rates: f32x4, t: f32) -> (f32x4, f32x4) {
     (f32x4::splat(-1.0) * series * left, t * rest * left)
 }
 
-/// (1 - exp(-r t)) / r.
-pub(crate) fn grown(rate: f32, t: f32) -> f32 {
-    over(rate, t).1
+/// (1 - exp(-r t)) / r, in seconds.
+pub(crate) fn decay_integral(rate: f32, t: f32) -> f32 {
+    decay_and_integral(rate, t).1
 }

@@ -1,4 +1,4 @@
-//! What is not finite, or not greater than zero, is refused.
+//! Checks of arguments: finite numbers, and numbers greater than zero.
 
 use super::Vector2;
 use crate::error::{Error, Result};
@@ -25,7 +25,7 @@ pub(crate) fn finite_vertices(argument: &'static str, vertices: &[Vector2]) -> R
     }
 }
 
-/// Refuses what is not finite or less than zero.
+/// Refuses a number that is not finite or less than zero.
 pub(crate) fn zero_or_more(argument: &'static str, value: f32) -> Result<f32> {
     if value.is_finite() && value >= 0.0 {
         Ok(value)
@@ -34,7 +34,7 @@ pub(crate) fn zero_or_more(argument: &'static str, value: f32) -> Result<f32> {
     }
 }
 
-/// Refuses what is not finite or not greater than zero.
+/// Refuses a number that is not finite or not greater than zero.
 pub(crate) fn positive(argument: &'static str, value: f32) -> Result<f32> {
     if value.is_finite() && value > 0.0 {
         Ok(value)

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Vector2, calculator, math_helper, scalar};
 
-/// Two over pi, as the original rounds it.
+/// 2 / pi, in 1/radians, as the original rounds it.
 const TWO_OVER_PI: f32 = f32::from_bits(0x3F22_F983);
 
 /// Three quarters of a turn in radians.
@@ -23,17 +23,17 @@ const THREE_PI_OVER_2: f32 = f32::from_bits(0x4096_CBE4);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BilinearInterpolator {
-    /// The corner of least coordinates.
+    /// The corner with the smallest coordinates.
     #[doc(alias = "Min")]
     pub min: Vector2,
-    /// The corner of greatest coordinates.
+    /// The corner with the greatest coordinates.
     #[doc(alias = "Max")]
     pub max: Vector2,
-    /// The values at `(min.x, min.y)`, `(min.x, max.y)`, `(max.x, max.y)` and `(max.x, min.y)`.
+    /// The values at `(min.x, min.y)`, `(min.x, max.y)`, `(max.x, max.y)` and `(max.x, min.y)`: finite numbers in any unit.
     pub values: [f32; 4],
-    /// No result is less than this.
+    /// Minimum of the results, in the unit of the values.
     pub min_value: f32,
-    /// No result is greater than this.
+    /// Maximum of the results, in the unit of the values.
     pub max_value: f32,
 }
 
@@ -65,15 +65,15 @@ impl Default for BilinearInterpolator {
     }
 }
 
-/// Interpolates between four values on the axes, in the order +x, +y, -x, -y, by angle and by distance, for
-/// which the original takes `|x - y|`.
+/// Interpolates between four values on the axes, in the order +x, +y, -x, -y, by angle and by distance. As the distance
+/// the original takes `|x - y|`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CircularInterpolator {
-    /// The four values.
+    /// The four values: finite numbers in any unit.
     pub values: [f32; 4],
-    /// No result is less than this.
+    /// Minimum of the results, in the unit of the values.
     pub min_value: f32,
-    /// No result is greater than this.
+    /// Maximum of the results, in the unit of the values.
     pub max_value: f32,
 }
 

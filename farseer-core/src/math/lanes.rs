@@ -1,10 +1,10 @@
-//! Four numbers side by side. What is saved is made of these and of `+ - * / sqrt` alone, so that it has the same bits on
-//! every platform: the minimum and maximum of processors differ in signed zeros and NaN.
+//! SIMD helpers: four numbers in lanes. Results that are saved use these and `+ - * / sqrt` alone, so that they have
+//! the same bits on every platform: the minimum and maximum of processors differ in signed zeros and NaN.
 
 use wide::f32x4;
 
-/// For each lane one of two numbers, its bits as they are; the mask is what a comparison answers. That of `wide` is a
-/// call where nothing is optimised over the bounds of crates.
+/// Selects bitwise, for each lane, one of two numbers; the mask is the result of a comparison. It replaces the function
+/// of `wide`, which is a call where the compiler does not optimise across crates.
 #[inline(always)]
 pub(crate) fn select(mask: f32x4, if_true: f32x4, if_false: f32x4) -> f32x4 {
     if_false ^ ((if_true ^ if_false) & mask)
@@ -19,19 +19,19 @@ pub(crate) fn positive(number: f32x4) -> f32x4 {
 /// The greater number; the second one if none is.
 #[inline(always)]
 pub(crate) fn greater(a: f32x4, b: f32x4) -> f32x4 {
-    each(a, b, a.simd_gt(b), |a, b| if a > b { a } else { b })
+    select_each(a, b, a.simd_gt(b), |a, b| if a > b { a } else { b })
 }
 
 /// The smaller number; the second one if none is.
 #[inline(always)]
 pub(crate) fn smaller(a: f32x4, b: f32x4) -> f32x4 {
-    each(a, b, a.simd_lt(b), |a, b| if a < b { a } else { b })
+    select_each(a, b, a.simd_lt(b), |a, b| if a < b { a } else { b })
 }
 
-/// Written so that the compiler sees one instruction where the processor has it, and for WebAssembly, where it sees none in
-/// that, by the mask that says where it is the first one.
+/// Selects lanes by `choose`, written so that the compiler makes one instruction of it where the processor has one. For
+/// WebAssembly it does not; there the mask selects.
 #[inline(always)]
-fn each(a: f32x4, b: f32x4, is_first: f32x4, choose: impl Fn(f32, f32) -> f32) -> f32x4 {
+fn select_each(a: f32x4, b: f32x4, is_first: f32x4, choose: impl Fn(f32, f32) -> f32) -> f32x4 {
     if cfg!(target_family = "wasm") {
         return select(is_first, a, b);
     }
@@ -39,28 +39,28 @@ fn each(a: f32x4, b: f32x4, is_first: f32x4, choose: impl Fn(f32, f32) -> f32) -
     f32x4::new(std::array::from_fn(|lane| choose(a[lane], b[lane])))
 }
 
-/// The rows of a table at four places, as columns.
+/// Gathers four rows of a table as columns.
 #[inline(always)]
 pub(crate) fn gather(rows: &[[f32; 4]], places: &[u32; 4]) -> [f32x4; 4] {
     f32x4::transpose(places.map(|place| f32x4::new(rows[place as usize])))
 }
 
-/// Four rows that follow each other, as columns.
+/// Four consecutive rows as columns.
 #[inline(always)]
 pub(crate) fn columns(rows: &[[f32; 4]; 4]) -> [f32x4; 4] {
     f32x4::transpose(rows.map(f32x4::new))
 }
 
-/// Sine and cosine of angles from -pi/4 to a turn and a bit more, within 1e-7: by quarters of a turn and Taylor's series,
-/// whose first left-out terms are below half of the last digit.
+/// Sine and cosine of angles in radians from -pi/4 to slightly more than a full turn, with errors up to 1e-7. The angle
+/// is reduced to a quarter turn; the first omitted terms of the Taylor series are below half of the last digit.
 #[inline(always)]
 pub(crate) fn sin_cos(angle: f32x4) -> (f32x4, f32x4) {
     let one = f32x4::splat(1.0);
-    // The nearest whole number of quarters, which is in the last binary digits of the sum; halves go up.
+    // The nearest whole number of quarter turns, in the last binary digits of the sum; halves are rounded up.
     let shift = f32x4::splat(12_582_912.0);
     let shifted = angle * f32x4::splat(std::f32::consts::FRAC_2_PI) + shift;
     let turned = shifted - shift;
-    // Pi / 2 in two parts, the first with few enough digits that its products with small whole numbers are exact.
+    // Pi / 2 in two summands, the first with few enough digits that its products with small whole numbers are exact.
     let x = (angle - turned * f32x4::splat(HALF_PI_HIGH)) - turned * f32x4::splat(HALF_PI_LOW);
     let x2 = x * x;
     let c = |number: f32| f32x4::splat(number);
@@ -79,7 +79,7 @@ pub(crate) fn sin_cos(angle: f32x4) -> (f32x4, f32x4) {
     (select(is_odd, cosine, sine) ^ sine_sign, select(is_odd, sine, cosine) ^ cosine_sign)
 }
 
-/// Pi / 2 with eleven binary digits, and the rest of it.
+/// Pi / 2 rounded to eleven binary digits, in radians, and the remainder.
 const HALF_PI_HIGH: f32 = 1.570_312_5;
 const HALF_PI_LOW: f32 = (std::f64::consts::FRAC_PI_2 - 1.570_312_5) as f32;
 
@@ -93,7 +93,7 @@ mod tests {
             let angle = step as f32 * 0.0071;
             let (sine, cosine) = sin_cos(f32x4::splat(angle));
             let (true_sine, true_cosine) = f64::from(angle).sin_cos();
-            // One unit in the last place of a number near 1, and the rounding of pi / 2.
+            // One ulp of a number near 1, and the rounding of pi / 2.
             assert!((f64::from(sine.to_array()[0]) - true_sine).abs() < 1.3e-7, "sine of {angle}");
             assert!((f64::from(cosine.to_array()[0]) - true_cosine).abs() < 1.3e-7, "cosine of {angle}");
         }

@@ -1,10 +1,11 @@
-//! Vectors for logs and messages.
+//! Text of vectors for logs and messages.
 
 use std::fmt;
 
 use super::Vector2;
 
-/// A vector on one line, `(1, -2.5)`: nalgebra prints a column over several, and the original's text is [`to_text`](super::vector2::to_text)'s. A precision is that of the components.
+/// A vector on one line, `(1, -2.5)`; a precision applies to the components. nalgebra prints a column over several
+/// lines, and the original's text is that of [`to_text`](super::vector2::to_text).
 ///
 /// ```
 /// use farseer_core::math::{OneLine, Vector2};

@@ -1,12 +1,12 @@
-//! Vectors, rotations and poses of the plane as tight arrays of numbers, as the precise set computes with them.
+//! Vectors, rotations and poses of the plane as small arrays, for the computations of the precise set.
 
 /// A vector of the plane.
 pub(crate) type Vector = [f32; 2];
 
-/// Cosine and sine of an angle.
-pub(crate) type Turn = [f32; 2];
+/// A rotation: cosine and sine of its angle.
+pub(crate) type Rot = [f32; 2];
 
-/// Where a body is: x, y, cosine and sine of its rotation.
+/// Pose of a body: x, y, cosine and sine of its rotation.
 pub(crate) type Pose = [f32; 4];
 
 #[inline(always)]
@@ -40,21 +40,21 @@ pub(crate) fn length(a: Vector) -> f32 {
 }
 
 #[inline(always)]
-pub(crate) fn turn(q: Turn, a: Vector) -> Vector {
+pub(crate) fn rotate(q: Rot, a: Vector) -> Vector {
     [q[0] * a[0] - q[1] * a[1], q[1] * a[0] + q[0] * a[1]]
 }
 
 #[inline(always)]
-pub(crate) fn turn_back(q: Turn, a: Vector) -> Vector {
+pub(crate) fn rotate_inverse(q: Rot, a: Vector) -> Vector {
     [q[0] * a[0] + q[1] * a[1], q[0] * a[1] - q[1] * a[0]]
 }
 
 #[inline(always)]
-pub(crate) fn place(pose: Pose) -> Vector {
+pub(crate) fn translation(pose: Pose) -> Vector {
     [pose[0], pose[1]]
 }
 
 #[inline(always)]
-pub(crate) fn rotation(pose: Pose) -> Turn {
+pub(crate) fn rotation(pose: Pose) -> Rot {
     [pose[2], pose[3]]
 }

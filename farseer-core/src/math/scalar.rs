@@ -29,8 +29,8 @@ pub fn sign(x: f32) -> f32 {
     f32::from(i8::from(x > 0.0) - i8::from(x < 0.0))
 }
 
-/// The finite number that is nearest to a value; for NaN the greatest. For showing what came out beyond all finite
-/// numbers: not in the original.
+/// The finite number that is nearest to a value; for NaN the greatest. It makes infinite results displayable. Not in
+/// the original.
 ///
 /// ```
 /// use farseer_core::math::scalar::nearest_finite;
@@ -43,7 +43,7 @@ pub fn nearest_finite(value: f32) -> f32 {
     if value.is_nan() { f32::MAX } else { value.clamp(f32::MIN, f32::MAX) }
 }
 
-/// Truncation toward zero; NaN and everything outside the range of `i32` give `i32::MIN`.
+/// Truncation toward zero; NaN and all values outside the range of `i32` give `i32::MIN`.
 #[inline(always)]
 pub fn to_int(x: f32) -> i32 {
     to_int_f64(f64::from(x))
@@ -55,7 +55,7 @@ pub fn to_int_f64(x: f64) -> i32 {
     if x > -2_147_483_649.0 && x < 2_147_483_648.0 { x as i32 } else { i32::MIN }
 }
 
-/// From here on the original's processor instruction returned the argument itself.
+/// Argument, in radians, from which on the original's processor instruction returned the argument itself.
 const ARGUMENT_LIMIT: f64 = 9_223_372_036_854_775_808.0;
 
 /// Sine of an angle in radians, evaluated in double precision by a portable implementation and rounded once.
@@ -85,8 +85,8 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
     sin_cos_of_any(angle)
 }
 
-/// Sine and cosine of an angle in radians, also of one so great (from 2^63 on) that the original, and [`sin_cos`] with it, answers
-/// with the angle: for things that the original does not have.
+/// Sine and cosine of any angle in radians. From 2^63 on the original, and [`sin_cos`] with it, returns the angle
+/// itself; this function is for features that the original does not have.
 #[inline]
 pub fn sin_cos_of_any(angle: f32) -> (f32, f32) {
     let (s, c) = libm::sincos(f64::from(angle));

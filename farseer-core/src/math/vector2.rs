@@ -1,8 +1,8 @@
 //! Operations on two-dimensional vectors (behaviour chapter 01, section 2).
 //!
-//! Sums, differences, negation, products with a scalar and comparison are nalgebra's own operators: one
-//! rounding per component, as in the original. What rounds in another way there is written out here, above
-//! all [`divide_by`]: nalgebra's `/` divides each component, the original multiplies by the reciprocal.
+//! Sums, differences, negation, products with a scalar and comparison are nalgebra's own operators: one rounding per
+//! component, as in the original. Operations that the original rounds in another way are written out here, above all
+//! [`divide_by`]: nalgebra's `/` divides each component, the original multiplies by the reciprocal.
 
 use super::{Matrix, Vector2, math_helper, scalar};
 
@@ -115,7 +115,7 @@ pub fn divide_by(v: Vector2, divider: f32) -> Vector2 {
     v * (1.0 / divider)
 }
 
-/// The vector with both signs flipped, those of zeros as well.
+/// The vector with both signs flipped, also those of zeros.
 #[doc(alias = "Vector2.Negate")]
 #[inline(always)]
 pub fn negate(v: Vector2) -> Vector2 {

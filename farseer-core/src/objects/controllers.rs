@@ -8,10 +8,10 @@ use crate::error::{Error, Result};
 
 /// Controllers.
 impl Objects {
-    /// Takes a controller in. It acts after it was [added](Self::add).
+    /// Stores a controller. It acts once it is [added](Self::add).
     ///
     /// # Errors
-    /// A fluid whose [container](FluidContainerRef::Wave) is stale, or is no wave.
+    /// A fluid whose [container](FluidContainerRef::Wave) is stale, or is not a wave controller.
     pub fn create_controller(&mut self, controller: impl Into<Controller>) -> Result<ControllerId> {
         let controller = controller.into();
         if let ControllerKind::FluidDrag(drag) = controller.kind()
@@ -37,7 +37,7 @@ impl Objects {
         self.controllers.get_mut(controller)
     }
 
-    /// A controller as what it is: `simulator.controller_as::<WaveController>(sea)?.current_wave()`.
+    /// A controller as its own type: `simulator.controller_as::<WaveController>(sea)?.current_wave()`.
     ///
     /// # Errors
     /// A stale id; a controller of another kind.
@@ -47,7 +47,7 @@ impl Objects {
             .ok_or(Error::WrongKind { argument, expected: C::NAME })
     }
 
-    /// A controller as what it is, to edit.
+    /// A controller as its own type, to edit.
     ///
     /// # Errors
     /// A stale id; a controller of another kind.

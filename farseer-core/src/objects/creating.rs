@@ -1,4 +1,4 @@
-//! Making bodies and geoms (behaviour chapter 05, section 3).
+//! Creation of bodies and geoms (behaviour chapter 05, section 3).
 
 use std::sync::Arc;
 
@@ -15,16 +15,16 @@ use crate::math::finite::{finite, finite_vector};
 use crate::math::{Vector2, scalar};
 use crate::object_id::ObjectId;
 use crate::shape::Vertices;
-use crate::storage::refusals::Refusals;
+use crate::storage::rejected_arguments::RejectedArguments;
 use crate::{Error, Result};
 
-/// Part of the shorter side of a geom's box that an automatic grid cell takes.
+/// Edge of an automatic grid cell, as a fraction of the shorter side of the geom's box. Farseer's value.
 const AUTOMATIC_CELL_FRACTION: f32 = 0.1;
 
-/// Creation numbers of geoms that there are: the original counts in 32 signed bits.
-pub(super) const GEOM_NUMBERS: u32 = i32::MAX as u32;
+/// Maximum number of geoms that a simulator can create: the original counts them in signed 32 bits.
+pub(super) const MAX_GEOM_NUMBERS: u32 = i32::MAX as u32;
 
-/// Where a geom sits on its body, and how finely its distance grid is sampled.
+/// Position of a geom on its body, and the cell size of its distance grid.
 ///
 /// ```
 /// use farseer_core::{GeomPlacement, math::Vector2};
@@ -34,15 +34,16 @@ pub(super) const GEOM_NUMBERS: u32 = i32::MAX as u32;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct GeomPlacement {
-    /// Position on the body in length units, y down, **before** the geom is turned: as in the original, `rotation_offset` turns
-    /// the offset along with the outline, about the body's origin. A geom at (0, 15) that is turned by a quarter turn lies at
-    /// (-15, 0) in the body's coordinates. To put it at a point `p` there, turn `p` back by `rotation_offset`. Default none.
+    /// Position on the body in length units, y down, **before** the geom is turned: as in the original,
+    /// `rotation_offset` turns the offset along with the outline, about the body's origin. A geom at (0, 15) that is
+    /// turned by a quarter turn lies at (-15, 0) in the body's coordinates. To put it at a point `p` there, turn `p`
+    /// back by `rotation_offset`. Default none.
     pub offset: Vector2,
-    /// Rotation against the body in radians, clockwise on a screen with y down. It turns the offset too. Default 0.
+    /// Rotation relative to the body in radians, clockwise on a screen with y down. It turns the offset too. Default 0.
     pub rotation_offset: f32,
-    /// Edge of a distance grid cell in the user's length unit. At 0 or less it is a tenth of the shorter side of
-    /// the geom's box **as it lies in the world when it is made**: of a long thin geom on a rotated body the
-    /// cells come out thicker than the geom, and contacts are missed.
+    /// Edge of a distance grid cell in length units. At 0 or less it is a tenth of the shorter side of the geom's box
+    /// **as it lies in the world when it is made**. For a long thin geom on a rotated body the cells are then thicker
+    /// than the geom, and contacts are missed.
     #[doc(alias = "CalculateGridCellSizeFromAABB")]
     pub collision_grid_size: f32,
 }
@@ -53,18 +54,18 @@ impl GeomPlacement {
         GeomPlacement { collision_grid_size, ..Default::default() }
     }
 
-    /// At this place on the body: `GeomPlacement::at(head).turned(0.5).with_cells(2.0)`.
+    /// At this position on the body: `GeomPlacement::at(head).turned(0.5).with_cells(2.0)`.
     pub fn at(offset: Vector2) -> Self {
         GeomPlacement { offset, ..Default::default() }
     }
 
-    /// The same, turned against the body by so many radians.
+    /// The same, turned relative to the body by this number of radians.
     #[must_use]
     pub fn turned(self, rotation_offset: f32) -> Self {
         GeomPlacement { rotation_offset, ..self }
     }
 
-    /// The same with this cell size of the distance grid.
+    /// The same with this cell size of the distance grid, in length units.
     #[must_use]
     pub fn with_cells(self, collision_grid_size: f32) -> Self {
         GeomPlacement { collision_grid_size, ..self }
@@ -80,20 +81,20 @@ impl GeomPlacement {
 
 /// Creation.
 impl Objects {
-    /// Gives a body its life and id. It takes part once it is [added](Self::add).
+    /// Stores a body and returns its id. It takes part once it is [added](Self::add).
     pub fn create_body(&mut self, body: Body) -> BodyId {
         self.bodies.create(BodyEntry::new(body))
     }
 
     /// Attaches an outline to a body. The geom takes part once it is [added](Self::add).
     ///
-    /// The outline is brought into the engine's winding (negative shoelace area) and not otherwise changed. Under
-    /// the distance grid its grid is made now; geoms of equal outline and cell size share one.
+    /// The outline is brought into the engine's winding (negative shoelace area) and not otherwise changed. With
+    /// distance grids its grid is made now; geoms of equal outline and cell size share one.
     ///
     /// # Errors
-    /// A stale body; an empty or non-finite outline; a placement that is not finite; a flat outline without a
-    /// cell size; a cell size that would need more than 2^26 nodes; [`Error::LimitExceeded`] for a grid that is more
-    /// work than the [limits](Self::limits) allow; a geom whose box in the world is not finite.
+    /// A stale body; an empty or non-finite outline; a placement that is not finite; a geom whose box in the world is
+    /// not finite. A flat outline without a cell size, or a cell size that would need more than 2^26 nodes.
+    /// [`Error::LimitExceeded`] for a grid whose work exceeds the [limits](Self::limits).
     #[doc(alias = "Geom(Body, Vertices, Vector2, float, float)")]
     #[doc(alias = "Geom()")]
     pub fn create_geom(
@@ -105,7 +106,7 @@ impl Objects {
         self.create_geom_of(body, (vertices.into(), Outline::Polygon), placement)
     }
 
-    /// [`create_geom`](Self::create_geom) of a polygon that stands for something else.
+    /// Like [`create_geom`](Self::create_geom), for a polygon that stands for another shape.
     pub(crate) fn create_geom_of(
         &mut self,
         body: BodyId,
@@ -137,8 +138,8 @@ impl Objects {
     /// Attaches a copy of a geom to a body, at the same offsets. Under the distance grid both share one grid.
     ///
     /// # Errors
-    /// A stale id; a geom without a distance grid, if the distance grid is selected; a box that is not finite; a chain for a
-    /// body that is not static; a chain or a one-way geom under the faithful methods.
+    /// A stale id; a box that is not finite; a geom without a distance grid, if the distance grid is selected. A chain
+    /// for a body that is not static. A chain or a one-way geom under the faithful methods.
     #[doc(alias = "Geom(Body, Geom)")]
     #[doc(alias("DistanceGrid.Copy"))]
     pub fn clone_geom(&mut self, body: BodyId, geom: GeomId) -> Result<GeomId> {
@@ -174,7 +175,7 @@ impl Objects {
         entry.one_way = source.one_way;
         entry.pieces = source.pieces;
         entry.geom = source.geom;
-        entry.geom.rejected = Refusals::default();
+        entry.geom.rejected = RejectedArguments::default();
         entry.geom.set_tag(0);
         entry.grid_cell_size = source.grid_cell_size;
         if let Some(grid) = source.grid.filter(|_| uses_grids) {
@@ -196,7 +197,7 @@ impl Objects {
             check_may_hold_chain(body, owner)?;
         }
         let (position, rotation) = (owner.body.position(), owner.body.rotation());
-        if self.next_geom_number >= GEOM_NUMBERS {
+        if self.next_geom_number >= MAX_GEOM_NUMBERS {
             return Err(Error::invalid(
                 "geom",
                 self.next_geom_number,
@@ -205,12 +206,12 @@ impl Objects {
         }
         let mut entry = GeomEntry::new(self.next_geom_number, body, offset, rotation_offset);
         entry.set_outline(vertices, outline);
-        entry.follow(position, rotation);
-        check_place("geom", entry, owner)
+        entry.update_transform(position, rotation);
+        check_pose_is_finite("geom", entry, owner)
     }
 
-    /// Takes back what was made a moment ago and nobody knows yet, as if it had never been made. Of each kind these are
-    /// the last ones made, in the order in which they were made; geoms come after their bodies.
+    /// Removes objects that were made just now and whose ids are unknown to the game, as if they had never been made.
+    /// They must be the last ones of each kind, in the order in which they were made; geoms come after their bodies.
     pub(crate) fn discard(&mut self, objects: impl DoubleEndedIterator<Item = ObjectId>) {
         for object in objects.rev() {
             match object {
@@ -248,14 +249,18 @@ impl Objects {
     }
 }
 
-/// The cell size of a geom for which none is asked: it depends on how the geom lies in the world now.
+/// Automatic cell size of a geom's grid, in length units: it depends on the geom's present pose in the world.
 pub(super) fn automatic_cell_size(entry: &GeomEntry) -> f32 {
     scalar::min(entry.aabb.width(), entry.aabb.height()) * AUTOMATIC_CELL_FRACTION
 }
 
-/// Refuses a geom of finite numbers that reaches beyond them where it is, where its body is, or where that may be put
-/// back to.
-pub(super) fn check_place(argument: &'static str, entry: GeomEntry, owner: &BodyEntry) -> Result<GeomEntry> {
+/// Refuses a geom whose world coordinates are not finite in its present pose, in that of its body, or in the one to
+/// which the body may be put back.
+pub(super) fn check_pose_is_finite(
+    argument: &'static str,
+    entry: GeomEntry,
+    owner: &BodyEntry,
+) -> Result<GeomEntry> {
     let is_finite_at = |pose: Pose| entry.would_be_finite_at(pose.position, pose.rotation);
     let pose = owner.body.pose();
     let is_finite = entry.is_valid()
@@ -268,12 +273,12 @@ pub(super) fn check_place(argument: &'static str, entry: GeomEntry, owner: &Body
     }
 }
 
-/// A chain has no inside, and so no mass to be pushed.
+/// Refuses a chain on a body that is not static: a chain has no inside, and so no mass.
 pub(super) fn check_may_hold_chain(body: BodyId, owner: &BodyEntry) -> Result<()> {
     if owner.body.is_static() { Ok(()) } else { Err(Error::invalid("body", body, "static, to have a chain")) }
 }
 
-/// Refuses what no geom can have.
+/// Refuses outlines that no geom can have.
 pub(super) fn check_outline(vertices: Vertices) -> Result<Vertices> {
     if vertices.is_empty() {
         return Err(Error::invalid("vertices", 0, "a list of at least one vertex"));

@@ -1,7 +1,7 @@
-//! Changes that touch more than one object (behaviour chapter 05, section 3).
+//! Changes that affect more than one object (behaviour chapter 05, section 3).
 
 use super::Objects;
-use super::creating::{automatic_cell_size, check_may_hold_chain, check_outline, check_place};
+use super::creating::{automatic_cell_size, check_may_hold_chain, check_outline, check_pose_is_finite};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
@@ -23,64 +23,65 @@ impl Objects {
         if self.geoms[geom].outline.is_chain() {
             check_may_hold_chain(body, new_owner)?;
         }
-        check_place("geom", self.geoms[geom].clone(), new_owner)?;
-        self.settle_body(old_body);
-        self.settle_body(body);
+        check_pose_is_finite("geom", self.geoms[geom].clone(), new_owner)?;
+        self.update_edited_geom_transforms(old_body);
+        self.update_edited_geom_transforms(body);
         let new_body = &self.bodies[body].body;
         let moved = &mut self.geoms[geom];
         moved.body = body;
-        moved.follow(new_body.position(), new_body.rotation());
+        moved.update_transform(new_body.position(), new_body.rotation());
         self.bodies[old_body].detach(geom);
         self.bodies[body].geoms.push(geom);
         self.has_new_structure = true;
         Ok(())
     }
 
-    /// Replaces the outline of a geom. With the [precise set](crate::Methods::Precise) everything follows: world vertices and box
-    /// at once, contacts in the next update. What rests on the geom wakes, and what it overlaps is pushed out.
+    /// Replaces the outline of a geom. With the [precise set](crate::Methods::Precise) world vertices and box change at
+    /// once, contacts in the next update. Bodies that rest on the geom wake, and bodies that it overlaps are pushed
+    /// out.
     ///
-    /// With the faithful set, as in the original, world vertices and box stay those of the body's origin
-    /// until the body is moved or integrated next, and the distance grid stays that of the old outline: contacts are
-    /// looked for there until the grid is [removed](Self::remove_distance_grid) and
-    /// [made again](Self::create_distance_grid).
+    /// With the faithful set, as in the original, world vertices and box stay at the body's origin until the body is
+    /// moved or integrated next, and the distance grid stays that of the old outline. Contacts are found with the old
+    /// grid until it is [removed](Self::remove_distance_grid) and [made again](Self::create_distance_grid).
     ///
     /// # Errors
-    /// A stale id; an empty or non-finite outline; one that reaches beyond finite numbers where the body is.
+    /// A stale id; an empty or non-finite outline; one whose world coordinates are not finite at the body's pose.
     #[doc(alias("SetVertices", "LocalVertices"))]
     pub fn set_vertices(&mut self, geom: GeomId, vertices: impl Into<Vertices>) -> Result<()> {
         let vertices = check_outline(vertices.into())?;
         let mut replaced = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
         let body = replaced.body;
         replaced.set_vertices(vertices);
-        let GeomEntry { local_vertices, .. } = check_place("vertices", replaced, &self.bodies[body])?;
-        self.settle_body(body);
+        let GeomEntry { local_vertices, .. } =
+            check_pose_is_finite("vertices", replaced, &self.bodies[body])?;
+        self.update_edited_geom_transforms(body);
         let replaced = &mut self.geoms[geom];
         replaced.set_vertices(local_vertices);
         if self.methods.is_precise() {
             let body = &self.bodies[body].body;
-            replaced.follow(body.position(), body.rotation());
+            replaced.update_transform(body.position(), body.rotation());
         }
         self.has_new_structure = true;
         Ok(())
     }
 
-    /// Makes the distance grid of a geom from its present outline, and brings world vertices and box to where the geom is.
-    /// A geom that has a grid keeps it, and nothing changes: [remove](Self::remove_distance_grid) the old one first. The
-    /// cell size stays; at 0 or less it becomes a tenth of the shorter side of the geom's present box. Geoms that shared
-    /// the old grid, such as [clones](Self::clone_geom), keep that. While SAT is selected a grid can be made, but is not
-    /// asked (behaviour chapter 06, section 2).
+    /// Makes the distance grid of a geom from its present outline, and updates its world vertices and box. If the geom
+    /// has a grid, no state changes: [remove](Self::remove_distance_grid) the old one first. The cell size stays; at 0
+    /// or less it becomes a tenth of the shorter side of the geom's present box. Geoms that shared the old grid, such
+    /// as [clones](Self::clone_geom), keep that. While SAT is selected a grid can be made, but is not used (behaviour
+    /// chapter 06, section 2).
     ///
     /// # Errors
-    /// A stale id; a flat outline without a cell size; a cell size that would need more than 2^26 nodes;
-    /// [`Error::LimitExceeded`] for a grid that is more work than the [limits](Self::limits) allow; a geom whose box in
-    /// the world is not finite.
+    /// A stale id; a geom whose box in the world is not finite. A flat outline without a cell size, or a cell size that
+    /// would need more than 2^26 nodes. [`Error::LimitExceeded`] for a grid whose work exceeds the
+    /// [limits](Self::limits).
     #[doc(alias("CreateDistanceGrid", "DistanceGrid.CreateDistanceGrid"))]
     pub fn create_distance_grid(&mut self, geom: GeomId) -> Result<()> {
         let entry = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?;
         if entry.grid.is_some() {
             return Ok(());
         }
-        self.settle_body(entry.body);
+        self.update_edited_geom_transforms(entry.body);
         let mut entry = self.geoms[geom].clone();
         if entry.grid_cell_size <= 0.0 {
             entry.grid_cell_size = automatic_cell_size(&entry);
@@ -88,13 +89,13 @@ impl Objects {
         entry.set_grid(self.distance_grid(&entry.local_vertices, entry.grid_cell_size)?);
         entry.refresh();
         let owner = &self.bodies[entry.body];
-        self.geoms[geom] = check_place("geom", entry, owner)?;
+        self.geoms[geom] = check_pose_is_finite("geom", entry, owner)?;
         Ok(())
     }
 
-    /// Takes the distance grid of a geom away: no contacts are found with it until there is one
-    /// [again](Self::create_distance_grid). The original throws when such a geom is met. Geoms that share the grid keep
-    /// it; a geom that has none stays as it is.
+    /// Removes the distance grid of a geom: it has no contacts by distance grids until a grid is [made
+    /// again](Self::create_distance_grid). The original throws when such a geom is tested. Geoms that share the grid
+    /// keep it. A geom without a grid does not change.
     ///
     /// # Errors
     /// A stale id.
@@ -104,11 +105,12 @@ impl Objects {
         Ok(())
     }
 
-    /// Replaces the matrix of a geom until its body is moved or integrated next. World vertices and box follow
-    /// at once; the geom's position and rotation do not, as in the original.
+    /// Replaces the matrix of a geom until its body is moved or integrated next. World vertices and box change at once;
+    /// the geom's position and rotation do not, as in the original.
     ///
     /// # Errors
-    /// A stale id; a matrix that is not finite, has no finite inverse, or puts the outline beyond finite numbers.
+    /// A stale id; a matrix that is not finite or has no finite inverse, or with which world coordinates are not
+    /// finite.
     #[doc(alias = "Matrix")]
     pub fn set_matrix(&mut self, geom: GeomId, matrix: &Matrix) -> Result<()> {
         let is_finite = |m: &Matrix| m.iter().all(|element| element.is_finite());
@@ -118,36 +120,40 @@ impl Objects {
         let mut replaced = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.clone();
         let body = replaced.body;
         replaced.set_matrix(matrix);
-        check_place("matrix", replaced, &self.bodies[body])?;
-        self.settle_body(body);
+        check_pose_is_finite("matrix", replaced, &self.bodies[body])?;
+        self.update_edited_geom_transforms(body);
         self.geoms[geom].set_matrix(matrix);
         self.has_new_structure = true;
         Ok(())
     }
 
-    /// Lets a geom hold only what comes against a direction, and be open from all other sides; or closes it again with `None`.
-    /// For platforms that a figure jumps up through, valves and doors. The direction is given in the frame of the geom's body,
-    /// turns with it, and counts by where it points, not by its length: (0, -1) is up on a body that is not turned.
+    /// Makes a geom one-way, or an ordinary geom again with `None`. A one-way geom stops bodies that come against a
+    /// direction, and all others pass through it: for platforms that a figure jumps up through, valves and doors. The
+    /// direction is given in the coordinates of the geom's body and turns with it; its length has no effect. (0, -1) is
+    /// up on a body that is not turned.
     ///
-    /// - **What lands is held**: what is wholly above a side of the geom that looks within 60 degrees of the direction when the
-    ///   two meet, but for the reach of contacts, a fiftieth of the length unit of the methods. Each convex piece counts for
-    ///   itself; of what is round the place counts where they meet. A crate that comes with one corner beside the end of a
-    ///   platform, and below its top, does not land. What has landed is kept out by all of the geom until it has left it.
-    /// - **All else passes through** as if the geom were not there, to the last bit, and nobody is told: what comes from behind or
-    ///   from the sides, what turns back inside, and what overlaps by more than contacts reach once one of the two is put
-    ///   somewhere, they may meet again, or the direction is set. It passes until no piece of its body overlaps the geom any
-    ///   more.
-    /// - Which it is follows from the ways that both have gone in the step in which they meet: so it does not depend on how long
-    ///   steps are, nor on who of the two moves or turns. What goes further in a step than it is thick lands as well.
-    /// - Where both geoms are one-way, what lands must land on both. So a one-way geom of a body that falls falls through a floor;
-    ///   planks of a hanging bridge hold, and pass each other.
-    /// - What a handler refuses has not landed. To let something drop through a platform, refuse it or part the categories of the
-    ///   two until it has sunk in by more than contacts reach; it goes on by itself.
-    /// - A sensor, or a geom whose collisions have no response, hears of what it overlaps however that came. Rays, points and
-    ///   boxes meet one-way geoms from all sides.
+    /// - **A shape lands** if at the first touch it is entirely above a face of the geom whose normal is within 60
+    ///   degrees of the direction. The tolerance is the reach of contacts, a fiftieth of the length unit of the
+    ///   methods. Each convex piece counts for itself; a round face counts where the two touch. A crate that arrives
+    ///   with one corner beside the end of a platform, and below its top, does not land. A shape that has landed
+    ///   collides with all of the geom until the two separate.
+    /// - **All other shapes pass through** as if the geom were not there, to the last bit, and without callbacks and
+    ///   events. They come from behind or from the sides, or turn back inside. Shapes also pass if they already overlap
+    ///   by more than the reach of contacts when one of the two is placed, when their collision is enabled again, or
+    ///   when the direction is set. They pass until no piece of their body overlaps the geom any more.
+    /// - The decision depends on the motion of both bodies in the step in which they meet. So it depends neither on the
+    ///   length of steps nor on which of the two moves or turns. A shape that moves by more than its thickness in a
+    ///   step lands as well.
+    /// - If both geoms are one-way, a shape lands only if it does so on both. So a one-way geom of a falling body falls
+    ///   through a floor; planks of a hanging bridge collide with what lands on them, and pass each other.
+    /// - A contact that a handler refuses has not landed. To let a body drop through a platform, refuse the contact, or
+    ///   separate the categories of the two until it has sunk in by more than the reach of contacts; it then continues
+    ///   by itself.
+    /// - A sensor, or a geom without collision response, reports everything that overlaps it, from whatever side it
+    ///   came. Rays, points and boxes hit one-way geoms from all sides.
     ///
-    /// It counts from the next update on. Only with the [precise set](crate::Methods::Precise); an engine with depth does not
-    /// ask about it, and has platforms instead.
+    /// The direction takes effect with the next update. Only with the [precise set](crate::Methods::Precise). An engine
+    /// with depth ignores it, and has platforms instead.
     ///
     /// ```
     /// use farseer_core::math::Vector2;
@@ -181,18 +187,18 @@ impl Objects {
             self.methods.check_one_way()?;
         }
         self.geoms[geom].one_way = direction;
-        // It is edited as by a setter of its own.
+        // A setter of the geom would mark it as edited, too.
         self.geom_mut(geom);
         Ok(())
     }
 
-    /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body
-    /// dynamic, whatever it was before, and its collisions with response).
+    /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body dynamic,
+    /// whatever it was before, and its collisions with response).
     ///
-    /// With the [precise set](crate::Methods::Precise) a sensor hears of everything that overlaps it and that its filter lets it
-    /// meet: of dynamic, kinematic and static bodies, and of other sensors, whether they move or not. The same holds for each
-    /// geom without [collision response](crate::Geom::set_collision_response_enabled), on any body. With the faithful set one
-    /// of two bodies must be dynamic.
+    /// With the [precise set](crate::Methods::Precise) a sensor reports everything that overlaps it and that its filter
+    /// admits: dynamic, kinematic and static bodies, and other sensors, whether they move or not. The same holds for
+    /// each geom without [collision response](crate::Geom::set_collision_response_enabled), on any body. With the
+    /// faithful set one of the two bodies must be dynamic.
     ///
     /// # Errors
     /// A stale id.
@@ -206,7 +212,8 @@ impl Objects {
         Ok(())
     }
 
-    /// Lets no new pair of the two geoms be found. Geoms that already touch go on touching until they separate.
+    /// Ignores collisions of the two geoms: no new pair of them is made. Geoms that already touch continue to do so
+    /// until they separate.
     ///
     /// # Errors
     /// A stale id.
@@ -215,7 +222,8 @@ impl Objects {
         self.set_ignored(geom, other, true)
     }
 
-    /// Undoes [`ignore_collision_with`](Self::ignore_collision_with) of the same geom; the other side's stays.
+    /// Undoes [`ignore_collision_with`](Self::ignore_collision_with) of the same geom; if the other geom ignores this
+    /// one, it still does.
     ///
     /// # Errors
     /// A stale id.
@@ -228,16 +236,16 @@ impl Objects {
         let number = self.geoms.get(other).ok_or(Error::StaleId { argument: "other" })?.number;
         let entry = self.geoms.get_mut(geom).ok_or(Error::StaleId { argument: "geom" })?;
         entry.set_ignored(number, ignored);
-        // It is edited as by a setter of its own: those may meet who did not.
+        // A setter of the geom would mark it as edited, too: the two may now collide.
         self.geom_mut(geom);
         Ok(())
     }
 
-    /// Lets the box of a geom be that of a disc about the geom's origin instead of that of its outline, or again that of
-    /// the outline: for engines that collide true circles, which reach beyond a polygon of as many corners.
+    /// Sets the radius of a disc about the geom's origin whose box is the geom's box, or with `None` makes it the box
+    /// of the outline again. For engines that collide true circles, which reach beyond a polygon with the same corners.
     ///
-    /// The radius is the engine's, and need not be that of the [outline](crate::GeomRef::outline): any polygon may be the
-    /// picture of a ball, and a circle may be that of a cylinder.
+    /// The radius, in length units, may differ from that of the [outline](crate::GeomRef::outline): any polygon may be
+    /// the picture of a ball, and a circle may be that of a cylinder.
     ///
     /// # Errors
     /// A stale geom; a radius that is not finite and greater than 0, or with which the box would not be finite.
@@ -247,20 +255,20 @@ impl Objects {
             return Err(Error::invalid("radius", radius, "finite and greater than 0"));
         }
         if radius.is_none() && self.geoms[geom].box_radius.is_none() {
-            self.settle_body(body);
+            self.update_edited_geom_transforms(body);
             return Ok(());
         }
         let mut resized = self.geoms[geom].clone();
         resized.set_box_radius(radius);
-        check_place("radius", resized, &self.bodies[body])?;
-        self.settle_body(body);
+        check_pose_is_finite("radius", resized, &self.bodies[body])?;
+        self.update_edited_geom_transforms(body);
         self.geoms[geom].set_box_radius(radius);
         self.has_new_structure = true;
         Ok(())
     }
 }
 
-/// A direction of length 1.
+/// A direction as a unit vector.
 fn unit(direction: Vector2) -> Result<Vector2> {
     finite_vector("direction", direction)?;
     let [x, y] = [f64::from(direction.x), f64::from(direction.y)];

@@ -1,8 +1,8 @@
-//! Joints: who they hold together (behaviour chapter 10).
+//! Joints and their bodies (behaviour chapter 10).
 
 use super::Objects;
 use crate::body::entry::Bodies;
-use crate::body::nobody::{check_bodies, nobody};
+use crate::body::missing_body::{check_bodies, missing_body_id};
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
 use crate::joints::{Joint, JointId, JointKind, JointLimits, JointMotor, JointType};
@@ -12,7 +12,7 @@ use crate::math::scalar::nearest_finite;
 
 /// Joints.
 impl Objects {
-    /// Takes a joint in. It acts after it was [added](Self::add).
+    /// Stores a joint. It acts once it is [added](Self::add).
     ///
     /// # Errors
     /// A body that is stale.
@@ -22,11 +22,11 @@ impl Objects {
         Ok(self.joints.create(joint))
     }
 
-    /// Makes a joint of a kind that holds nothing yet, as the original's constructors without arguments do: for what is
+    /// Makes a joint of a kind without bodies, as the original's constructors without arguments do, for data that are
     /// read from a file one value after the other. Bodies are set by [`set_joint_body1`](Self::set_joint_body1) (also
-    /// the only one) and [`set_joint_body2`](Self::set_joint_body2); an anchor after the bodies it is on. Until they are
-    /// set, anchors are the bodies' origins, and angles, limits and distances are 0. Everything else has the default of
-    /// its kind. The joint can be [added](Self::add) once it has its bodies.
+    /// the only one) and [`set_joint_body2`](Self::set_joint_body2), an anchor after its bodies. Until they are set,
+    /// anchors are the bodies' origins, and angles, limits and distances are 0. All other settings have the defaults of
+    /// the kind. The joint can be [added](Self::add) once it has its bodies.
     ///
     /// ```
     /// use farseer_core::math::Vector2;
@@ -70,7 +70,7 @@ impl Objects {
         self.joints.get_mut(joint)
     }
 
-    /// A joint as what it is: `simulator.joint_as::<PinJoint>(joint)?.target_distance()`.
+    /// A joint as its own type: `simulator.joint_as::<PinJoint>(joint)?.target_distance()`.
     ///
     /// # Errors
     /// A stale id; a joint of another kind.
@@ -79,7 +79,7 @@ impl Objects {
         J::of(self.joints.find(argument, joint)?).ok_or(Error::WrongKind { argument, expected: J::NAME })
     }
 
-    /// A joint as what it is, to edit.
+    /// A joint as its own type, to edit.
     ///
     /// # Errors
     /// A stale id; a joint of another kind.
@@ -96,7 +96,7 @@ impl Objects {
         self.joints.list()
     }
 
-    /// Lets a joint hold another body, its first or only one; anchors and impulses stay what they are.
+    /// Replaces the first or only body of a joint; anchors and impulses stay.
     ///
     /// # Errors
     /// A stale id.
@@ -108,7 +108,7 @@ impl Objects {
         Ok(())
     }
 
-    /// Lets a joint between two bodies hold another second body; anchors and impulses stay what they are.
+    /// Replaces the second body of a joint between two bodies; anchors and impulses stay.
     ///
     /// # Errors
     /// A stale id; a joint on one body.
@@ -124,8 +124,8 @@ impl Objects {
         Ok(())
     }
 
-    /// Moves the anchor of a revolute, fixed revolute, weld or prismatic joint to a point of the world; the bodies hold on to it
-    /// where they are now, and [limits](Self::set_joint_limits) count from there.
+    /// Moves the anchor of a revolute, fixed revolute, weld or prismatic joint to a point of the world, for the bodies'
+    /// present poses. [Limits](Self::set_joint_limits) are relative to these poses.
     ///
     /// # Errors
     /// A stale id; a body that was not set yet; a point that is not finite, or too far from the bodies for finite arms; a
@@ -142,8 +142,8 @@ impl Objects {
         }
     }
 
-    /// Gives a prismatic joint another axis, a direction of the world; the first body holds on to it at its angle now. Its
-    /// length does not matter.
+    /// Sets the axis of a prismatic joint to a direction of the world, for the first body's present angle. Its length
+    /// has no effect.
     ///
     /// # Errors
     /// A stale id; a body that was not set yet; an axis that is not finite or has no length; a joint of another kind.
@@ -155,7 +155,8 @@ impl Objects {
         }
     }
 
-    /// Gives a revolute, fixed revolute or prismatic joint a motor, or takes it away. It acts from the next update on.
+    /// Sets the motor of a revolute, fixed revolute or prismatic joint, or removes it. It takes effect with the next
+    /// update.
     ///
     /// ```
     /// use farseer_core::math::Vector2;
@@ -174,21 +175,26 @@ impl Objects {
     /// A stale id; a joint of another kind; a speed that is not finite, an effort that is not finite and 0 or more; the
     /// faithful methods, which have no motors ([`Error::NotSupported`]).
     pub fn set_joint_motor(&mut self, joint: JointId, motor: Option<JointMotor>) -> Result<()> {
-        self.edit_drive(joint, |joint| joint.drive_mut().map(|drive| drive.set_motor(motor)))
+        self.edit_motor_and_limits(joint, |joint| {
+            joint.motor_and_limits_mut().map(|drive| drive.set_motor(motor))
+        })
     }
 
-    /// Gives a revolute, fixed revolute or prismatic joint limits, or takes them away. They hold from the next update on: a
-    /// joint that is beyond them is brought back little by little.
+    /// Sets the limits of a revolute, fixed revolute or prismatic joint, or removes them. They take effect with the
+    /// next update: a joint that is beyond them is brought back little by little.
     ///
     /// # Errors
     /// A stale id; a joint of another kind; limits that are not finite, or in the wrong order; the faithful methods, which
     /// have none for these joints ([`Error::NotSupported`]).
     pub fn set_joint_limits(&mut self, joint: JointId, limits: Option<JointLimits>) -> Result<()> {
-        self.edit_drive(joint, |joint| joint.drive_mut().map(|drive| drive.set_limits(limits)))
+        self.edit_motor_and_limits(joint, |joint| {
+            joint.motor_and_limits_mut().map(|drive| drive.set_limits(limits))
+        })
     }
 
-    /// Edits a copy, so that nothing changes if it is refused. Only what comes or goes changes how joints are solved.
-    fn edit_drive(
+    /// Edits a copy, so that the joint does not change if the edit is refused. Only adding or removing a motor or
+    /// limits changes how joints are solved.
+    fn edit_motor_and_limits(
         &mut self,
         joint: JointId,
         edit: impl FnOnce(&mut Joint) -> Option<Result<()>>,
@@ -198,27 +204,27 @@ impl Objects {
         edit(&mut edited)
             .ok_or_else(|| wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint"))??;
         self.methods.check_driven(&edited)?;
-        let is_driven = |joint: &Joint| joint.drive().is_some_and(|drive| !drive.is_idle());
+        let is_driven = |joint: &Joint| joint.motor_and_limits().is_some_and(|drive| !drive.is_empty());
         self.has_edited_joints |= is_driven(kept) != is_driven(&edited);
-        self.has_edited_drives |= kept.drive() != edited.drive();
+        self.has_edited_drives |= kept.motor_and_limits() != edited.motor_and_limits();
         *kept = edited;
         Ok(())
     }
 
-    /// How far a joint has moved on the way that it leaves free, as its [limits](Self::set_joint_limits) count: the angle of a
-    /// revolute or fixed revolute joint in radians, the way of a prismatic joint along its axis.
+    /// Travel of a joint relative to the reference of its [limits](Self::set_joint_limits): the angle of a revolute or
+    /// fixed revolute joint in radians, the distance of a prismatic joint along its axis in length units.
     ///
     /// # Errors
     /// A stale id; a body that was not set yet; a joint of another kind.
     pub fn joint_travel(&self, joint: JointId) -> Result<f32> {
         let joint = self.joints.find("joint", joint)?;
-        let body1 = held_body(&self.bodies, "body1", joint.body1())?;
-        let body2 = joint.body2().map(|body2| held_body(&self.bodies, "body2", body2)).transpose()?;
+        let body1 = body_of_joint(&self.bodies, "body1", joint.body1())?;
+        let body2 = joint.body2().map(|body2| body_of_joint(&self.bodies, "body2", body2)).transpose()?;
         let angle = match body2 {
             Some(body2) => body2.total_rotation() - body1.total_rotation(),
             None => body1.total_rotation(),
         };
-        let travel = match (joint.kind(), joint.drive()) {
+        let travel = match (joint.kind(), joint.motor_and_limits()) {
             (JointKind::Prismatic(joint), _) => joint.travel(body1, body2.unwrap_or(body1)),
             (_, Some(drive)) => angle - drive.reference,
             _ => return Err(wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint")),
@@ -235,7 +241,7 @@ impl Objects {
     pub fn set_joint_anchor1(&mut self, joint: JointId, anchor: Vector2) -> Result<()> {
         self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
-        let body1 = held_body(&self.bodies, "body1", joint.body1());
+        let body1 = body_of_joint(&self.bodies, "body1", joint.body1());
         match joint.kind_mut() {
             JointKind::Pin(joint) => joint.set_anchor1(anchor, body1?),
             JointKind::Slider(joint) => joint.set_anchor1(anchor, body1?),
@@ -252,7 +258,7 @@ impl Objects {
     pub fn set_joint_anchor2(&mut self, joint: JointId, anchor: Vector2) -> Result<()> {
         self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
-        let body2 = held_body(&self.bodies, "body2", joint.body2().unwrap_or(joint.body1()));
+        let body2 = body_of_joint(&self.bodies, "body2", joint.body2().unwrap_or(joint.body1()));
         match joint.kind_mut() {
             JointKind::Pin(joint) => joint.set_anchor2(anchor, body2?),
             JointKind::Slider(joint) => joint.set_anchor2(anchor, body2?),
@@ -260,16 +266,16 @@ impl Objects {
         }
     }
 
-    /// Where the anchor of a revolute, weld, prismatic or slider joint is on its first body: the body's position now, and the arm
-    /// of the last update. Before the first update a revolute, weld or prismatic joint has no arm.
+    /// World position of the anchor of a revolute, weld, prismatic or slider joint on its first body, from the body's
+    /// present position and the arm of the last update. Before the first update a revolute, weld or prismatic joint has
+    /// no arm.
     ///
     /// # Errors
-    /// A stale id; a body that was not set yet; a joint of another kind; an anchor that is so far away that it is not
-    /// finite.
+    /// A stale id; a body that was not set yet; a joint of another kind; an anchor whose coordinates are not finite.
     #[doc(alias("CurrentAnchor", "CurrentAnchorPosition"))]
     pub fn joint_current_anchor(&self, joint: JointId) -> Result<Vector2> {
         let joint = self.joints.find("joint", joint)?;
-        let body1 = held_body(&self.bodies, "body1", joint.body1())?;
+        let body1 = body_of_joint(&self.bodies, "body1", joint.body1())?;
         let anchor = match joint.kind() {
             JointKind::Revolute(joint) => joint.current_anchor(body1),
             JointKind::Weld(joint) => joint.current_anchor(body1),
@@ -280,20 +286,20 @@ impl Objects {
         finite_vector("joint", anchor)
     }
 
-    /// A joint with its bodies; twice the same body if it has one.
+    /// A joint with its bodies; the same body twice if it has one.
     fn joint_and_bodies(&mut self, joint: JointId) -> Result<(&mut Joint, &Body, &Body)> {
         self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
         check_bodies("joint", joint.body1(), joint.body2())?;
-        let body1 = held_body(&self.bodies, "body1", joint.body1())?;
-        let body2 = held_body(&self.bodies, "body2", joint.body2().unwrap_or(joint.body1()))?;
+        let body1 = body_of_joint(&self.bodies, "body1", joint.body1())?;
+        let body2 = body_of_joint(&self.bodies, "body2", joint.body2().unwrap_or(joint.body1()))?;
         Ok((joint, body1, body2))
     }
 }
 
-/// A body that a joint holds, whether or not it has the other one.
-fn held_body<'a>(bodies: &'a Bodies, missing: &'static str, body: BodyId) -> Result<&'a Body> {
-    if body == nobody() {
+/// A body of a joint; it may lack the other one.
+fn body_of_joint<'a>(bodies: &'a Bodies, missing: &'static str, body: BodyId) -> Result<&'a Body> {
+    if body == missing_body_id() {
         return Err(Error::MissingBody { argument: "joint", missing });
     }
     let entry = bodies.get(body).ok_or(Error::StaleId { argument: "body of the joint" })?;

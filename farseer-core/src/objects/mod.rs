@@ -1,16 +1,17 @@
-//! What there is in a simulator (behaviour chapters 04, section 2, and 05, section 3). Knows no stage of an update.
+//! The objects of a simulator (behaviour chapters 04, section 2, and 05, section 3), independent of the stages of an
+//! update.
 
 mod controllers;
 mod creating;
 mod editing;
-mod following;
+mod farseer_queries;
+mod geom_transforms;
 mod joints;
-mod life;
-mod queries;
+mod lifecycle;
+mod ray_cast;
 mod save;
 mod springs;
-mod typed;
-mod world_queries;
+mod typed_ids;
 
 use crate::body::entry::Bodies;
 use crate::body::{Body, BodyId};
@@ -22,22 +23,22 @@ use crate::geom::{Geom, GeomId};
 use crate::joints::{Joint, JointId};
 use crate::limits::Limits;
 use crate::methods::Methods;
-use crate::report::Notice;
+use crate::report::PendingEvent;
 use crate::springs::{Spring, SpringId};
 use crate::storage::arena::stale;
 use crate::storage::collection::Collection;
 use crate::storage::reusing_clone::reusing_clone;
 
 pub use creating::GeomPlacement;
-pub(crate) use following::Followed;
-pub use queries::GeomPointPair;
+pub use farseer_queries::GeomPointPair;
+pub(crate) use geom_transforms::TransformUpdate;
+pub use ray_cast::RayCastHit;
 pub(crate) use save::SavedObjects;
-pub use typed::{TypedJointId, TypedSpringId};
-pub use world_queries::RayCastHit;
+pub use typed_ids::{TypedJointId, TypedSpringId};
 
-/// The bodies, geoms, joints, springs and controllers of a simulator, and all that can be done to them between updates
-/// and in callbacks. [`PhysicsSimulator`](crate::PhysicsSimulator) and [`Context`](crate::Context) are used as if they
-/// were this, so that what takes `&mut Objects` can be called from both sides:
+/// The bodies, geoms, joints, springs and controllers of a simulator, and all operations on them between updates and in
+/// callbacks. [`PhysicsSimulator`](crate::PhysicsSimulator) and [`Context`](crate::Context) deref to this type, so that
+/// a function with an argument `&mut Objects` can be called from both sides:
 ///
 /// ```
 /// use farseer_core::math::Vector2;
@@ -61,10 +62,12 @@ pub use world_queries::RayCastHit;
 /// assert_eq!(simulator[ball].position().y, -50.0);
 /// ```
 ///
-/// Objects live here and are named by ids. Their life is that of the original: *created* (exists but takes no part),
-/// *added* (takes part from the next update), *removed* (no longer takes part, may be added again), *disposed* (the id
-/// goes stale with the next update). Ids are those of one simulator: exchanging the objects of two lets updates fail.
-/// They are neither made nor loaded without one:
+/// Objects live here and are named by ids. Their lifecycle is that of the original. A *created* object exists but takes
+/// no part. An *added* one takes part from the next update on. A *removed* one takes no part any more, and may be added
+/// again. The id of a *disposed* one goes stale with the next update.
+///
+/// Ids belong to one simulator: if the `Objects` of two are swapped, updates fail. So `Objects` can be neither made nor
+/// loaded without a simulator:
 ///
 /// ```compile_fail
 /// let objects = farseer_core::Objects::default();
@@ -81,21 +84,22 @@ pub struct Objects {
     pub(crate) joints: Collection<Joint, JointId>,
     pub(crate) springs: Collection<Spring, SpringId>,
     next_geom_number: u32,
-    /// Bodies and geoms that were lent out for editing since the simulator last looked.
+    /// Bodies and geoms that the game has borrowed mutably since edits were last applied.
     pub(crate) touched_bodies: Vec<BodyId>,
     pub(crate) touched_geoms: Vec<GeomId>,
-    /// What is still to be told: since the last update, or since no callback is running.
-    pub(crate) pending: Vec<Notice>,
-    /// What geoms are made ready for, how they are asked, and what an update does with them.
+    /// Events to report: those since the last update, or since the last moment when no callback was running.
+    pub(crate) pending: Vec<PendingEvent>,
+    /// The chosen methods: geoms are prepared for them, queries and updates use them.
     pub(crate) methods: Methods,
-    /// Bodies or geoms have entered or left their lists; others have become what they were not without being lent out.
+    /// Whether bodies or geoms have entered or left their lists; `has_new_structure`: whether others have changed
+    /// without being borrowed.
     pub(crate) has_new_members: bool,
     pub(crate) has_new_structure: bool,
-    /// Joints were lent out for editing since this was asked last.
+    /// Whether the game has borrowed joints mutably since this flag was last cleared.
     pub(crate) has_edited_joints: bool,
-    /// Motors or limits of joints have become others since this was asked last.
+    /// Whether motors or limits of joints have been added or removed since this flag was last cleared.
     pub(crate) has_edited_drives: bool,
-    /// Not saved: a save cannot raise them.
+    /// Not saved: a save cannot raise the limits.
     limits: Limits,
     grids: GridCache,
 }
@@ -108,8 +112,8 @@ reusing_clone! {
 }
 
 impl Objects {
-    /// Nothing, and nothing was ever there. Not a public default: ids are those of one simulator.
-    pub(crate) fn none() -> Self {
+    /// No objects at all. Not a public default: ids belong to one simulator.
+    pub(crate) fn empty() -> Self {
         Objects {
             bodies: Collection::default(),
             geoms: Collection::default(),
@@ -131,7 +135,7 @@ impl Objects {
     }
 }
 
-/// Access to what there is.
+/// Access to objects.
 impl Objects {
     /// A body, unless the id is stale.
     #[inline]
@@ -139,7 +143,7 @@ impl Objects {
         self.bodies.get(body).map(|entry| &entry.body)
     }
 
-    /// A body to edit, unless the id is stale. Its geoms follow when it is moved.
+    /// A body to edit, unless the id is stale. Its geoms are updated when it is moved.
     #[inline]
     pub fn body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
         let entry = self.bodies.get_mut(body)?;
@@ -150,11 +154,11 @@ impl Objects {
         Some(&mut entry.body)
     }
 
-    /// A geom as it lies in the world, unless the id is stale.
+    /// A geom in the world, unless the id is stale.
     #[inline]
     pub fn geom(&self, geom: GeomId) -> Option<GeomRef<'_>> {
         let entry = self.geoms.get(geom)?;
-        Some(GeomRef { entry, life: self.geoms.life(geom)?, body: self.bodies.get(entry.body) })
+        Some(GeomRef { entry, life: self.geoms.lifecycle_state(geom)?, body: self.bodies.get(entry.body) })
     }
 
     /// The settings of a geom to edit, unless the id is stale.
@@ -168,8 +172,8 @@ impl Objects {
         Some(&mut entry.geom)
     }
 
-    /// Does the same to all bodies that take part, in the order in which they were added: the original's loop over
-    /// `BodyList`. Those that were disposed since the last update are among them.
+    /// Calls `act` with each body that takes part, in the order in which they were added: the original's loop over
+    /// `BodyList`. Bodies that were disposed since the last update are included.
     ///
     /// ```
     /// use farseer_core::{BodyFactory, PhysicsSimulator};
@@ -207,35 +211,35 @@ impl Objects {
         self.geoms.list()
     }
 
-    /// All bodies that live, in their lists or not, in the order of their [slots](BodyId::slot).
+    /// All existing bodies, in their lists or not, in the order of their [slots](BodyId::slot).
     pub fn bodies(&self) -> impl Iterator<Item = BodyId> + '_ {
         self.bodies.iter().map(|(id, _)| id)
     }
 
-    /// All geoms that live, in their lists or not, in the order of their [slots](GeomId::slot).
+    /// All existing geoms, in their lists or not, in the order of their [slots](GeomId::slot).
     pub fn geoms(&self) -> impl Iterator<Item = GeomId> + '_ {
         self.geoms.iter().map(|(id, _)| id)
     }
 
-    /// The body that a geom is attached to, unless the id is stale.
+    /// The body of a geom, unless the id is stale.
     pub fn body_of(&self, geom: GeomId) -> Option<BodyId> {
         self.geoms.get(geom).map(|entry| entry.body)
     }
 
-    /// Whether something was edited, or waits to be told.
+    /// Whether an object was edited, or events are pending.
     #[inline]
     pub(crate) fn has_edits(&self) -> bool {
         !(self.touched_bodies.is_empty() && self.touched_geoms.is_empty() && self.pending.is_empty())
     }
 
-    /// What this simulator may cost.
+    /// The limits of what this simulator may cost.
     pub fn limits(&self) -> Limits {
         self.limits
     }
 
-    /// Sets what this simulator may cost. What is there already stays, whatever it costs. Clones have the same limits;
-    /// [`clear`](crate::PhysicsSimulator::clear) and [`restore`](crate::PhysicsSimulator::restore) leave them alone, and
-    /// apply them to what is restored.
+    /// Sets the limits of what this simulator may cost. Existing objects stay, whatever they cost. Clones have the same
+    /// limits. [`clear`](crate::PhysicsSimulator::clear) and [`restore`](crate::PhysicsSimulator::restore) keep them,
+    /// and `restore` applies them to the restored objects.
     pub fn set_limits(&mut self, limits: Limits) {
         self.limits = limits;
     }

@@ -1,11 +1,11 @@
-//! What was loaded is checked, and completed.
+//! Check and completion of loaded objects.
 
 use serde::{Deserialize, Serialize};
 
 use super::Objects;
-use super::creating::GEOM_NUMBERS;
+use super::creating::MAX_GEOM_NUMBERS;
 use crate::body::entry::{Bodies, BodyEntry};
-use crate::body::nobody::check_bodies;
+use crate::body::missing_body::check_bodies;
 use crate::body::{BodyId, Pose};
 use crate::controllers::{Controller, ControllerId};
 use crate::geom::GeomId;
@@ -14,12 +14,12 @@ use crate::geom::grid_cache::GridCache;
 use crate::joints::{Joint, JointId};
 use crate::limits::Limits;
 use crate::methods::Methods;
-use crate::report::Notice;
+use crate::report::PendingEvent;
 use crate::springs::{Spring, SpringId};
 use crate::storage::collection::Collection;
 use crate::{Error, Result};
 
-/// The fields of [`Objects`]. Not derived there: then anyone could load them past the check.
+/// The fields of [`Objects`]. `Objects` does not derive `Deserialize`, so that no one is loaded without the check.
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Objects")]
 pub(crate) struct SavedObjects {
@@ -31,11 +31,11 @@ pub(crate) struct SavedObjects {
     next_geom_number: u32,
     touched_bodies: Vec<BodyId>,
     touched_geoms: Vec<GeomId>,
-    pending: Vec<Notice>,
+    pending: Vec<PendingEvent>,
     methods: Methods,
     has_new_members: bool,
     has_new_structure: bool,
-    /// What is loaded reads them anew.
+    /// Not saved: a loaded simulator reads all joints.
     #[serde(skip)]
     has_edited_joints: bool,
     #[serde(skip)]
@@ -47,8 +47,8 @@ pub(crate) struct SavedObjects {
 }
 
 impl Objects {
-    /// Geoms of equal outline and cell size share one grid again.
-    pub(crate) fn make_grids(&mut self) -> Result<()> {
+    /// Samples the distance grids of loaded geoms; geoms of equal outline and cell size share one grid again.
+    pub(crate) fn sample_grids(&mut self) -> Result<()> {
         let with_grid = |(id, geom): (GeomId, &GeomEntry)| geom.grid.clone().map(|grid| (id, grid));
         let to_be_made: Vec<_> = self.geoms.iter().filter_map(with_grid).collect();
         for (geom, grid) in to_be_made {
@@ -58,10 +58,10 @@ impl Objects {
         Ok(())
     }
 
-    /// Refuses what no sequence of calls could have made, and what would make a later call fail.
+    /// Refuses objects that no sequence of calls could have made, or with which a later call would fail.
     pub(crate) fn check(&self) -> Result<()> {
         let damaged = |reason| Err(Error::DamagedSave { reason });
-        if self.next_geom_number > GEOM_NUMBERS {
+        if self.next_geom_number > MAX_GEOM_NUMBERS {
             return damaged("more creation numbers were used than there are");
         }
         if !(self.bodies.is_consistent()
@@ -116,7 +116,7 @@ impl Objects {
         })
     }
 
-    /// Only what has all of its bodies can be added.
+    /// Whether all joints and springs that are listed or queued have all of their bodies: only these can be added.
     fn joints_and_springs_have_bodies(&self) -> bool {
         let mut joints = self.joints.listed_or_queued();
         let mut springs = self.springs.listed_or_queued();
@@ -124,7 +124,8 @@ impl Objects {
             && springs.all(|spring| check_bodies("spring", spring.body1(), spring.body2()).is_ok())
     }
 
-    /// By slot of the geom: how often the bodies name it. No body names another's: that is checked, too.
+    /// Number of bodies that list a geom, by the geom's slot. `check` also makes sure that no body lists the geom of
+    /// another.
     fn attachments(&self) -> Vec<u32> {
         let mut attachments = vec![0; self.geoms.slot_count()];
         let named = self.bodies.iter().flat_map(|(_, body)| &body.geoms);

@@ -1,4 +1,4 @@
-//! Springs: whom they pull (behaviour chapter 11).
+//! Springs and their bodies (behaviour chapter 11).
 
 use super::Objects;
 use crate::body::BodyId;
@@ -7,7 +7,7 @@ use crate::springs::{Spring, SpringId, SpringType};
 
 /// Springs.
 impl Objects {
-    /// Takes a spring in. It acts after it was [added](Self::add).
+    /// Stores a spring. It acts once it is [added](Self::add).
     ///
     /// # Errors
     /// A body that is stale.
@@ -17,11 +17,11 @@ impl Objects {
         Ok(self.springs.create(spring))
     }
 
-    /// Makes a spring of a kind that pulls at nothing yet, as the original's constructors without arguments do: for what
-    /// is read from a file one value after the other. Bodies are set by [`set_spring_body1`](Self::set_spring_body1)
-    /// (also the only one) and [`set_spring_body2`](Self::set_spring_body2). Until they are set, both constants, points,
-    /// lengths and angles are 0; everything else has the default of its kind. The spring can be [added](Self::add) once
-    /// it has its bodies.
+    /// Makes a spring of a kind without bodies, as the original's constructors without arguments do, for data that are
+    /// read from a file one value after the other. Bodies are set by [`set_spring_body1`](Self::set_spring_body1) (also
+    /// the only one) and [`set_spring_body2`](Self::set_spring_body2). Until they are set, both constants, points,
+    /// lengths and angles are 0; all other settings have the defaults of the kind. The spring can be [added](Self::add)
+    /// once it has its bodies.
     ///
     /// ```
     /// use farseer_core::{Body, Error, FixedLinearSpring, PhysicsSimulator};
@@ -52,7 +52,7 @@ impl Objects {
         self.springs.get_mut(spring)
     }
 
-    /// A spring as what it is: `simulator.spring_as::<LinearSpring>(spring)?.rest_length()`.
+    /// A spring as its own type: `simulator.spring_as::<LinearSpring>(spring)?.rest_length()`.
     ///
     /// # Errors
     /// A stale id; a spring of another kind.
@@ -61,7 +61,7 @@ impl Objects {
         S::of(self.springs.find(argument, spring)?).ok_or(Error::WrongKind { argument, expected: S::NAME })
     }
 
-    /// A spring as what it is, to edit.
+    /// A spring as its own type, to edit.
     ///
     /// # Errors
     /// A stale id; a spring of another kind.
@@ -77,7 +77,7 @@ impl Objects {
         self.springs.list()
     }
 
-    /// Lets a spring pull another body, its first or only one; everything else of the spring stays.
+    /// Replaces the first or only body of a spring; its other settings stay.
     ///
     /// # Errors
     /// A stale id.
@@ -93,7 +93,7 @@ impl Objects {
         Ok(())
     }
 
-    /// Lets the other end of a spring between two bodies pull another body.
+    /// Replaces the second body of a spring between two bodies.
     ///
     /// # Errors
     /// A stale id; a spring on one body.
@@ -108,7 +108,7 @@ impl Objects {
         Ok(())
     }
 
-    /// Refuses a body that is not there.
+    /// Refuses a stale body.
     pub(super) fn check_body(&self, argument: &'static str, body: BodyId) -> Result<()> {
         if self.bodies.contains(body) { Ok(()) } else { Err(Error::StaleId { argument }) }
     }

@@ -1,8 +1,8 @@
-//! Chains, tracks and gravity in one call (behaviour chapter 13, section 6).
+//! Chains, tracks and gravity controllers in one call (behaviour chapter 13, section 6).
 
 use serde::{Deserialize, Serialize};
 
-use super::{LinkType, Links, Path};
+use super::{LinkSettings, LinkType, Path};
 use crate::body::BodyId;
 use crate::controllers::{ControllerId, GravityController, GravityType};
 use crate::factories::JointFactory;
@@ -16,14 +16,13 @@ use crate::{Error, Result};
 const CHAIN_BIAS_FACTOR: f32 = 0.01;
 const CHAIN_SOFTNESS: f32 = 0.05;
 
-/// Height of a link by its width, where none is given.
-const THIRD: f32 = f32::from_bits(0x3EAA_AAAB);
+/// Default ratio of a link's height to its width, dimensionless: one third, as the original rounds it.
+const DEFAULT_HEIGHT_RATIO: f32 = f32::from_bits(0x3EAA_AAAB);
 
-/// Makes chains and tracks of linked bodies. Its settings are those of the links; in the original they belong to the
-/// whole program.
+/// Makes chains and tracks of linked bodies. Its settings are those of the links; in the original they are global.
 ///
-/// The plain methods answer with a [`Path`] whose objects take no part yet; those ending in `_in` also add them.
-/// A chain has no geoms: [`Path::create_geoms`] makes them.
+/// The plain methods return a [`Path`] whose objects take no part yet; those ending in `_in` also add them. A chain has
+/// no geoms: [`Path::create_geoms`] makes them.
 ///
 /// ```
 /// use farseer_core::{ComplexFactory, LinkType, PhysicsSimulator, math::Vector2};
@@ -41,19 +40,19 @@ const THIRD: f32 = f32::from_bits(0x3EAA_AAAB);
 #[doc(alias = "ComplexFactory.Instance")]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ComplexFactory {
-    /// Least distance of slider joints, in the user's length unit. Default 0.
+    /// Minimum distance of slider joints, in length units. Default 0.
     #[doc(alias = "Min")]
     pub min: f32,
-    /// Greatest distance of slider joints. Default 0.
+    /// Maximum distance of slider joints, in length units. Default 0.
     #[doc(alias = "Max")]
     pub max: f32,
-    /// Force of springs per length. Default 0: set it, or springs do nothing.
+    /// Stiffness of springs, force per length, in mass units/s². With the default 0 springs have no effect.
     #[doc(alias = "SpringConstant")]
     pub spring_constant: f32,
-    /// Force of springs per velocity. Default 0.
+    /// Damping of springs, force per velocity, in mass units/s. Default 0.
     #[doc(alias = "DampingConstant")]
     pub damping_constant: f32,
-    /// What the rest length of the springs of chains is multiplied with; tracks do not look at it. Default 1.
+    /// Factor of the rest length of springs in chains, dimensionless; tracks ignore it. Default 1.
     #[doc(alias = "SpringRestLengthFactor")]
     pub spring_rest_length_factor: f32,
 }
@@ -70,7 +69,7 @@ impl Default for ComplexFactory {
     }
 }
 
-/// What ends in `_in`: the same, added to the simulator.
+/// Methods ending in `_in`: the plain method, and adding the objects to the simulator.
 macro_rules! added {
     ($($(#[$attribute:meta])* $name:ident = $plain:ident($($argument:ident: $type:ty),*);)*) => {$(
         #[doc = concat!("[`", stringify!($plain), "`](Self::", stringify!($plain), "), added to the simulator.")]
@@ -88,12 +87,12 @@ macro_rules! added {
 
 /// Chains. Their joints have a bias factor of 0.01 and a softness of 0.05.
 impl ComplexFactory {
-    /// Bodies in a row from `start` to `end`, each linked with the next: as many as it takes if they are as far apart as
-    /// they are wide.
+    /// Bodies in a row from `start` to `end`, each linked with the next. They are `width` apart, and as many as the
+    /// distance requires.
     ///
     /// # Errors
     /// A number that is not finite; a width, height or mass that is not greater than 0; a width greater than the
-    /// distance, for which the original never ends.
+    /// distance, with which the original loops forever.
     #[doc(alias = "CreateChain(Vector2, Vector2, float, float, float, LinkType)")]
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn create_chain(
@@ -109,8 +108,8 @@ impl ComplexFactory {
         self.create_pinned_chain(simulator, start, end, width, height, mass, false, false, link_type)
     }
 
-    /// A chain of a number of links of the width that fits, and a third of it high if no height is given. As bodies are
-    /// put down with a little space between them it may have one link less or more.
+    /// A chain of a number of links, whose width follows from the distance. Without `height` the links are a third as
+    /// high as wide. As bodies are placed with a little space between them the chain may have one link more or less.
     ///
     /// # Errors
     /// As [`create_chain`](Self::create_chain); a number of links that is not greater than 0.
@@ -133,11 +132,11 @@ impl ComplexFactory {
             return Err(Error::invalid("links", links, "greater than 0"));
         }
         let width = distance(start, end) / links as f32;
-        let height = height.unwrap_or(width * THIRD);
+        let height = height.unwrap_or(width * DEFAULT_HEIGHT_RATIO);
         self.create_chain(simulator, start, end, width, height, mass, link_type)
     }
 
-    /// A chain that may be held at its ends: there the first or last body turns about a point of the world.
+    /// A chain whose ends may be pinned: there the first or last body turns about a point of the world.
     ///
     /// # Errors
     /// As [`create_chain`](Self::create_chain).
@@ -163,7 +162,7 @@ impl ComplexFactory {
     /// A chain whose bodies are about `link_width` apart, whatever their width.
     ///
     /// # Errors
-    /// As [`create_chain`](Self::create_chain), with the link width for the width.
+    /// As [`create_chain`](Self::create_chain), with the link width instead of the width.
     #[doc(alias = "CreateChain(Vector2, Vector2, float, float, float, float, bool, bool, LinkType)")]
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn create_chain_with_link_width(
@@ -213,9 +212,9 @@ impl ComplexFactory {
         );
     }
 
-    fn links(&self, link_type: LinkType, spring_rest_length_factor: f32) -> Links {
+    fn links(&self, link_type: LinkType, spring_rest_length_factor: f32) -> LinkSettings {
         let ComplexFactory { min, max, spring_constant, damping_constant, .. } = *self;
-        Links { link_type, min, max, spring_constant, damping_constant, spring_rest_length_factor }
+        LinkSettings { link_type, min, max, spring_constant, damping_constant, spring_rest_length_factor }
     }
 }
 
@@ -263,8 +262,9 @@ impl ComplexFactory {
 
 /// Gravity.
 impl ComplexFactory {
-    /// Lets bodies attract others; the controller is added to the simulator. Strength is the acceleration at distance 1,
-    /// `radius` the greatest distance; the original's overload without a type is [`GravityType::Linear`].
+    /// A gravity controller whose bodies attract others, added to the simulator. `strength` is the acceleration at
+    /// distance 1 in length units/s², `radius` the maximum distance in length units. The original's overload without a
+    /// type is [`GravityType::Linear`].
     ///
     /// # Errors
     /// Numbers that are not finite.
@@ -280,7 +280,7 @@ impl ComplexFactory {
         add_gravity(simulator, controller, gravity_type)
     }
 
-    /// Lets points attract bodies; the controller is added to the simulator. See
+    /// A gravity controller whose points attract bodies, added to the simulator. See
     /// [`create_gravity_controller`](Self::create_gravity_controller).
     ///
     /// # Errors
@@ -309,12 +309,12 @@ fn add_gravity(
     Ok(controller)
 }
 
-/// Links the bodies of a chain and holds its ends: the first where the chain starts, the last at the last point that was
-/// looked at when the bodies were placed.
+/// Links the bodies of a chain and pins its ends: the first body where the chain starts, the last one at the last point
+/// that was evaluated when the bodies were placed.
 fn link_chain(
     path: &mut Path,
     simulator: &mut Objects,
-    links: &Links,
+    links: &LinkSettings,
     (start, pin_end): (Option<Vector2>, bool),
 ) -> Result<()> {
     path.link(simulator, links)?;
@@ -333,7 +333,7 @@ fn link_chain(
     Ok(())
 }
 
-/// Goes on with a path whose bodies are made. If that fails, everything of it is taken back.
+/// Completes a path whose bodies are made. If that fails, all its objects are removed again.
 fn finish_or_discard(
     mut path: Path,
     simulator: &mut Objects,

@@ -1,4 +1,4 @@
-//! A value that runs through keys (behaviour chapter 14, section 4).
+//! Curves: values interpolated between keys (behaviour chapter 14, section 4).
 
 use serde::{Deserialize, Serialize};
 
@@ -7,38 +7,39 @@ use crate::math::finite::finite;
 use crate::math::scalar::to_int;
 use crate::{Error, Result};
 
-/// Smooth tangents of keys whose neighbours differ by less are level.
+/// Minimum difference of the values of a key's neighbours, in the unit of the values: with a smaller one the key's
+/// smooth tangents are 0. The original's constant.
 const FLAT_DIFFERENCE: f32 = f32::from_bits(0x3400_0001);
 
-/// How a curve goes on before its first and behind its last key.
+/// Continuation of a curve before its first and after its last key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash, Serialize, Deserialize)]
 pub enum CurveLoopType {
-    /// It stays at the value of the nearest key.
+    /// The value of the nearest key.
     #[default]
     Constant,
-    /// It repeats itself.
+    /// The curve repeats.
     Cycle,
-    /// It repeats itself, each time shifted by the difference of the last and the first value.
+    /// The curve repeats, each time shifted by the difference of the last and the first value.
     CycleOffset,
-    /// It runs back and forth.
+    /// The curve repeats, alternately backward and forward.
     Oscillate,
-    /// It goes straight on. Behind the last key it takes the outgoing tangent of the **first**, as in the original.
+    /// A straight line. After the last key it has the outgoing tangent of the **first**, as in the original.
     Linear,
 }
 
-/// How tangents are computed.
+/// Rule by which tangents are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash, Serialize, Deserialize)]
 pub enum CurveTangent {
-    /// Level.
+    /// Zero tangents.
     #[default]
     Flat,
-    /// Towards the neighbour.
+    /// Tangents toward the neighbouring key.
     Linear,
-    /// Along the line between both neighbours.
+    /// Tangents along the line between both neighbours.
     Smooth,
 }
 
-/// A value that runs smoothly through keys, as XNA's curves do.
+/// A smooth curve through keys, as in XNA.
 ///
 /// ```
 /// use farseer_core::{Curve, CurveKey, CurveTangent};
@@ -74,24 +75,24 @@ impl Curve {
         &mut self.keys
     }
 
-    /// How the curve goes on before the first key. Default [`CurveLoopType::Constant`].
+    /// Continuation of the curve before the first key. Default [`CurveLoopType::Constant`].
     #[doc(alias = "PreLoop")]
     pub fn pre_loop(&self) -> CurveLoopType {
         self.pre_loop
     }
 
-    /// Sets how the curve goes on before the first key.
+    /// Sets the continuation of the curve before the first key.
     pub fn set_pre_loop(&mut self, pre_loop: CurveLoopType) {
         self.pre_loop = pre_loop;
     }
 
-    /// How the curve goes on behind the last key. Default [`CurveLoopType::Constant`].
+    /// Continuation of the curve after the last key. Default [`CurveLoopType::Constant`].
     #[doc(alias = "PostLoop")]
     pub fn post_loop(&self) -> CurveLoopType {
         self.post_loop
     }
 
-    /// Sets how the curve goes on behind the last key.
+    /// Sets the continuation of the curve after the last key.
     pub fn set_post_loop(&mut self, post_loop: CurveLoopType) {
         self.post_loop = post_loop;
     }
@@ -111,8 +112,8 @@ impl Curve {
         self.compute_tangent_in_out(index, tangent, tangent)
     }
 
-    /// Computes the tangents of a key, each in its way. Smooth ones of a key between two at one position are NaN or
-    /// infinite, as in the original.
+    /// Computes the tangents of a key by a rule for each. Smooth tangents of a key between two keys at the same
+    /// position are NaN or infinite, as in the original.
     ///
     /// # Errors
     /// An index that is not less than the number of keys.
@@ -128,12 +129,12 @@ impl Curve {
         let (p, v) = of(&self.keys[index]);
         let (pp, pv) = of(&self.keys[index.saturating_sub(1)]);
         let (np, nv) = self.keys.get(index + 1).map_or((p, v), of);
-        let smooth = |way: f32| {
+        let smooth = |distance: f32| {
             let difference = nv - pv;
-            if difference.abs() < FLAT_DIFFERENCE { 0.0 } else { (difference * way.abs()) / (np - pp) }
+            if difference.abs() < FLAT_DIFFERENCE { 0.0 } else { (difference * distance.abs()) / (np - pp) }
         };
-        let computed = |tangent, way, towards_neighbour| match tangent {
-            CurveTangent::Smooth => smooth(way),
+        let computed = |tangent, distance, towards_neighbour| match tangent {
+            CurveTangent::Smooth => smooth(distance),
             CurveTangent::Linear => towards_neighbour,
             CurveTangent::Flat => 0.0,
         };
@@ -151,19 +152,19 @@ impl Curve {
         self.compute_tangents_in_out(tangent, tangent);
     }
 
-    /// Computes the tangents of every key, each in its way.
+    /// Computes the tangents of every key by a rule for each.
     #[doc(alias = "ComputeTangents")]
     pub fn compute_tangents_in_out(&mut self, tangent_in: CurveTangent, tangent_out: CurveTangent) {
         for index in 0..self.keys.len() {
-            // The index is that of a key.
+            // The index is that of an existing key.
             let _ = self.compute_tangent_in_out(index, tangent_in, tangent_out);
         }
     }
 
     /// The curve's value at a position.
     ///
-    /// As in the original a curve of one key is 0 exactly at its key, a step key's value lasts to position 1 wherever
-    /// the next key is, and where two keys are at one position the value can be NaN or infinite.
+    /// As in the original a curve of one key is 0 exactly at its key. The value of a step key lasts until position 1,
+    /// wherever the next key is. Where two keys have the same position the value can be NaN or infinite.
     ///
     /// # Errors
     /// A curve without keys; a position that is not finite.
@@ -178,23 +179,29 @@ impl Curve {
             match self.pre_loop {
                 CurveLoopType::Constant => first.value(),
                 CurveLoopType::Linear => first.value() - first.tangent_in() * (first.position() - x),
-                repeating => repeated(keys, first, last, repeating, x),
+                repeating => value_outside_keys(keys, first, last, repeating, x),
             }
         } else if x > last.position() {
             match self.post_loop {
                 CurveLoopType::Constant => last.value(),
                 CurveLoopType::Linear => last.value() + first.tangent_out() * (x - last.position()),
-                repeating => repeated(keys, first, last, repeating, x),
+                repeating => value_outside_keys(keys, first, last, repeating, x),
             }
         } else {
-            inside(keys, x)
+            value_between_keys(keys, x)
         };
         Ok(value)
     }
 }
 
-/// The value outside of the keys of a curve that repeats itself.
-fn repeated(keys: &[CurveKey], first: &CurveKey, last: &CurveKey, loop_type: CurveLoopType, x: f32) -> f32 {
+/// The value outside of the keys of a curve that repeats.
+fn value_outside_keys(
+    keys: &[CurveKey],
+    first: &CurveKey,
+    last: &CurveKey,
+    loop_type: CurveLoopType,
+    x: f32,
+) -> f32 {
     let span = last.position() - first.position();
     let mut cycle = (x - first.position()) / span;
     if cycle < 0.0 {
@@ -202,16 +209,18 @@ fn repeated(keys: &[CurveKey], first: &CurveKey, last: &CurveKey, loop_type: Cur
     }
     let cycle = to_int(cycle) as f32;
     match loop_type {
-        CurveLoopType::CycleOffset => inside(keys, x - cycle * span) + cycle * (last.value() - first.value()),
-        CurveLoopType::Oscillate if cycle % 2.0 != 0.0 => {
-            inside(keys, ((last.position() - x) + first.position()) + cycle * span)
+        CurveLoopType::CycleOffset => {
+            value_between_keys(keys, x - cycle * span) + cycle * (last.value() - first.value())
         }
-        _ => inside(keys, x - cycle * span),
+        CurveLoopType::Oscillate if cycle % 2.0 != 0.0 => {
+            value_between_keys(keys, ((last.position() - x) + first.position()) + cycle * span)
+        }
+        _ => value_between_keys(keys, x - cycle * span),
     }
 }
 
-/// The value between the keys; 0 behind them all.
-fn inside(keys: &[CurveKey], x: f32) -> f32 {
+/// The value between the keys; 0 after the last one.
+fn value_between_keys(keys: &[CurveKey], x: f32) -> f32 {
     let Some((a, b)) = keys.iter().zip(&keys[1..]).find(|(_, b)| b.position() >= x) else { return 0.0 };
     if a.continuity() == CurveContinuity::Step {
         return if x >= 1.0 { b.value() } else { a.value() };

@@ -1,4 +1,4 @@
-//! A point of a curve (behaviour chapter 14, section 2).
+//! Keys of a curve (behaviour chapter 14, section 2).
 
 use std::cmp::Ordering;
 
@@ -7,20 +7,20 @@ use serde::{Deserialize, Serialize};
 use crate::Result;
 use crate::math::finite::finite;
 
-/// How a curve goes on from a key to the next.
+/// Continuation of a curve from a key to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash, Serialize, Deserialize)]
 pub enum CurveContinuity {
-    /// It blends to the next key.
+    /// The value blends into that of the next key.
     #[default]
     Smooth,
-    /// It keeps the key's value (behaviour chapter 14, section 4.2 says where it does not).
+    /// The key's value is constant (for the exception see behaviour chapter 14, section 4.2).
     Step,
 }
 
-/// A point of a [`Curve`](crate::Curve), with the directions in which the curve passes it.
+/// A point of a [`Curve`](crate::Curve), with the tangents of the curve there.
 ///
 /// Keys are values here: the original's collections share them, so that a key edited in one of them changes in the
-/// other. Position and value are in the units of whatever the curve is made for.
+/// other. Position and value have the units for which the curve is made.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[doc(alias("CurveKey.Clone", "CurveKey.Equals"))]
 pub struct CurveKey {
@@ -50,7 +50,7 @@ impl CurveKey {
         Self::with_continuity(position, value, tangent_in, tangent_out, CurveContinuity::Smooth)
     }
 
-    /// A key from all that it has.
+    /// A key with all its properties.
     ///
     /// # Errors
     /// A number that is not finite.
@@ -71,13 +71,13 @@ impl CurveKey {
         })
     }
 
-    /// Where the key is on the curve's axis.
+    /// Position of the key on the curve's axis.
     #[doc(alias = "Position")]
     pub fn position(&self) -> f32 {
         self.position
     }
 
-    /// The curve's value there.
+    /// The curve's value at the key.
     #[doc(alias = "Value")]
     pub fn value(&self) -> f32 {
         self.value
@@ -86,13 +86,13 @@ impl CurveKey {
     /// Sets the value.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_value(&mut self, value: f32) -> Result<()> {
         self.value = finite("value", value)?;
         Ok(())
     }
 
-    /// Change of the value with which the curve arrives, over the whole way from the key before. Default 0.
+    /// Tangent with which the curve arrives: change of the value over the full distance from the key before. Default 0.
     #[doc(alias = "TangentIn")]
     pub fn tangent_in(&self) -> f32 {
         self.tangent_in
@@ -101,13 +101,13 @@ impl CurveKey {
     /// Sets the tangent with which the curve arrives.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_tangent_in(&mut self, tangent_in: f32) -> Result<()> {
         self.tangent_in = finite("tangent_in", tangent_in)?;
         Ok(())
     }
 
-    /// Change of the value with which the curve leaves, over the whole way to the next key. Default 0.
+    /// Tangent with which the curve leaves: change of the value over the full distance to the next key. Default 0.
     #[doc(alias = "TangentOut")]
     pub fn tangent_out(&self) -> f32 {
         self.tangent_out
@@ -116,27 +116,27 @@ impl CurveKey {
     /// Sets the tangent with which the curve leaves.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_tangent_out(&mut self, tangent_out: f32) -> Result<()> {
         self.tangent_out = finite("tangent_out", tangent_out)?;
         Ok(())
     }
 
-    /// How the curve goes on to the next key. Default [`CurveContinuity::Smooth`].
+    /// Continuation of the curve to the next key. Default [`CurveContinuity::Smooth`].
     #[doc(alias = "Continuity")]
     pub fn continuity(&self) -> CurveContinuity {
         self.continuity
     }
 
-    /// Sets how the curve goes on to the next key.
+    /// Sets the continuation of the curve to the next key.
     pub fn set_continuity(&mut self, continuity: CurveContinuity) {
         self.continuity = continuity;
     }
 
-    /// Order by position alone.
+    /// Orders keys by position alone.
     #[doc(alias = "CompareTo")]
     pub fn compare_to(&self, other: &CurveKey) -> Ordering {
-        // Positions are finite, and zeros of both signs are equal.
+        // Positions are finite; -0 and +0 are equal.
         self.position.partial_cmp(&other.position).unwrap_or(Ordering::Equal)
     }
 

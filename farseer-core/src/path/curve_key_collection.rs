@@ -28,13 +28,13 @@ impl CurveKeyCollection {
         self.keys.is_empty()
     }
 
-    /// The key at a place of the list, from 0.
+    /// The key at an index of the list, from 0.
     #[doc(alias = "Item")]
     pub fn get(&self, index: usize) -> Option<&CurveKey> {
         self.keys.get(index)
     }
 
-    /// The key at a place of the list, to edit what can change of it.
+    /// The key at an index of the list, to edit its value and tangents.
     pub fn get_mut(&mut self, index: usize) -> Option<&mut CurveKey> {
         self.keys.get_mut(index)
     }
@@ -51,16 +51,16 @@ impl CurveKeyCollection {
         self.keys.iter()
     }
 
-    /// Puts a key before the first one with a greater position; keys at one position keep the order in which they
-    /// came.
+    /// Inserts a key before the first one with a greater position; keys at the same position keep the order in which
+    /// they were added.
     #[doc(alias = "Add")]
     pub fn add(&mut self, key: CurveKey) {
         let greater = self.keys.iter().position(|other| other.position() > key.position());
         self.keys.insert(greater.unwrap_or(self.keys.len()), key);
     }
 
-    /// Replaces a key. One at another position than the old key's comes to the **end** of the list, wherever it
-    /// belongs, as in the original.
+    /// Replaces a key. If the new key has another position than the old one, it is appended to the **end** of the list,
+    /// whatever its position, as in the original.
     ///
     /// # Errors
     /// An index that is not less than [`len`](Self::len).
@@ -76,7 +76,7 @@ impl CurveKeyCollection {
         Ok(())
     }
 
-    /// Removes the first key that is equal to this one, and answers whether there was one.
+    /// Removes the first key that is equal to this one, and returns whether there was one.
     #[doc(alias = "Remove")]
     pub fn remove(&mut self, key: &CurveKey) -> bool {
         let found = self.index_of(key);
@@ -86,7 +86,7 @@ impl CurveKeyCollection {
         found.is_some()
     }
 
-    /// Removes the key at a place of the list.
+    /// Removes the key at an index of the list.
     ///
     /// # Errors
     /// An index that is not less than [`len`](Self::len).
@@ -109,7 +109,7 @@ impl CurveKeyCollection {
         self.keys.contains(key)
     }
 
-    /// The place of the first key that is equal to this one.
+    /// The index of the first key that is equal to this one.
     #[doc(alias = "IndexOf")]
     pub fn index_of(&self, key: &CurveKey) -> Option<usize> {
         self.keys.iter().position(|other| other == key)
@@ -125,8 +125,8 @@ impl CurveKeyCollection {
 }
 
 impl Clone for CurveKeyCollection {
-    /// The same keys, [added](CurveKeyCollection::add) one after the other: a list that is out of order comes out
-    /// sorted, as in the original.
+    /// The same keys, [added](CurveKeyCollection::add) one after the other: a list that is out of order becomes sorted,
+    /// as in the original.
     fn clone(&self) -> Self {
         let mut clone = CurveKeyCollection { keys: Vec::with_capacity(self.len()) };
         for &key in self {

@@ -1,4 +1,4 @@
-//! Curves through keys, and rows of linked bodies along them (behaviour chapter 14).
+//! Curves through keys, and paths: rows of linked bodies along them (behaviour chapter 14).
 
 mod complex_factory;
 mod curve;
@@ -13,6 +13,6 @@ pub use complex_factory::ComplexFactory;
 pub use curve::{Curve, CurveLoopType, CurveTangent};
 pub use curve_key::{CurveContinuity, CurveKey};
 pub use curve_key_collection::CurveKeyCollection;
+pub(crate) use link::LinkSettings;
 pub use link::LinkType;
-pub(crate) use link::Links;
 pub use path::Path;

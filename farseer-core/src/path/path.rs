@@ -1,9 +1,9 @@
-//! A row of bodies along a curve (behaviour chapter 14, sections 5 to 7).
+//! Paths: rows of bodies along a curve (behaviour chapter 14, sections 5 to 7).
 
 use serde::{Deserialize, Serialize};
 
-use super::link::{LinkType, Links, Row};
-use super::walk::walk;
+use super::link::{BodyRow, LinkSettings, LinkType};
+use super::walk::place_bodies;
 use crate::body::BodyId;
 use crate::factories::{BodyFactory, GeomFactory};
 use crate::geom::{Geom, GeomId};
@@ -17,8 +17,9 @@ use crate::shape::{Aabb, Vertices};
 use crate::springs::SpringId;
 use crate::{Error, Result};
 
-/// Half a side of the box around a control point in which [`Path::point_in_control_point`] finds it.
-const HALF_CONTROL_POINT: f32 = 3.0;
+/// Half a side, in length units, of the box around a control point in which [`Path::point_in_control_point`] finds it.
+/// Farseer's value.
+const CONTROL_POINT_HALF_SIZE: f32 = 3.0;
 
 /// A row of rectangular bodies along a smooth curve through control points, each linked with the next: chains, ropes,
 /// bridges, tracks.
@@ -56,10 +57,10 @@ pub struct Path {
     springs: Vec<SpringId>,
 }
 
-/// Making one.
+/// Constructors.
 impl Path {
-    /// An empty path of bodies of this size, as far apart as they are wide. If it is endless the last body is linked
-    /// with the first.
+    /// An empty path of bodies of this size, in length units, which are as far apart as they are wide. If it is endless
+    /// the last body is linked with the first.
     ///
     /// # Errors
     /// A number that is not finite.
@@ -68,7 +69,7 @@ impl Path {
         Self::with_link_width(width, height, width, mass, endless)
     }
 
-    /// An empty path of bodies of this size, whose origins are about `link_width` apart.
+    /// An empty path of bodies of this size, whose origins are about `link_width` length units apart.
     ///
     /// # Errors
     /// A number that is not finite.
@@ -96,15 +97,15 @@ impl Path {
     }
 }
 
-/// What it is made of.
+/// Control points and objects.
 impl Path {
-    /// The points through which the curve goes, in the user's length unit.
+    /// The points through which the curve goes, in length units.
     #[doc(alias = "ControlPoints")]
     pub fn control_points(&self) -> &Vertices {
         &self.control_points
     }
 
-    /// The bodies in their order along the curve.
+    /// The bodies, ordered along the curve.
     #[doc(alias = "Bodies")]
     pub fn bodies(&self) -> &[BodyId] {
         &self.bodies
@@ -151,7 +152,7 @@ impl Path {
     /// Appends a control point; the next [`update`](Self::update) makes bodies.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     #[doc(alias = "Add(Vector2)")]
     pub fn add(&mut self, control_point: Vector2) -> Result<()> {
         self.control_points.push(finite_vector("control_point", control_point)?);
@@ -159,25 +160,25 @@ impl Path {
         Ok(())
     }
 
-    /// Appends a body of the game's own.
+    /// Appends a body made by the game.
     #[doc(alias = "Add(Body)")]
     pub fn add_body(&mut self, body: BodyId) {
         self.bodies.push(body);
     }
 
-    /// Appends a geom of the game's own.
+    /// Appends a geom made by the game.
     #[doc(alias = "Add(Geom)")]
     pub fn add_geom(&mut self, geom: GeomId) {
         self.geoms.push(geom);
     }
 
-    /// Appends a joint of the game's own.
+    /// Appends a joint made by the game.
     #[doc(alias = "Add(Joint)")]
     pub fn add_joint(&mut self, joint: JointId) {
         self.joints.push(joint);
     }
 
-    /// Appends a spring of the game's own.
+    /// Appends a spring made by the game.
     #[doc(alias = "Add(Spring)")]
     pub fn add_spring(&mut self, spring: SpringId) {
         self.springs.push(spring);
@@ -208,7 +209,7 @@ impl Path {
     /// Moves a control point; the next [`update`](Self::update) makes bodies.
     ///
     /// # Errors
-    /// What is not finite; an index that is not less than the number of control points.
+    /// A value that is not finite; an index that is not less than the number of control points.
     #[doc(alias = "MoveControlPoint")]
     pub fn move_control_point(&mut self, position: Vector2, index: usize) -> Result<()> {
         self.check(index)?;
@@ -225,10 +226,10 @@ impl Path {
         }
     }
 
-    /// The index of the first control point within 3 units along x and along y; for editors.
+    /// The index of the first control point within 3 length units along x and along y; for editors.
     #[doc(alias = "PointInControlPoint")]
     pub fn point_in_control_point(&self, point: Vector2) -> Option<usize> {
-        let reach = Vector2::new(HALF_CONTROL_POINT, HALF_CONTROL_POINT);
+        let reach = Vector2::new(CONTROL_POINT_HALF_SIZE, CONTROL_POINT_HALF_SIZE);
         let holds_point = |&control_point: &Vector2| {
             Aabb::new(control_point - reach, control_point + reach).contains(point)
         };
@@ -236,27 +237,27 @@ impl Path {
     }
 }
 
-/// What it does in a simulator.
+/// Operations on a simulator.
 impl Path {
-    /// Makes the bodies, if control points have changed since the last time. They are in the simulator, but take no part
-    /// before they are [added](Self::add_to_physics_simulator).
+    /// Makes the bodies, if control points have changed since the last call. They are in the simulator, but take no
+    /// part before they are [added](Self::add_to_physics_simulator).
     ///
-    /// As in the original bodies of an earlier time stay and a complete second row is appended; the last control point
-    /// is moved to the point that was looked at last, which may lie before the end; and on an exactly vertical stretch
-    /// bodies are not turned.
+    /// As in the original bodies of earlier calls stay and a complete second row is appended. The last control point is
+    /// moved to the last point that was evaluated, which may lie before the end. On an exactly vertical section bodies
+    /// are not turned.
     ///
     /// # Errors
-    /// No control points; numbers for which the original never ends: a link width that is not greater than 0, or
-    /// greater than the distance that the path reaches from its first control point; a width, height or mass that is
-    /// not greater than 0; control points too far apart for finite arithmetic.
+    /// No control points; control points too far apart for finite arithmetic; a width, height or mass that is not
+    /// greater than 0. Numbers with which the original loops forever: a link width that is not greater than 0, or
+    /// greater than the distance that the path reaches from its first control point.
     #[doc(alias = "Update")]
     pub fn update(&mut self, simulator: &mut Objects) -> Result<()> {
         if !self.needs_recalculation {
             return Ok(());
         }
-        let row = walk(&self.control_points, self.link_width)?;
+        let row = place_bodies(&self.control_points, self.link_width)?;
         let model = BodyFactory::create_rectangle_body(self.width, self.height, self.mass)?;
-        for (position, rotation) in row.places {
+        for (position, rotation) in row.poses {
             let mut body = model.clone();
             body.set_position(position);
             body.set_rotation(rotation);
@@ -286,17 +287,17 @@ impl Path {
         self.link_bodies_with(simulator, link_type, min, max, spring_constant, damping_constant, 1.0)
     }
 
-    /// Links every body with the next, and the last with the first if the path is endless. `min` and `max` are the range
-    /// of slider joints in the user's length unit; the rest is for springs: force per length, force per velocity, and
-    /// what the rest length is multiplied with.
+    /// Links every body with the next, and the last with the first if the path is endless. `min` and `max` are the
+    /// range of slider joints in length units. The other arguments are for springs: stiffness in mass units/s², damping
+    /// in mass units/s, and a factor of the rest length.
     ///
     /// As in the original the length of a pin, and the rest length of a spring, is the width of a body from the second
-    /// link on: such a chain stretches when it starts to run. For that the link before is looked up by its index in
+    /// link on: such a chain stretches when it is simulated. The link before is looked up by its index in
     /// [`joints`](Self::joints) or [`springs`](Self::springs), so link the bodies before adding others.
     ///
     /// # Errors
-    /// A stale body; a number that is not finite; an endless path without bodies; something else than a pin or linear
-    /// spring where the link before is looked up.
+    /// A stale body; a number that is not finite; an endless path without bodies; an object other than a pin joint or
+    /// linear spring where the link before is looked up.
     #[doc(alias = "LinkBodies")]
     #[allow(clippy::too_many_arguments)] // The original's signature.
     pub fn link_bodies_with(
@@ -309,13 +310,19 @@ impl Path {
         damping_constant: f32,
         spring_rest_length_factor: f32,
     ) -> Result<()> {
-        let links =
-            Links { link_type, min, max, spring_constant, damping_constant, spring_rest_length_factor };
+        let links = LinkSettings {
+            link_type,
+            min,
+            max,
+            spring_constant,
+            damping_constant,
+            spring_rest_length_factor,
+        };
         self.link(simulator, &links)
     }
 
-    pub(crate) fn link(&mut self, simulator: &mut Objects, links: &Links) -> Result<()> {
-        let row = Row {
+    pub(crate) fn link(&mut self, simulator: &mut Objects, links: &LinkSettings) -> Result<()> {
+        let row = BodyRow {
             simulator,
             bodies: &self.bodies,
             joints: &self.joints,
@@ -333,7 +340,7 @@ impl Path {
         Ok(())
     }
 
-    /// Makes a rectangle geom for every body, all in one collision group. Called again it makes a second set.
+    /// Makes a rectangle geom for every body, all in one collision group. A second call makes a second set.
     ///
     /// # Errors
     /// A stale body; a width or height that is not greater than 0.
@@ -353,7 +360,7 @@ impl Path {
         Ok(())
     }
 
-    /// Makes a rectangle geom for every body, all with these categories. Called again it makes a second set.
+    /// Makes a rectangle geom for every body, all with these categories. A second call makes a second set.
     ///
     /// # Errors
     /// As [`create_geoms`](Self::create_geoms).
@@ -410,12 +417,13 @@ impl Path {
 
     fn add_geoms(&self, simulator: &mut Objects) {
         for &geom in &self.geoms {
-            // What was disposed is passed over.
+            // Disposed geoms are skipped.
             simulator.add(geom).ok();
         }
     }
 
-    /// Lets all bodies, geoms, joints and springs take part from the next update on. What was disposed is passed over.
+    /// Adds all bodies, geoms, joints and springs: they take part from the next update on. Disposed objects are
+    /// skipped.
     #[doc(alias = "AddToPhysicsSimulator")]
     pub fn add_to_physics_simulator(&self, simulator: &mut Objects) {
         for object in self.objects() {
@@ -423,8 +431,8 @@ impl Path {
         }
     }
 
-    /// Takes all bodies, geoms, joints and springs out of the simulation with the next update. What was disposed is
-    /// passed over.
+    /// Removes all bodies, geoms, joints and springs from the simulation with the next update. Disposed objects are
+    /// skipped.
     #[doc(alias = "RemoveFromPhysicsSimulator")]
     pub fn remove_from_physics_simulator(&self, simulator: &mut Objects) {
         for object in self.objects() {
@@ -432,7 +440,7 @@ impl Path {
         }
     }
 
-    /// Everything the path has, in the order in which it enters and leaves.
+    /// All objects of the path, in the order in which they are added and removed.
     pub(crate) fn objects(&self) -> impl DoubleEndedIterator<Item = ObjectId> + '_ {
         let bodies = self.bodies.iter().map(|&body| ObjectId::from(body));
         let geoms = self.geoms.iter().map(|&geom| ObjectId::from(geom));

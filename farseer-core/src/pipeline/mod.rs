@@ -1,33 +1,33 @@
 //! The chosen methods and their state.
 
-pub(crate) mod forces;
-pub(crate) mod joint_passes;
-pub(crate) mod positions;
+pub(crate) mod integrate_positions;
+pub(crate) mod integrate_velocities;
+pub(crate) mod joint_solver;
 
 use serde::{Deserialize, Serialize};
 
+use crate::broad_phase::BroadPhase;
+use crate::contact_solver::{ContactSolver, SolverBodies};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::pairs::BroadPhase;
 use crate::precise::Precise;
-use crate::solve::{ContactSolver, SolverBodies};
 use crate::storage::reusing_clone::reusing_clone;
-use joint_passes::JointPasses;
+use joint_solver::SequentialJointSolver;
 
-/// What the stages of an update keep, for themselves and for each other.
+/// State that the stages of an update keep, for themselves and for each other.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Pipeline {
     pub(crate) broad_phase: BroadPhase,
-    /// Of the precise set, while it is chosen; everything else here is the faithful one's.
+    /// State of the precise set, while it is chosen. All other fields belong to the faithful set.
     pub(crate) precise: Option<Box<Precise>>,
-    /// The velocities of an update while it solves.
+    /// The velocities of an update during the iterations.
     #[serde(skip)]
     pub(crate) bodies: SolverBodies,
     #[serde(skip)]
     pub(crate) contacts: ContactSolver,
     #[serde(skip)]
-    pub(crate) joints: JointPasses,
-    /// Empty between stages.
+    pub(crate) joints: SequentialJointSolver,
+    /// Contacts of the pair in work; empty between stages.
     #[serde(skip)]
     pub(crate) new_contacts: Vec<Contact>,
     #[serde(skip)]

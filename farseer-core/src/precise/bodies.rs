@@ -1,13 +1,24 @@
-//! The bodies of a step, side by side: those that can be pushed from number 1 on, in the order of the list of bodies, then
-//! room for some more, and behind that what stands still. Number 0 stands for everything that cannot be pushed. What has gone
-//! leaves its number empty until all are listed anew.
+//! State of all bodies in arrays, as the solvers read and write it, and the velocity changes by forces, gravity and drag.
 //!
-//! Between updates and in callbacks the [`Body`](crate::Body) is the truth: it is read before a step and written after it.
+//! | indices | bodies |
+//! |---|---|
+//! | 0 | placeholder: stands for every static body in a constraint |
+//! | 1, 2, ... | moving boxes of `twohalf`: kinematic or on a hinge |
+//! | then, up to `last_movable` | dynamic and kinematic bodies, in the order of the simulator's list |
+//! | up to `states.len()`, a multiple of 4 | spare capacity for new bodies |
+//! | from `first_static()` on | static bodies and static boxes, with poses but without states |
+//!
+//! Bodies of the second and third row are called movable. A removed body leaves an empty entry until the next rebuild. Between
+//! updates and in callbacks the [`Body`] objects hold the valid state: a step copies it to these arrays before the
+//! solver and back after it.
+//!
+//! An array `[f32; 4]` has the components x, y (length units), rotation about Z (radians) and z (length units), or their rates
+//! per second.
 
-use crate::precise::parameters::broad_phase::{BODIES_PER_SPARE_ROOM, LEAST_SPARE_ROOM};
+use crate::precise::parameters::broad_phase::{BODIES_PER_SPARE_POSITION, MIN_SPARE_POSITIONS};
 use wide::f32x4;
 
-use super::outline::Shape;
+use super::shape::Shape;
 use crate::body::{Body, BodyId};
 use crate::math::lanes::sin_cos;
 use crate::math::math_helper::TWO_PI;
@@ -15,89 +26,111 @@ use crate::math::plane::Pose;
 use crate::math::{Vector2, decay, scalar};
 use crate::storage::reusing_clone::reusing_clone;
 
-/// What all passes read and write of a body: velocity and spin, and how far it has gone in this substep.
+/// Velocity of a movable body, and its displacement in the last substep. All solver stages read and write it (Box2D 3:
+/// `b2BodyState`).
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(32))]
-pub(super) struct Hot {
+pub(super) struct MotionState {
+    /// Velocity of the body: x, y (length units/s), angular velocity (radians/s), z (length units/s). World frame.
     pub(super) velocity: [f32; 4],
-    pub(super) step: [f32; 4],
+    /// Displacement of the body in the last substep: x, y (length units), rotation (radians), z (length units).
+    pub(super) displacement: [f32; 4],
 }
 
-/// Room for what may come.
-pub(super) fn room_for(count: usize) -> usize {
-    count / BODIES_PER_SPARE_ROOM + LEAST_SPARE_ROOM
+/// Returns the number of spare entries for a list of `count` bodies or proxies.
+pub(super) fn spare_capacity(count: usize) -> usize {
+    count / BODIES_PER_SPARE_POSITION + MIN_SPARE_POSITIONS
 }
 
-/// The bodies by number. Lists of those that can be pushed are as long as a multiple of four.
+/// All bodies by index. Arrays of movable bodies have a length that is a multiple of 4, for SIMD.
 #[derive(Debug, Default)]
-pub(super) struct Bodies {
-    /// The last one of those that can be pushed has this number; and how many of them there are.
-    pub(super) count: usize,
-    pub(super) live: usize,
+pub(super) struct BodySet {
+    /// Greatest index of a movable body; entries below it may be empty.
+    pub(super) last_movable: usize,
+    /// Number of dynamic and kinematic bodies, without boxes and empty entries.
+    pub(super) movable_count: usize,
+    /// Id of each body; `None` for the placeholder, boxes of `twohalf` and empty entries.
     pub(super) ids: Vec<Option<BodyId>>,
-    /// Numbers of those among them that nothing pushes, but the game moves.
+    /// Indices of the kinematic bodies and moving boxes, ascending.
     pub(super) kinematic: Vec<u32>,
-    pub(super) hot: Vec<Hot>,
-    /// What the impulses of all contacts do to the velocity in a substep.
-    pub(super) warm: Vec<[f32; 4]>,
-    /// The velocity right after they did.
-    pub(super) begun: Vec<[f32; 4]>,
-    /// The velocity before the step.
-    pub(super) before: Vec<[f32; 4]>,
-    /// What forces add to the velocity in a substep.
-    pub(super) push: Vec<[f32; 4]>,
-    /// What a spring's force must add to the way of a body that touches nothing: see [`read`].
-    pub(super) forced: Vec<[f32; 4]>,
-    /// The way of the whole step.
-    pub(super) path: Vec<[f32; 4]>,
-    /// Reciprocals of mass and moment of inertia.
-    pub(super) inverses: Vec<[f32; 2]>,
-    /// What part of gravity acts, of all that have inverses.
-    pub(super) gravity_parts: Vec<f32>,
-    /// The radius of a body that is one circle about its origin, third in the row, and then 1 as the fourth; else 0.
+    /// Velocity, and displacement in the last substep, of each movable body.
+    pub(super) states: Vec<MotionState>,
+    /// Warm start of each movable body: velocity change per substep by the accumulated impulses of all its contacts and joints.
+    /// X, y (length units/s), angular velocity (radians/s), z (length units/s).
+    pub(super) warm_start: Vec<[f32; 4]>,
+    /// Velocity of each movable body after forces and warm start of the current substep: x, y (length units/s), angular
+    /// velocity (radians/s), z (length units/s).
+    pub(super) warm_started_velocity: Vec<[f32; 4]>,
+    /// Velocity of each movable body at the beginning of the step: x, y (length units/s), angular velocity (radians/s), z
+    /// (length units/s).
+    pub(super) initial_velocity: Vec<[f32; 4]>,
+    /// Velocity change of each movable body per substep by forces, gravity and drag: x, y (length units/s), angular velocity
+    /// (radians/s), z (length units/s).
+    pub(super) force_delta: Vec<[f32; 4]>,
+    /// Correction of the displacement of each movable body in the step for applied forces, see [`read_body`]: x, y (length
+    /// units), rotation (radians), z (length units).
+    pub(super) force_position_delta: Vec<[f32; 4]>,
+    /// Displacement of each movable body in the step: x, y (length units), rotation (radians), z (length units).
+    pub(super) delta_pose: Vec<[f32; 4]>,
+    /// Reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of each body, static ones
+    /// included; 0 for infinite values.
+    pub(super) inverse_mass_inertia: Vec<[f32; 2]>,
+    /// Factor of gravity for each body that has an entry in `inverse_mass_inertia`, dimensionless.
+    pub(super) gravity_scales: Vec<f32>,
+    /// `[0, 0, radius, 1]` for each movable body that is one circle about its origin, radius in length units; else all 0.
     pub(super) circles: Vec<[f32; 4]>,
-    /// How far a body reaches from its origin, at most; infinite for what never sleeps.
-    pub(super) reaches: Vec<f32>,
-    /// How far into a body its surface is from its middle, at least; and whether it passes nothing.
-    pub(super) cores: Vec<f32>,
+    /// Greatest distance of the surface of each movable body from its origin, length units, >= 0 (Box2D 3: `maxExtent`).
+    /// Infinite for kinematic bodies, which never sleep.
+    pub(super) max_extents: Vec<f32>,
+    /// Least distance of the surface of each movable body from the middle of a convex piece, length units, >= 0 (Box2D 3:
+    /// `minExtent`). A body that moves farther in a step gets continuous collision. Infinite for bodies without shapes.
+    pub(super) min_extents: Vec<f32>,
+    /// Whether continuous collision of each movable body also counts against dynamic bodies.
     pub(super) are_bullets: Vec<bool>,
-    /// Of all bodies, with those that stand still.
+    /// Poses of all bodies in the world frame, static ones included: x, y in length units, cosine and sine of the rotation.
     pub(super) poses: Vec<Pose>,
+    /// Rotations of all bodies in the world frame, radians.
     pub(super) rotations: Vec<f32>,
 }
 
 reusing_clone! {
-    Bodies {
-        count, live, ids, kinematic, hot, warm, begun, before, push, forced, path, inverses,
-        gravity_parts, circles, reaches, cores, are_bullets, poses, rotations
+    BodySet {
+        last_movable, movable_count, ids, kinematic, states, warm_start, warm_started_velocity, initial_velocity, force_delta, force_position_delta, delta_pose, inverse_mass_inertia,
+        gravity_scales, circles, max_extents, min_extents, are_bullets, poses, rotations
     }
 }
 
-/// Rotations beyond it, in radians, are taken as negative ones. Boxes lie at multiples of a right angle, and none of these is near.
-const ALMOST_A_TURN: f32 = 5.0;
+/// Rotations above this limit, in radians, count as negative: 2 pi is subtracted. The limit is far from multiples of a right
+/// angle (4.71 and 6.28), at which boxes rest.
+const ROTATION_WRAP_MIN: f32 = 5.0;
 
-/// Sine and cosine of rotations: quick for those of one turn, which all are but after spins that no number holds.
+/// Returns sine and cosine of `rotations`, radians. Rotations within -0.5..7 take a fast path. Other rotations occur only after
+/// an angular velocity too large for the wrap to one turn.
 ///
-/// Rotations are kept between 0 and the f32 next to 2 pi, which is 1.7e-7 more. A body that lies at 0 and trembles by less than that is
-/// at either end in turns; a turn is taken as that f32 here, so that both ends are one pose.
+/// A body keeps its rotation between 0 and the `f32` nearest to 2 pi, which exceeds 2 pi by 1.7e-7. A body that trembles about
+/// 0 by less than that alternates between both ends. Subtraction of this `f32` from rotations above [`ROTATION_WRAP_MIN`] gives
+/// both ends equal poses.
 #[inline(always)]
-pub(super) fn turn_of(rotations: f32x4) -> (f32x4, f32x4) {
-    let is_turn = rotations.simd_gt(f32x4::splat(-0.5)) & rotations.simd_lt(f32x4::splat(7.0));
-    let turn = f32x4::splat(TWO_PI) & rotations.simd_gt(f32x4::splat(ALMOST_A_TURN));
-    let (sine, cosine) = sin_cos((rotations - turn) & is_turn);
-    if is_turn.all() { (sine, cosine) } else { turn_of_any(rotations, sine, cosine) }
+pub(super) fn sin_cos_of_rotation(rotations: f32x4) -> (f32x4, f32x4) {
+    let is_small = rotations.simd_gt(f32x4::splat(-0.5)) & rotations.simd_lt(f32x4::splat(7.0));
+    let turn = f32x4::splat(TWO_PI) & rotations.simd_gt(f32x4::splat(ROTATION_WRAP_MIN));
+    let (sine, cosine) = sin_cos((rotations - turn) & is_small);
+    if is_small.all() { (sine, cosine) } else { sin_cos_of_any_rotation(rotations, sine, cosine) }
 }
 
-/// The angle that a rotation stands for in [`turn_of`], in radians.
-pub(super) fn angle_of(rotation: f32) -> f64 {
-    f64::from(rotation) - if rotation > ALMOST_A_TURN { f64::from(TWO_PI) } else { 0.0 }
+/// Returns the angle in radians for which [`sin_cos_of_rotation`] computes sine and cosine: rotations above
+/// [`ROTATION_WRAP_MIN`] are negative.
+pub(super) fn signed_angle(rotation: f32) -> f64 {
+    f64::from(rotation) - if rotation > ROTATION_WRAP_MIN { f64::from(TWO_PI) } else { 0.0 }
 }
 
+/// Returns `sine` and `cosine`, with the lanes whose rotation is outside of -0.5..7 rad replaced by the general sine and
+/// cosine.
 #[cold]
-fn turn_of_any(rotations: f32x4, mut sine: f32x4, mut cosine: f32x4) -> (f32x4, f32x4) {
+fn sin_cos_of_any_rotation(rotations: f32x4, mut sine: f32x4, mut cosine: f32x4) -> (f32x4, f32x4) {
     for (lane, rotation) in rotations.to_array().into_iter().enumerate() {
         if !(rotation > -0.5 && rotation < 7.0) {
-            // Beyond, the sine of the core is no sine.
+            // From 2^63 on `scalar::sin_cos` returns the angle itself, as the original does.
             let (s, c) = if rotation.abs() < 1e18 { scalar::sin_cos(rotation) } else { (0.0, 1.0) };
             (sine.as_mut_array()[lane], cosine.as_mut_array()[lane]) = (s, c);
         }
@@ -105,272 +138,300 @@ fn turn_of_any(rotations: f32x4, mut sine: f32x4, mut cosine: f32x4) -> (f32x4, 
     (sine, cosine)
 }
 
-/// A body that is read for a rebuilt list.
+/// Returns the pose of a body (x, y in length units, cosine and sine of the rotation) and its rotation (radians), world frame.
 pub(super) fn pose_of(body: &Body) -> (Pose, f32) {
     let (position, rotation) = (body.position(), body.rotation());
-    let (sine, cosine) = turn_of(f32x4::splat(rotation));
+    let (sine, cosine) = sin_cos_of_rotation(f32x4::splat(rotation));
     ([position.x, position.y, cosine.to_array()[0], sine.to_array()[0]], rotation)
 }
 
-/// How far a body reaches that has no geom: as far as a ring of its mass and inertia.
-pub(super) fn ring_of(body: &Body) -> f32 {
-    let ring = (body.moment_of_inertia() / body.mass()).abs().sqrt();
-    if ring.is_finite() { ring } else { 0.0 }
+/// Returns the radius of gyration sqrt(I / m) of a body, length units: the extent of a body without geoms. 0 if it is not
+/// finite.
+pub(super) fn gyration_radius(body: &Body) -> f32 {
+    let radius = (body.moment_of_inertia() / body.mass()).abs().sqrt();
+    if radius.is_finite() { radius } else { 0.0 }
 }
 
-/// Reciprocals as rows use them: what is so small that numbers lose digits there is 0.
-pub(super) fn inverses_of(body: &Body) -> [f32; 2] {
+/// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, for
+/// constraints. Subnormal reciprocals become 0, since they lose digits.
+pub(super) fn inverse_mass_inertia_of(body: &Body) -> [f32; 2] {
     [body.inverse_mass(), body.inverse_moment_of_inertia()]
         .map(|inverse| if inverse >= f32::MIN_POSITIVE { inverse } else { 0.0 })
 }
 
-impl Bodies {
-    /// First number of those that stand still.
-    pub(super) fn first_fixed(&self) -> usize {
-        self.hot.len()
+impl BodySet {
+    /// Returns the index of the first static body.
+    pub(super) fn first_static(&self) -> usize {
+        self.states.len()
     }
 
-    /// Lists these bodies, first those that can be pushed; before them what moves and is no body.
-    pub(super) fn list<'a>(
+    /// Lists all bodies anew: moving boxes of `twohalf`, then dynamic and kinematic bodies, spare capacity and static bodies.
+    /// `moving`: pose and rotation (radians) of each moving box.
+    pub(super) fn rebuild<'a>(
         &mut self,
         moving: impl Iterator<Item = (Pose, f32)>,
         movable: impl Iterator<Item = (BodyId, &'a Body)>,
-        fixed: impl Iterator<Item = (BodyId, &'a Body)>,
+        statics: impl Iterator<Item = (BodyId, &'a Body)>,
     ) {
         self.ids.clear();
         self.kinematic.clear();
         self.poses.clear();
         self.rotations.clear();
-        self.inverses.clear();
-        self.gravity_parts.clear();
-        self.reaches.clear();
-        self.push_dummy();
-        self.hot.clear();
-        self.hot.push(Hot::default());
-        self.reaches.push(f32::INFINITY);
+        self.inverse_mass_inertia.clear();
+        self.gravity_scales.clear();
+        self.max_extents.clear();
+        self.push_placeholder();
+        self.states.clear();
+        self.states.push(MotionState::default());
+        self.max_extents.push(f32::INFINITY);
         self.are_bullets.clear();
         self.are_bullets.push(false);
         moving.for_each(|(pose, rotation)| {
             self.kinematic.push(self.ids.len() as u32);
-            self.reaches.push(f32::INFINITY);
+            self.max_extents.push(f32::INFINITY);
             self.are_bullets.push(false);
-            self.add_fixture(pose, rotation);
-            self.hot.push(Hot::default());
+            self.add_world_box(pose, rotation);
+            self.states.push(MotionState::default());
         });
         let first = self.ids.len();
         movable.for_each(|(id, body)| {
             if body.is_kinematic() {
                 self.kinematic.push(self.ids.len() as u32);
             }
-            self.reaches.push(if body.is_kinematic() { f32::INFINITY } else { 0.0 });
+            self.max_extents.push(if body.is_kinematic() { f32::INFINITY } else { 0.0 });
             self.are_bullets.push(body.is_bullet());
-            self.push(id, body, inverses_of(body));
-            self.hot.push(Hot { velocity: velocity_of(body), ..Hot::default() });
+            self.push_body(id, body, inverse_mass_inertia_of(body));
+            self.states.push(MotionState { velocity: velocity_of(body), ..MotionState::default() });
         });
-        self.count = self.ids.len() - 1;
-        self.live = self.ids.len() - first;
-        let padded = (self.ids.len() + room_for(self.count)).next_multiple_of(4);
-        (self.ids.len()..padded).for_each(|_| self.push_dummy());
-        fixed.for_each(|(id, body)| self.add_fixed(id, body));
-        self.hot.resize(padded, Hot::default());
-        self.reaches.resize(padded, f32::INFINITY);
+        self.last_movable = self.ids.len() - 1;
+        self.movable_count = self.ids.len() - first;
+        let padded = (self.ids.len() + spare_capacity(self.last_movable)).next_multiple_of(4);
+        (self.ids.len()..padded).for_each(|_| self.push_placeholder());
+        statics.for_each(|(id, body)| self.add_static(id, body));
+        self.states.resize(padded, MotionState::default());
+        self.max_extents.resize(padded, f32::INFINITY);
         self.are_bullets.resize(padded, false);
-        self.cores.clear();
-        self.cores.resize(padded, f32::INFINITY);
-        for stream in [
-            &mut self.warm,
-            &mut self.begun,
-            &mut self.before,
-            &mut self.push,
-            &mut self.forced,
-            &mut self.path,
+        self.min_extents.clear();
+        self.min_extents.resize(padded, f32::INFINITY);
+        for array in [
+            &mut self.warm_start,
+            &mut self.warm_started_velocity,
+            &mut self.initial_velocity,
+            &mut self.force_delta,
+            &mut self.force_position_delta,
+            &mut self.delta_pose,
             &mut self.circles,
         ] {
-            stream.clear();
-            stream.resize(padded, [0.0; 4]);
+            array.clear();
+            array.resize(padded, [0.0; 4]);
         }
     }
 
-    fn push_dummy(&mut self) {
+    /// Appends an entry without a body: infinite mass, pose at the origin of the world.
+    fn push_placeholder(&mut self) {
         self.ids.push(None);
         self.poses.push([0.0, 0.0, 1.0, 0.0]);
         self.rotations.push(0.0);
-        self.inverses.push([0.0; 2]);
-        self.gravity_parts.push(0.0);
+        self.inverse_mass_inertia.push([0.0; 2]);
+        self.gravity_scales.push(0.0);
     }
 
-    fn push(&mut self, id: BodyId, body: &Body, inverses: [f32; 2]) {
+    /// Appends a body to the arrays of all bodies. `inverses`: reciprocals of its mass (1/mass units) and moment of inertia
+    /// (1/(mass units * length units^2)).
+    fn push_body(&mut self, id: BodyId, body: &Body, inverses: [f32; 2]) {
         let (pose, rotation) = pose_of(body);
         self.ids.push(Some(id));
         self.poses.push(pose);
         self.rotations.push(rotation);
-        self.inverses.push(inverses);
-        self.gravity_parts.push(body.gravity_part());
+        self.inverse_mass_inertia.push(inverses);
+        self.gravity_scales.push(body.effective_gravity_scale());
     }
 
-    /// One that stands still comes last.
-    pub(super) fn add_fixed(&mut self, id: BodyId, body: &Body) {
-        self.push(id, body, [0.0; 2]);
+    /// Appends a static body, whose mass is infinite, to the arrays of all bodies.
+    pub(super) fn add_static(&mut self, id: BodyId, body: &Body) {
+        self.push_body(id, body, [0.0; 2]);
     }
 
-    /// Something that is no body comes last.
-    pub(super) fn add_fixture(&mut self, pose: Pose, rotation: f32) {
-        self.push_dummy();
+    /// Appends a box of `twohalf`, which has a pose and infinite mass but no body.
+    pub(super) fn add_world_box(&mut self, pose: Pose, rotation: f32) {
+        self.push_placeholder();
         self.poses.pop();
         self.rotations.pop();
         self.poses.push(pose);
         self.rotations.push(rotation);
     }
 
-    /// One that can be pushed comes behind the others, if there is room: answers its number.
+    /// Adds a dynamic or kinematic body in the spare capacity. Returns its index; `None` if there is no capacity left.
     pub(super) fn add_movable(&mut self, id: BodyId, body: &Body) -> Option<usize> {
-        let number = self.count + 1;
-        if number >= self.first_fixed() {
+        let index = self.last_movable + 1;
+        if index >= self.first_static() {
             return None;
         }
         if body.is_kinematic() {
-            self.kinematic.push(number as u32);
+            self.kinematic.push(index as u32);
         }
-        self.ids[number] = Some(id);
-        self.move_to(number, body);
-        self.inverses[number] = inverses_of(body);
-        self.gravity_parts[number] = body.gravity_part();
-        self.are_bullets[number] = body.is_bullet();
-        self.set_velocity(number, body);
-        (self.count, self.live) = (number, self.live + 1);
-        Some(number)
+        self.ids[index] = Some(id);
+        self.set_pose(index, body);
+        self.inverse_mass_inertia[index] = inverse_mass_inertia_of(body);
+        self.gravity_scales[index] = body.effective_gravity_scale();
+        self.are_bullets[index] = body.is_bullet();
+        self.set_velocity(index, body);
+        (self.last_movable, self.movable_count) = (index, self.movable_count + 1);
+        Some(index)
     }
 
-    /// A body has gone.
-    pub(super) fn forget(&mut self, number: usize) {
-        self.ids[number] = None;
-        if number >= self.first_fixed() {
+    /// Removes the body at `index`; the entry stays empty until the next rebuild.
+    pub(super) fn remove(&mut self, index: usize) {
+        self.ids[index] = None;
+        if index >= self.first_static() {
             return;
         }
-        self.live -= 1;
-        self.kinematic.retain(|&kinematic| kinematic as usize != number);
-        self.rest(number, 1.0);
-        self.inverses[number] = [0.0; 2];
-        self.are_bullets[number] = false;
-        (self.reaches[number], self.cores[number]) = (f32::INFINITY, f32::INFINITY);
-        self.circles[number] = [0.0; 4];
+        self.movable_count -= 1;
+        self.kinematic.retain(|&kinematic| kinematic as usize != index);
+        self.put_to_rest(index, 1.0);
+        self.inverse_mass_inertia[index] = [0.0; 2];
+        self.are_bullets[index] = false;
+        (self.max_extents[index], self.min_extents[index]) = (f32::INFINITY, f32::INFINITY);
+        self.circles[index] = [0.0; 4];
     }
 
-    /// How far a body reaches, how thick it is, and whether it is one circle, as its pieces say.
-    pub(super) fn measure(&mut self, number: usize, shapes: impl Iterator<Item = (Shape, f32)>) {
-        let mut reach = if self.is_kinematic(number) { f32::INFINITY } else { 0.0 };
-        let (mut core, mut circle, mut count) = (f32::INFINITY, [0.0; 4], 0);
+    /// Computes `max_extents`, `min_extents` and `circles` of a body. `shapes`: each convex piece of the body with its least
+    /// extent in length units.
+    pub(super) fn compute_extents(&mut self, index: usize, shapes: impl Iterator<Item = (Shape, f32)>) {
+        let mut max_extent = if self.is_kinematic(index) { f32::INFINITY } else { 0.0 };
+        let (mut min_extent, mut circle, mut count) = (f32::INFINITY, [0.0; 4], 0);
         for (shape, of_shape) in shapes {
-            core = if of_shape < core { of_shape } else { core };
-            reach = if shape.reach > reach { shape.reach } else { reach };
+            min_extent = if of_shape < min_extent { of_shape } else { min_extent };
+            max_extent = if shape.max_extent > max_extent { shape.max_extent } else { max_extent };
             count += 1;
-            let is_round = count == 1 && shape.count == 0 && shape.centre == [0.0, 0.0];
+            let is_round = count == 1 && shape.vertex_count == 0 && shape.centre == [0.0, 0.0];
             circle = if is_round { [0.0, 0.0, shape.radius.max(f32::MIN_POSITIVE), 1.0] } else { [0.0; 4] };
         }
-        (self.reaches[number], self.cores[number], self.circles[number]) = (reach, core, circle);
+        (self.max_extents[index], self.min_extents[index], self.circles[index]) =
+            (max_extent, min_extent, circle);
     }
 
-    pub(super) fn is_kinematic(&self, number: usize) -> bool {
-        self.kinematic.binary_search(&(number as u32)).is_ok()
+    /// Returns whether the body at this index is kinematic, or a moving box of `twohalf`.
+    pub(super) fn is_kinematic(&self, index: usize) -> bool {
+        self.kinematic.binary_search(&(index as u32)).is_ok()
     }
 
-    /// Whether a body was moved since it was read.
+    /// Returns whether the pose of `body` differs from the pose stored at `index`, since it was edited.
     #[inline(always)]
-    pub(super) fn was_moved(&self, number: usize, body: &Body) -> bool {
-        let (pose, position) = (&self.poses[number], body.position());
-        position.x != pose[0] || position.y != pose[1] || body.rotation() != self.rotations[number]
+    pub(super) fn was_moved(&self, index: usize, body: &Body) -> bool {
+        let (pose, position) = (&self.poses[index], body.position());
+        position.x != pose[0] || position.y != pose[1] || body.rotation() != self.rotations[index]
     }
 
-    pub(super) fn moves(&self, number: usize) -> bool {
-        self.hot[number].velocity != [0.0; 4]
+    /// Returns whether any component of a body's velocity is not 0.
+    pub(super) fn has_velocity(&self, index: usize) -> bool {
+        self.states[index].velocity != [0.0; 4]
     }
 
-    /// A body comes to rest. Answers the accelerations that it bears, after a step of so many seconds.
-    pub(super) fn rest(&mut self, number: usize, dt: f32) -> [f32; 4] {
-        let borne = self.forced[number].map(|way| way / (0.5 * dt * dt));
-        // The square of a step may be less than there are numbers.
-        let borne = if borne.iter().all(|number| number.is_finite()) { borne } else { [0.0; 4] };
-        self.hot[number] = Hot::default();
-        for stream in [
-            &mut self.warm,
-            &mut self.begun,
-            &mut self.before,
-            &mut self.push,
-            &mut self.forced,
-            &mut self.path,
+    /// Clears the velocity, the velocity changes and the displacements of a body.
+    ///
+    /// Returns the acceleration by applied forces that the body had in a step of `dt` seconds: x, y (length units/s^2), angular
+    /// (radians/s^2), z (length units/s^2).
+    pub(super) fn put_to_rest(&mut self, index: usize, dt: f32) -> [f32; 4] {
+        let accelerations = self.force_position_delta[index].map(|way| way / (0.5 * dt * dt));
+        // dt^2 may underflow to 0.
+        let borne =
+            if accelerations.iter().all(|number| number.is_finite()) { accelerations } else { [0.0; 4] };
+        self.states[index] = MotionState::default();
+        for array in [
+            &mut self.warm_start,
+            &mut self.warm_started_velocity,
+            &mut self.initial_velocity,
+            &mut self.force_delta,
+            &mut self.force_position_delta,
+            &mut self.delta_pose,
         ] {
-            stream[number] = [0.0; 4];
+            array[index] = [0.0; 4];
         }
         borne
     }
 
-    /// Takes over the velocity of an edited body.
-    pub(super) fn set_velocity(&mut self, number: usize, body: &Body) {
-        if let Some(hot) = self.hot.get_mut(number) {
-            hot.velocity = velocity_of(body);
+    /// Copies the velocity of an edited [`Body`] to `states`.
+    pub(super) fn set_velocity(&mut self, index: usize, body: &Body) {
+        if let Some(state) = self.states.get_mut(index) {
+            state.velocity = velocity_of(body);
         }
     }
 
-    /// The last step has not brought a body to where it is.
-    pub(super) fn forget_way(&mut self, number: usize) {
-        if let Some(path) = self.path.get_mut(number) {
-            *path = [0.0; 4];
+    /// Sets the displacement in the last step (`delta_pose`) of a teleported body to 0.
+    pub(super) fn clear_delta_pose(&mut self, index: usize) {
+        if let Some(delta_pose) = self.delta_pose.get_mut(index) {
+            *delta_pose = [0.0; 4];
         }
     }
 
-    /// Ways are known from the next step on: they are saved only while something asks for them.
-    pub(super) fn forget_ways(&mut self) {
-        self.path.fill([0.0; 4]);
+    /// Sets the displacements in the last step (`delta_pose`) of all bodies to 0. Snapshots contain them only while there are
+    /// one-way geoms, which read them.
+    pub(super) fn clear_delta_poses(&mut self) {
+        self.delta_pose.fill([0.0; 4]);
     }
 
-    pub(super) fn move_to(&mut self, number: usize, body: &Body) {
-        (self.poses[number], self.rotations[number]) = pose_of(body);
+    /// Copies the pose of a [`Body`] to `poses` and `rotations`.
+    pub(super) fn set_pose(&mut self, index: usize, body: &Body) {
+        (self.poses[index], self.rotations[index]) = pose_of(body);
     }
 }
 
+/// Returns the velocity of a body: x, y (length units/s), angular velocity (radians/s), and 0 for z.
 fn velocity_of(body: &Body) -> [f32; 4] {
     let velocity = body.linear_velocity();
     [velocity.x, velocity.y, body.angular_velocity(), 0.0]
 }
 
-/// Velocity, and what forces, gravity and drag add to it in every substep so that the whole step ends with the velocity that
-/// the exact law gives: with drag rate r, v' = a - r v ends at v E + a (1 - E) / r, E = exp(-r dt). Quadratic drag acts as it
-/// was when the step began.
+/// Returns the velocity of a body, and its changes in steps of `dt` and substeps of `h` seconds by forces, gravity and drag.
+/// The velocity after the step is the exact solution of `v' = a - r v` for drag rate r (1/s) and acceleration a: `v E + a (1 -
+/// E) / r` with `E = exp(-r dt)`. Quadratic drag has the rate of the beginning of the step throughout.
 ///
-/// Forces that a game or a spring has applied may depend on the place. A way by the middle of the velocities would be too
-/// short then: an undamped spring would swing up. Theirs is that of the velocity after the step, as in the faithful set,
-/// which keeps the swing (the symplectic Euler method); `forced` is the difference.
+/// `force_position_delta` corrects the displacement for forces that a game or a spring has applied, since they may depend on
+/// the position. Free flight moves bodies by the mean of the velocities before and after the step. Under a spring force this
+/// displacement would be too short, and the amplitude would grow. With the correction, applied forces move the body by the
+/// velocity after the step. That is the symplectic Euler method, as in the faithful set, which keeps the amplitude.
 #[inline(always)]
-pub(super) fn read(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> Read {
+pub(super) fn read_body(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> BodyForces {
     if body.is_kinematic() {
         body.begin_kinematic_step(dt);
-        return Read { velocity: velocity_of(body), push: [0.0; 4], forced: [0.0; 4] };
+        return BodyForces {
+            velocity: velocity_of(body),
+            force_delta: [0.0; 4],
+            force_position_delta: [0.0; 4],
+        };
     }
     body.apply_accumulated_impulse();
     let velocity = f32x4::new(velocity_of(body));
     let (force, turning) = body.take_accelerations();
-    let forced = f32x4::new([force.x, force.y, turning, 0.0]);
-    let gravity = gravity * body.gravity_part();
-    let acceleration = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]) + forced;
-    let gained = match body.drag_rates() {
-        // The same as below, for less.
+    let applied = f32x4::new([force.x, force.y, turning, 0.0]);
+    let gravity = gravity * body.effective_gravity_scale();
+    let acceleration = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]) + applied;
+    let velocity_change = match body.drag_rates() {
+        // Without drag E = 1.
         (0.0, 0.0) => acceleration * f32x4::splat(dt),
         (drag, rotational_drag) => {
-            let (decay, grown) = decay::over_each(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
+            let (decay, grown) =
+                decay::decay_and_integral_simd(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
             velocity * decay + acceleration * grown
         }
     };
-    Read {
+    BodyForces {
         velocity: velocity.to_array(),
-        push: (gained * f32x4::splat(h / dt)).to_array(),
-        forced: (forced * f32x4::splat(0.5 * dt * dt)).to_array(),
+        force_delta: (velocity_change * f32x4::splat(h / dt)).to_array(),
+        force_position_delta: (applied * f32x4::splat(0.5 * dt * dt)).to_array(),
     }
 }
 
-/// What is read of a body before a step.
+/// Velocity of a body before the step, and its changes by forces in the step.
 #[derive(Default)]
-pub(super) struct Read {
+pub(super) struct BodyForces {
+    /// Velocity at the beginning of the step: x, y (length units/s), angular velocity (radians/s), z (length units/s).
     pub(super) velocity: [f32; 4],
-    pub(super) push: [f32; 4],
-    pub(super) forced: [f32; 4],
+    /// Velocity change per substep by forces, gravity and drag: x, y (length units/s), angular velocity (radians/s), z (length
+    /// units/s).
+    pub(super) force_delta: [f32; 4],
+    /// Correction of the displacement in the step for applied forces: x, y (length units), rotation (radians), z (length
+    /// units).
+    pub(super) force_position_delta: [f32; 4],
 }

@@ -1,248 +1,255 @@
-//! The precise set: bodies, pairs and contacts of their own, behind the same API.
+//! The precise engine: bodies, pairs, constraints and solvers of its own, behind the same API as the faithful set. It shares
+//! the objects with the faithful set, but no arithmetic.
 //!
-//! It shares the objects with the faithful set, and nothing of its arithmetic. A step, in the order of [`step`]:
+//! A step has these stages:
 //!
-//! 1. what was edited is taken over ([`sync`]);
-//! 2. pairs whose bounds part go, and new ones come ([`grid`], [`pairs`]);
-//! 3. pairs that moved are looked at ([`touch`], [`manifold`]), and rows come and go ([`rows`]);
-//! 4. joints are read, and which of them can be solved at once ([`joints`]);
-//! 5. bodies are read ([`bodies`]), islands that can be are solved as a whole ([`direct`]), velocities of the others in
-//!    substeps ([`passes`]), and bodies written ([`moving`]);
-//! 6. what has come to rest falls asleep ([`sleep`]), until something wakes it ([`wake`]).
+//! | stage | what it does | where |
+//! |---|---|---|
+//! | 1 | imports edited objects | [`import`], [`add_remove`] |
+//! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`] |
+//! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`], [`constraint_graph`] |
+//! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`], [`joints`], [`island`] |
+//! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`], [`continuous_collision`] |
+//! | 6 | writes bodies, refits AABBs | [`step`], [`integration`] |
+//! | 7 | puts islands at rest to sleep | [`island`] |
 //!
-//! For an engine on top of this one all of it works in three axes ([`space`]).
-//!
-//! Lengths are the user's; the numbers of the method ([`parameters`]) are parts of one length ([`tuning`]).
+//! For `twohalf`, an engine on top of this one, all stages work in three axes ([`depth`]). Lengths are in the user's unit.
+//! Parameters are multiples of one length unit ([`scaled_parameters`]).
 
+mod add_remove;
 mod bodies;
-mod continuous;
-mod direct;
-pub(crate) mod dormant;
-mod driven;
-mod elimination;
+pub(crate) mod broad_phase;
+mod constraint_graph;
+mod contact_events;
+mod contact_solver;
+mod continuous_collision;
+pub(crate) mod depth;
+mod direct_solver;
 mod fingerprint;
-mod flight;
-mod flush;
-mod grid;
-mod islands;
-mod joined_flights;
+mod import;
+mod integration;
+pub(crate) mod island;
 mod joints;
-mod manifold;
-mod meeting;
-mod members;
-mod moving;
-mod nearby;
-mod one_way;
-mod outline;
-mod pair_finder;
-mod pairs;
+mod narrow_phase;
 mod parameters;
-mod passes;
-mod pivoting;
-mod pivots;
-mod proxies;
-mod rolling;
-mod round;
-mod rows;
 mod saved;
-mod seams;
-mod sleep;
-pub(crate) mod space;
+mod scaled_parameters;
+mod shape;
+mod sparse_ordering;
 mod step;
-mod sync;
-mod telling;
-mod told;
-mod touch;
-mod tuning;
-mod unpushed;
-mod wake;
 
 use serde::Deserialize;
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
+pub use crate::precise::island::report::Island;
+pub use crate::precise::island::report::IslandCost;
+pub use crate::precise::island::report::IslandResidual;
+pub use crate::precise::island::report::IslandSolver;
+pub use crate::precise::island::report::SolverReason;
+pub use crate::precise::island::sleep::AwakeReason;
 use crate::storage::reusing_clone::reusing_clone;
 use saved::Saved;
-pub use sleep::WhyAwake;
-pub use telling::{Island, IslandCost, IslandMethod, IslandResidual, WhyMethod};
-pub(crate) use tuning::Step;
+pub(crate) use scaled_parameters::StepContext;
 
-use bodies::Bodies;
-use continuous::Flight;
-use direct::Direct;
-use grid::Grid;
-use joints::Joints;
-use joints::springs::Springs;
-use nearby::Loose;
-use pairs::Pairs;
-use proxies::Proxies;
-use rolling::Roll;
-use rows::{Palette, Rows};
-use sleep::Sleep;
-use space::{Held, Space};
-use touch::{Change, Looks, Touch};
-use tuning::Tuning;
+use crate::precise::broad_phase::hash_grid::HashGrid;
+use crate::precise::broad_phase::pairs::Pairs;
+use crate::precise::broad_phase::proxies::Proxies;
+use crate::precise::broad_phase::query_candidates::AlwaysTested;
+use crate::precise::contact_solver::rolling::RollingContact;
+use crate::precise::island::sleep::SleepState;
+use bodies::BodySet;
+use constraint_graph::{ColorUsage, ConstraintGraph};
+use continuous_collision::FastBody;
+use depth::{DepthState, FeatureGate};
+use direct_solver::DirectSolver;
+use joints::JointSystem;
+use joints::springs::SpringRows;
+use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
+use scaled_parameters::Parameters;
 
-/// What the precise set keeps from step to step.
+/// State of the precise engine between steps.
 #[derive(Debug, Deserialize)]
 #[serde(from = "Saved")]
 pub(crate) struct Precise {
-    tuning: Tuning,
-    /// Seconds of the substep that impulses were found for.
-    h: f32,
-    /// Seconds of the last step: bounds reach ahead by what moves in a few of them.
+    /// Parameters in the user's units: speculative distance, margins, thresholds.
+    parameters: Parameters,
+    /// Length of the substep in which the accumulated contact impulses last acted, seconds, >= 0. A step with another substep
+    /// length scales the impulses.
+    impulse_substep: f32,
+    /// Length of the last step, seconds, >= 0. Fat AABBs reach ahead by the motion of a few steps of this length.
     dt: f32,
-    /// What gravity adds to velocities in a step.
-    fall: crate::math::plane::Vector,
-    /// What was loaded, until the bodies are listed.
+    /// Velocity change by gravity in the current step: x, y in length units/s.
+    gravity_delta: crate::math::plane::Vector,
+    /// State of a loaded snapshot until the next rebuild restores it; else `None`.
     loaded: Option<Saved>,
-    /// Bodies or geoms became what they were not.
-    is_stale: bool,
-    /// Bodies or geoms came or went, and nothing else.
-    has_new_members: bool,
-    /// Something bounces.
-    bounces: bool,
+    /// Whether the next import must list all bodies and proxies anew, for example because a body changed its type.
+    needs_rebuild: bool,
+    /// Whether bodies or geoms were added or removed since the last import.
+    has_membership_changes: bool,
+    /// Whether any geom has, or any handler has set, a restitution coefficient above 0; else the solver skips restitution.
+    has_restitution: bool,
+    /// How the friction coefficients of two geoms combine to that of their contact.
     friction: FrictionType,
-    /// Contacts of two pieces, at most.
-    most_contacts: u32,
-    bodies: Bodies,
+    /// Greatest number of contact points of a pair of convex pieces, 0..=2.
+    max_contacts: u32,
+    /// Poses, velocities, masses and extents of all bodies, by body index.
+    bodies: BodySet,
+    /// Convex pieces of geoms with their fat AABBs, by proxy index.
     proxies: Proxies,
-    grid: Grid,
+    /// Broad phase: hash grid of the fat AABBs.
+    grid: HashGrid,
+    /// Pairs of proxies whose fat AABBs overlap.
     pairs: Pairs,
-    rows: Rows,
-    palette: Palette,
-    joints: Joints,
-    /// Springs that are rows in this update.
-    springs: Springs,
-    sleep: Sleep,
-    direct: Direct,
-    /// The depth axis, for an engine that has it.
-    space: Option<Held<Box<Space>>>,
-    /// Numbers of bodies and first proxies of geoms, by slot.
-    body_numbers: Vec<u32>,
+    /// Contact constraints of all pairs, in graph colours or parked.
+    constraints: ConstraintGraph,
+    /// Graph colours that the contact constraints of each body use.
+    color_usage: ColorUsage,
+    /// Joints with their constraints and solvers.
+    joints: JointSystem,
+    /// Springs that the solvers treat as constraint rows in this update.
+    springs: SpringRows,
+    /// Sleep state of bodies and islands: rest times, rings of sleeping bodies, requests to wake.
+    sleep: SleepState,
+    /// The direct solver and the solver selection.
+    direct_solver: DirectSolver,
+    /// State of the depth axis; `None` in plain 2D.
+    depth: Option<FeatureGate<Box<DepthState>>>,
+    /// Index into `bodies` of each body, by the slot of its id; `NO_ENTRY` if the body is not listed.
+    body_indices: Vec<u32>,
+    /// Index of the first proxy of each geom, by the slot of its id; `NO_ENTRY` if the geom has no proxy.
     first_proxies: Vec<u32>,
-    /// The geoms that queries look at whatever the grid says, in the order of their list.
-    loose: Vec<Loose>,
-    /// Bodies in the list that take no part because they are disabled.
-    absent: Vec<BodyId>,
-    /// Lent out for editing since the last look.
+    /// Geoms that every AABB query tests without the hash grid, in the order of the simulator's list of geoms.
+    always_tested: Vec<AlwaysTested>,
+    /// Ids of the disabled bodies, which have no entry in `bodies`.
+    disabled_bodies: Vec<BodyId>,
+    /// Ids of bodies that the game borrowed for editing since the last import; the next import copies their properties.
     edited_bodies: Vec<BodyId>,
+    /// Ids of geoms that the game borrowed for editing since the last import; the next import copies their properties.
     edited_geoms: Vec<GeomId>,
-    /// Those that the game woke.
-    woken: Vec<BodyId>,
-    /// Pairs of geoms that begin or cease to touch in this step.
-    changes: Vec<Change>,
-    /// Empty between stages: see [`Touch`].
-    parted: Vec<(BodyId, f32)>,
-    looks: Looks,
-    /// Pairs that are to be looked at, while they are.
-    due: Vec<u32>,
-    /// Contacts of polygons that roll over a static face, found in this step.
-    rolling: Vec<Roll>,
-    /// Some pair was refused or changed by a handler, for one step.
-    has_handled: bool,
-    /// Bodies that move by more than their cores in this step; and the sensors that a fast body crosses within it, with the
-    /// geoms that cross them. Of no use between steps.
-    fast: Vec<Flight>,
-    flown: Vec<[(u32, GeomId); 2]>,
-    /// Proxies whose bounds are wider for a step.
-    widened: Vec<u32>,
-    /// Proxies of static and kinematic bodies whose pairs were searched in this step.
-    unpushed: Vec<u32>,
-    /// Empty between stages.
-    lost: Vec<u32>,
-    found: Vec<[u32; 2]>,
-    /// Whether a proxy is a partner already of that whose pairs are looked for. All false between searches.
-    known: Vec<bool>,
-    touching: Vec<(u128, u32)>,
+    /// Ids of bodies that the game asked to wake since the last update.
+    wake_requests: Vec<BodyId>,
+    /// Touch events that the game has not received yet: pairs of convex pieces that began or ceased to touch.
+    touch_events: Vec<TouchEvent>,
+    /// Contacts with static bodies that ended in this narrow phase: dynamic body, and penetration in length units. Empty
+    /// between stages.
+    ended_static_contacts: Vec<(BodyId, f32)>,
+    /// Numbers of computed and of recycled manifolds in the narrow phase of this step.
+    narrow_phase_stats: NarrowPhaseStats,
+    /// Scratch: indices of the pairs that the narrow phase updates in this step.
+    dirty_pairs: Vec<u32>,
+    /// Contacts of polygons that roll over a static face in this step. Filled by the narrow phase, read by the iterative
+    /// solver.
+    rolling_contacts: Vec<RollingContact>,
+    /// Whether a collision handler has vetoed a pair, removed contact points or set surface properties for this step.
+    has_handler_changes: bool,
+    /// Candidates of continuous collision: bodies whose displacement in this step exceeds their least extent. Valid within a
+    /// step only.
+    fast_bodies: Vec<FastBody>,
+    /// A sensor and a geom of a fast body that crosses it within the step: creation number and id of each, the smaller number
+    /// first. Valid within a step only.
+    sensor_passthroughs: Vec<[(u32, GeomId); 2]>,
+    /// Scratch: proxies whose fat AABBs continuous collision has enlarged to contain the sweep of a fast body.
+    enlarged_proxies: Vec<u32>,
+    /// Proxies of static and kinematic bodies whose pairs the broad phase searched in this step.
+    searched_static_proxies: Vec<u32>,
+    /// Scratch: indices of pairs or proxies. Empty between stages.
+    pair_scratch: Vec<u32>,
+    /// Pairs of proxy indices that the broad phase has newly found. Valid within the broad phase only.
+    new_pairs: Vec<[u32; 2]>,
+    /// Scratch: a flag per proxy, such as "is already a partner of the proxy whose pairs are searched". All false between uses.
+    proxy_flags: Vec<bool>,
+    /// Scratch: for each touching pair the sort key made of its creation numbers, and the pair index.
+    touching_scratch: Vec<(u128, u32)>,
 }
 
 reusing_clone! {
     Precise {
-        tuning, h, dt, fall, loaded, is_stale, has_new_members, bounces, friction, most_contacts, bodies, proxies,
-        grid, pairs, rows, palette, joints, springs, sleep, direct, space, body_numbers, first_proxies, loose, absent,
-        edited_bodies, edited_geoms, woken, changes, parted, looks, due, rolling, has_handled, fast, flown, widened, unpushed,
-        lost, found,
-        known, touching
+        parameters, impulse_substep, dt, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
+        grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, body_indices, first_proxies, always_tested, disabled_bodies,
+        edited_bodies, edited_geoms, wake_requests, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
+        pair_scratch, new_pairs,
+        proxy_flags, touching_scratch
     }
 }
 
 impl Precise {
-    /// The depth axis, for an engine that has it.
-    pub(crate) fn space_mut(&mut self) -> Option<&mut Space> {
-        self.space.as_deref_mut()
+    /// Returns the state of the depth axis; `None` in plain 2D.
+    pub(crate) fn depth_mut(&mut self) -> Option<&mut DepthState> {
+        self.depth.as_deref_mut()
     }
 
-    /// For things of about this size.
+    /// Returns an empty engine state. `length_unit`: length unit of [`Methods::Precise`](crate::Methods), in the user's unit of
+    /// length, > 0.
     pub(crate) fn new(length_unit: f32) -> Self {
         Precise {
-            tuning: Tuning::new(length_unit),
-            h: 0.0,
+            parameters: Parameters::new(length_unit),
+            impulse_substep: 0.0,
             dt: 0.0,
-            fall: [0.0; 2],
+            gravity_delta: [0.0; 2],
             loaded: None,
-            is_stale: true,
-            has_new_members: false,
-            bounces: false,
+            needs_rebuild: true,
+            has_membership_changes: false,
+            has_restitution: false,
             friction: FrictionType::default(),
-            most_contacts: 2,
-            bodies: Bodies::default(),
+            max_contacts: 2,
+            bodies: BodySet::default(),
             proxies: Proxies::default(),
-            grid: Grid::default(),
+            grid: HashGrid::default(),
             pairs: Pairs::default(),
-            rows: Rows::default(),
-            palette: Palette::default(),
-            joints: Joints::default(),
-            springs: Springs::default(),
-            sleep: Sleep::default(),
-            direct: Direct::default(),
-            space: None,
-            body_numbers: Vec::new(),
+            constraints: ConstraintGraph::default(),
+            color_usage: ColorUsage::default(),
+            joints: JointSystem::default(),
+            springs: SpringRows::default(),
+            sleep: SleepState::default(),
+            direct_solver: DirectSolver::default(),
+            depth: None,
+            body_indices: Vec::new(),
             first_proxies: Vec::new(),
-            loose: Vec::new(),
-            absent: Vec::new(),
+            always_tested: Vec::new(),
+            disabled_bodies: Vec::new(),
             edited_bodies: Vec::new(),
             edited_geoms: Vec::new(),
-            woken: Vec::new(),
-            changes: Vec::new(),
-            parted: Vec::new(),
-            looks: Looks::default(),
-            due: Vec::new(),
-            rolling: Vec::new(),
-            has_handled: false,
-            fast: Vec::new(),
-            flown: Vec::new(),
-            widened: Vec::new(),
-            unpushed: Vec::new(),
-            lost: Vec::new(),
-            found: Vec::new(),
-            known: Vec::new(),
-            touching: Vec::new(),
+            wake_requests: Vec::new(),
+            touch_events: Vec::new(),
+            ended_static_contacts: Vec::new(),
+            narrow_phase_stats: NarrowPhaseStats::default(),
+            dirty_pairs: Vec::new(),
+            rolling_contacts: Vec::new(),
+            has_handler_changes: false,
+            fast_bodies: Vec::new(),
+            sensor_passthroughs: Vec::new(),
+            enlarged_proxies: Vec::new(),
+            searched_static_proxies: Vec::new(),
+            pair_scratch: Vec::new(),
+            new_pairs: Vec::new(),
+            proxy_flags: Vec::new(),
+            touching_scratch: Vec::new(),
         }
     }
 
-    /// What the search for contacts takes of this.
-    fn touch(&mut self) -> Touch<'_> {
-        Touch {
+    /// Returns the narrow phase, which borrows the bodies, proxies, pairs and constraints that it reads and writes.
+    fn narrow_phase(&mut self) -> NarrowPhase<'_> {
+        NarrowPhase {
             bodies: &self.bodies,
             proxies: &self.proxies,
             pairs: &mut self.pairs,
-            rows: &mut self.rows,
-            palette: &mut self.palette,
+            constraints: &mut self.constraints,
+            palette: &mut self.color_usage,
             sleep: &mut self.sleep,
-            direct: &mut self.direct,
-            space: self.space.as_ref().map(Held::lend),
-            tuning: &self.tuning,
+            direct: &mut self.direct_solver,
+            depth: self.depth.as_ref().map(FeatureGate::by_ref),
+            parameters: &self.parameters,
             friction: self.friction,
-            most_contacts: self.most_contacts as usize,
+            max_contacts: self.max_contacts as usize,
             dt: self.dt,
-            fall: self.fall,
-            changes: &mut self.changes,
-            parted: &mut self.parted,
-            looks: &mut self.looks,
-            due: &mut self.due,
-            rolling: &mut self.rolling,
+            gravity_delta: self.gravity_delta,
+            touch_events: &mut self.touch_events,
+            ended_static_contacts: &mut self.ended_static_contacts,
+            stats: &mut self.narrow_phase_stats,
+            dirty_pairs: &mut self.dirty_pairs,
+            rolling_contacts: &mut self.rolling_contacts,
         }
     }
 }

@@ -1,495 +1,662 @@
-//! The stages of a step.
+//! The step of the precise engine after the broad phase: narrow phase, solver in substeps, integration, refit of AABBs.
+//!
+//! A substep of the iterative solver is Box2D 3's "Soft Step" (E. Catto, "Solver2D", 2024), on the substeps of M. Macklin et
+//! al., "Small Steps in Physics Simulation" (2019):
+//!
+//! 1. apply forces and the warm start ([`apply_warm_start`]);
+//! 2. solve joints, then contacts as soft constraints with bias ([`solve_with_bias`]);
+//! 3. integrate positions ([`integrate_positions`]);
+//! 4. relaxation: solve joints and contacts as rigid constraints without bias ([`relax`]).
+//!
+//! After the last substep restitution is applied ([`apply_restitution`]). Islands in the direct solver and free articulations
+//! have solvers of their own. If the iterative solver has no constraint at all, all bodies move in free flight without substeps
+//! ([`integrate_free_flight`]).
 
 use crate::precise::parameters::broad_phase::COORDINATE_HEADROOM;
-use crate::precise::parameters::contacts::{JOINTED_RESTITUTION_ERROR, JOINTED_RESTITUTION_PASSES};
+use crate::precise::parameters::contacts::{JOINTED_RESTITUTION_MAX_SWEEPS, JOINTED_RESTITUTION_TOLERANCE};
 use wide::f32x4;
 
 use super::Precise;
-use super::bodies::{Bodies, Read, read};
-use super::moving::{begin_substep, displace, even_out, fly, follow, leave, renew_poses};
-use super::passes::{
-    bounce, gather_warm, note_approach, note_push, relax, renew_circle, renew_circles, solve_soft,
-    solve_soft_beside_joints,
+use super::bodies::{BodyForces, BodySet, read_body};
+use super::integration::{
+    apply_midpoint_correction, apply_warm_start, find_escaped_proxies, integrate_free_flight,
+    integrate_poses, integrate_positions, resolve_bounce,
 };
-use super::touch::Looks;
-pub(crate) use super::tuning::Step;
-use super::tuning::Widening;
+use super::narrow_phase::NarrowPhaseStats;
+use super::scaled_parameters::AabbMargin;
+pub(crate) use super::scaled_parameters::StepContext;
 use crate::math::Vector2;
 use crate::objects::Objects;
+use crate::precise::contact_solver::soft_step::{
+    accumulate_warm_start, apply_restitution, record_active_points, record_approach_velocity, relax,
+    solve_with_bias, solve_with_joint_softness, update_circle_contact, update_circle_contacts,
+};
 use crate::report::{Event, Report};
 
-/// The bounds of the ground.
-const BELOW: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
+/// AABB of the ground of `twohalf` (low x, low y, high x, high y, length units): all points with y >= 0, since y points down.
+const GROUND_BOUNDS: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
 
-/// Nothing instead of what is not finite.
-fn finite(numbers: f32x4) -> f32x4 {
+/// Returns the lanes of `numbers`, with 0 in place of each lane that is not finite.
+fn zero_unless_finite(numbers: f32x4) -> f32x4 {
     numbers & (numbers * f32x4::ZERO).simd_eq(f32x4::ZERO)
 }
 
 impl Precise {
-    /// Third stage: what may have changed is looked at. Answers how many pairs that were.
-    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, most_contacts: u32) -> usize {
-        self.looks = Looks::default();
-        self.rolling.clear();
-        self.let_go();
+    /// Third stage of a step, the narrow phase: updates manifolds and contact constraints of the pairs that have moved beyond
+    /// their tolerance. `max_contacts`: most contact points per pair, 0..=2. Returns the number of updated pairs.
+    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, max_contacts: u32) -> usize {
+        self.narrow_phase_stats = NarrowPhaseStats::default();
+        self.rolling_contacts.clear();
+        self.release_one_way();
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
-        let has_limit_changed = std::mem::replace(&mut self.most_contacts, most_contacts) != most_contacts;
+        let has_limit_changed = std::mem::replace(&mut self.max_contacts, max_contacts) != max_contacts;
         if has_friction_changed || has_limit_changed {
             self.wake_all();
-            (0..self.pairs.len()).for_each(|pair| self.pairs.look_again(pair));
+            (0..self.pairs.len()).for_each(|pair| self.pairs.invalidate(pair));
         }
-        if std::mem::take(&mut self.has_handled) {
-            self.forget_answers();
+        if std::mem::take(&mut self.has_handler_changes) {
+            self.clear_handler_overrides();
         }
-        let mut lost = std::mem::take(&mut self.lost);
-        let reach = self.tuning.speculative;
-        renew_circles(&mut self.rows.one, &self.bodies.poses, &self.bodies.circles, reach, |pair| {
-            lost.push(pair)
+        let mut separated = std::mem::take(&mut self.pair_scratch);
+        let speculative_distance = self.parameters.speculative_distance;
+        update_circle_contacts(
+            &mut self.constraints.one_point,
+            &self.bodies.poses,
+            &self.bodies.circles,
+            speculative_distance,
+            |pair| separated.push(pair),
+        );
+        self.constraints.update_direct_constraints(|lane| {
+            let is_separated =
+                update_circle_contact(lane, &self.bodies.poses, &self.bodies.circles, speculative_distance);
+            separated.extend((is_separated == Some(true)).then_some(lane.pair));
+            is_separated.is_some()
         });
-        self.rows.change_direct(|lane| {
-            let renewed = renew_circle(lane, &self.bodies.poses, &self.bodies.circles, reach);
-            lost.extend((renewed == Some(true)).then_some(lane.pair));
-            renewed.is_some()
-        });
-        lost.sort_unstable();
-        let circles = lost.len();
-        for pair in lost.drain(..) {
-            self.touch().look(pair as usize);
+        separated.sort_unstable();
+        let separated_circles = separated.len();
+        for pair in separated.drain(..) {
+            self.narrow_phase().update_contact(pair as usize);
         }
-        self.lost = lost;
-        let looked_at = circles + self.look_at_unpushed() + self.touch().scan();
-        self.look_ahead_of_kinematic();
-        self.remember_sunk();
-        looked_at
+        self.pair_scratch = separated;
+        let updated =
+            separated_circles + self.update_static_sensor_pairs() + self.narrow_phase().update_contacts();
+        self.find_contacts_ahead_of_kinematic();
+        self.store_penetration();
+        updated
     }
 
-    /// What handlers have refused or changed was for one step; what sleeps keeps it until it wakes.
-    fn forget_answers(&mut self) {
+    /// Ends the vetoes and surface settings that collision handlers made for one step, and invalidates the vetoed awake pairs.
+    /// A sleeping pair keeps its contact constraint as the handlers left it until it wakes.
+    fn clear_handler_overrides(&mut self) {
         for pair in 0..self.pairs.len() {
-            let is_awake = pair < self.pairs.awake;
+            let is_awake = pair < self.pairs.awake_count;
             let was_vetoed = std::mem::take(&mut self.pairs.all[pair].is_vetoed);
             self.pairs.all[pair].was_vetoed = was_vetoed;
-            self.has_handled |= was_vetoed;
+            self.has_handler_changes |= was_vetoed;
             if was_vetoed && is_awake {
-                self.pairs.look_again(pair);
+                self.pairs.invalidate(pair);
             }
-            if is_awake && std::mem::take(&mut self.pairs.all[pair].is_set) {
-                self.touch().renew_surface(pair);
+            if is_awake && std::mem::take(&mut self.pairs.all[pair].has_surface_override) {
+                self.narrow_phase().reset_surface_parameters(pair);
             }
         }
     }
 
-    /// Fourth stage: forces are taken from the bodies. One whose velocity would not be finite keeps it and is disabled.
+    /// Fourth stage of a step: copies velocities and forces of the awake [`Body`](crate::Body) objects to `bodies`, for the
+    /// solvers.
+    ///
+    /// A body whose velocity would not be finite after the step is disabled, with an event. In this step such a body has
+    /// velocity 0 and no forces.
     pub(crate) fn read_bodies(
         &mut self,
         objects: &mut Objects,
         gravity: Vector2,
-        step: &Step,
+        step: &StepContext,
         report: &mut Report,
     ) {
-        let Precise { bodies, sleep, is_stale, space, .. } = self;
+        let Precise { bodies, sleep, needs_rebuild, depth, .. } = self;
         let substeps = f32x4::splat(step.substeps as f32);
-        for run in &sleep.bodies {
-            let (hot, before) = (&mut bodies.hot[run.clone()], &mut bodies.before[run.clone()]);
-            let (push, forced) = (&mut bodies.push[run.clone()], &mut bodies.forced[run.clone()]);
+        for run in &sleep.awake_body_runs {
+            let (states, initial_velocities) =
+                (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
+            let (force_deltas, force_position_deltas) =
+                (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
             let ids = run.clone().zip(&bodies.ids[run.clone()]);
-            for ((((hot, before), push), forced), (number, id)) in
-                hot.iter_mut().zip(before).zip(push).zip(forced).zip(ids)
+            for ((((state, initial_velocity), force_delta), force_position_delta), (number, id)) in states
+                .iter_mut()
+                .zip(initial_velocities)
+                .zip(force_deltas)
+                .zip(force_position_deltas)
+                .zip(ids)
             {
                 let entry = id.filter(|_| !sleep.is_asleep(number)).and_then(|id| objects.bodies.get_mut(id));
                 let (Some(id), Some(entry)) = (*id, entry) else { continue };
-                let mut read = read(&mut entry.body, gravity, step.dt, step.h);
-                if let Some(space) = space {
-                    space.read(number, &entry.body, &mut read, step, id);
+                let mut read = read_body(&mut entry.body, gravity, step.dt, step.h);
+                if let Some(space) = depth {
+                    space.begin_velocity(number, &entry.body, &mut read, step, id);
                 }
-                let then = f32x4::new(read.velocity) + f32x4::new(read.push) * substeps;
+                let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
                 if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
-                    read = Read::default();
+                    read = BodyForces::default();
                     entry.body.set_enabled(false);
                     report.push(Event::NotFinite { body: id, disabled: true });
-                    *is_stale = true;
+                    *needs_rebuild = true;
                 }
-                (hot.velocity, *before) = (read.velocity, read.velocity);
-                (*push, *forced) = (read.push, read.forced);
+                (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
+                (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
             }
         }
-        self.begin_steady();
-        self.read_fixtures();
+        self.clear_fixed_rotation_velocities();
+        self.begin_world_box_velocities();
     }
 
-    /// Seconds of the step before the one that is due; 0 if there was none.
-    pub(crate) fn last_step(&self) -> f32 {
+    /// Returns the length of the last step, seconds, >= 0; 0 before the first step.
+    pub(crate) fn last_dt(&self) -> f32 {
         self.dt
     }
 
-    /// The step that is due.
-    pub(crate) fn begin(&mut self, dt: f32, substeps: u32, gravity: Vector2, may_sleep: bool) -> Step {
+    /// Begins a step: stores its length `dt` (seconds, > 0), `gravity` (length units/s^2) and whether bodies `may_sleep`.
+    /// Returns the parameters of the step for the solvers.
+    pub(crate) fn begin_step(
+        &mut self,
+        dt: f32,
+        substeps: u32,
+        gravity: Vector2,
+        may_sleep: bool,
+    ) -> StepContext {
         self.set_sleep(may_sleep, gravity);
-        self.space.iter_mut().for_each(|space| space.rested.clear());
-        (self.dt, self.fall) = (dt, [gravity.x * dt, gravity.y * dt]);
-        self.begin_fixtures(dt);
-        Step::new(dt, substeps, &self.tuning)
+        self.depth.iter_mut().for_each(|space| space.newly_asleep.clear());
+        (self.dt, self.gravity_delta) = (dt, [gravity.x * dt, gravity.y * dt]);
+        self.begin_world_boxes(dt);
+        StepContext::new(dt, substeps, &self.parameters)
     }
 
-    /// Sixth stage: bodies are where the step has brought them. What would not be finite stays where and as it was, and
-    /// forgets the impulses that did it; of several that touch each other the one that was fastest is disabled. Those who have
-    /// moved are the last ones that are told.
+    /// Sixth stage of a step: writes the new poses and velocities to the [`Body`](crate::Body) objects and adds an event for
+    /// each moved body.
+    ///
+    /// A body whose new pose or velocity is not finite keeps the pose and velocity that it had before the step. The fastest of
+    /// such bodies is disabled, and impulses that are not finite are cleared.
     pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
-        self.end_kinematic();
+        self.finish_kinematic();
         if !self.is_finite() {
-            self.put_back(objects, report);
+            self.restore_non_finite_bodies(objects, report);
         }
-        let Precise { bodies, sleep, space, .. } = self;
-        for run in &sleep.bodies {
-            let (hot, rotations) = (&bodies.hot[run.clone()], &mut bodies.rotations[run.clone()]);
-            let (poses, paths) = (&bodies.poses[run.clone()], &bodies.path[run.clone()]);
+        let Precise { bodies, sleep, depth, .. } = self;
+        for run in &sleep.awake_body_runs {
+            let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
+            let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
             let ids = run.clone().zip(&bodies.ids[run.clone()]);
-            for ((((hot, rotation), pose), path), (number, id)) in
-                hot.iter().zip(rotations).zip(poses).zip(paths).zip(ids)
+            for ((((state, rotation), pose), delta_pose), (number, id)) in
+                states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids)
             {
                 let id = id.filter(|_| !sleep.is_asleep(number));
                 let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) else { continue };
-                let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *path);
-                let [vx, vy, spin, vz] = hot.velocity;
+                let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *delta_pose);
+                let [vx, vy, spin, vz] = state.velocity;
                 entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
                 *rotation = entry.body.rotation();
-                if let (Some(space), Some(id)) = (&mut *space, id) {
-                    space.write(number, id, *path, vz);
+                if let (Some(space), Some(id)) = (&mut *depth, id) {
+                    space.store_position(number, id, *delta_pose, vz);
                 }
-                if let Some(body) = id.filter(|_| *path != [0.0; 4]) {
+                if let Some(body) = id.filter(|_| *delta_pose != [0.0; 4]) {
                     report.counters.bodies_moved += 1;
                     report.push(Event::BodyUpdated { body });
                 }
             }
         }
-        renew_poses(bodies, &sleep.bodies);
+        integrate_poses(bodies, &sleep.awake_body_runs);
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
-            // Targets are reached to the last bit.
+            // A kinematic body that reaches its target has the pose of the target, bit for bit.
             if let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get(id)) {
-                self.bodies.move_to(number, &entry.body);
+                self.bodies.set_pose(number, &entry.body);
             }
         }
-        self.end_steady();
-        self.write_fixtures();
+        self.reset_fixed_rotation_poses();
+        self.store_world_boxes();
     }
 
-    /// Kinematic bodies have come as far as their velocity says, whatever has touched them.
-    fn end_kinematic(&mut self) {
-        let Bodies { kinematic, hot, before, path, .. } = &mut self.bodies;
+    /// Gives each kinematic body the velocity that the game prescribes, and the displacement velocity * dt. Impulses of the
+    /// solver do not change the motion of a kinematic body.
+    fn finish_kinematic(&mut self) {
+        let BodySet { kinematic, states, initial_velocity, delta_pose, .. } = &mut self.bodies;
         for &number in kinematic.iter() {
             let number = number as usize;
-            hot[number].velocity = before[number];
-            path[number] = before[number].map(|velocity| velocity * self.dt);
+            states[number].velocity = initial_velocity[number];
+            delta_pose[number] = initial_velocity[number].map(|velocity| velocity * self.dt);
         }
     }
 
+    /// Returns whether the new poses and velocities of all awake bodies are finite.
     fn is_finite(&self) -> bool {
-        let Bodies { poses, path, hot, .. } = &self.bodies;
+        let BodySet { poses, delta_pose, states, .. } = &self.bodies;
         let mut sum = f32x4::ZERO;
-        for run in &self.sleep.bodies {
-            let of_run = poses[run.clone()].iter().zip(&path[run.clone()]).zip(&hot[run.clone()]);
-            for ((pose, path), hot) in of_run {
-                // Corners are not far from their body: what is left of the numbers is enough for them.
-                let place = (f32x4::new(*pose) + f32x4::new(*path)) * f32x4::splat(COORDINATE_HEADROOM);
-                sum += (place + f32x4::new(hot.velocity)) * f32x4::ZERO;
+        for run in &self.sleep.awake_body_runs {
+            let of_run = poses[run.clone()].iter().zip(&delta_pose[run.clone()]).zip(&states[run.clone()]);
+            for ((pose, delta_pose_of_body), state) in of_run {
+                // The headroom leaves room for the corners of shapes around the body.
+                let place =
+                    (f32x4::new(*pose) + f32x4::new(*delta_pose_of_body)) * f32x4::splat(COORDINATE_HEADROOM);
+                sum += (place + f32x4::new(state.velocity)) * f32x4::ZERO;
             }
         }
-        sum.to_array() == [0.0; 4] && self.is_finite_in_space()
+        sum.to_array() == [0.0; 4] && self.is_depth_finite()
     }
 
-    /// Also along the depth axis, and of what turns about all.
-    fn is_finite_in_space(&self) -> bool {
-        self.space.as_ref().is_none_or(|space| {
-            self.sleep.awake(self.bodies.count).all(|number| {
-                let place = (space.places[number] + self.bodies.path[number][3]) * COORDINATE_HEADROOM;
+    /// Returns whether the new z positions and the angular velocities about X and Y of all awake bodies are finite. True in
+    /// plain 2D.
+    fn is_depth_finite(&self) -> bool {
+        self.depth.as_ref().is_none_or(|space| {
+            self.sleep.awake_bodies(self.bodies.last_movable).all(|number| {
+                let place =
+                    (space.z_positions[number] + self.bodies.delta_pose[number][3]) * COORDINATE_HEADROOM;
                 place.is_finite() && space.is_spin_finite(number)
             })
         })
     }
 
+    /// Gives each awake body whose new pose or velocity is not finite the pose and velocity that it had before the step. The
+    /// fastest of these bodies is disabled, and impulses that are not finite are cleared.
     #[cold]
-    fn put_back(&mut self, objects: &mut Objects, report: &mut Report) {
+    fn restore_non_finite_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
         let is_finite = |number: usize| {
-            let (pose, path) = (self.bodies.poses[number], self.bodies.path[number]);
-            let velocity = self.bodies.hot[number].velocity;
-            let z = self.space.as_ref().map_or(0.0, |space| space.places[number]);
+            let (pose, path) = (self.bodies.poses[number], self.bodies.delta_pose[number]);
+            let velocity = self.bodies.states[number].velocity;
+            let z = self.depth.as_ref().map_or(0.0, |space| space.z_positions[number]);
             let from = [pose[0], pose[1], 0.0, z];
-            let spins = self.space.as_ref().is_none_or(|space| space.is_spin_finite(number));
+            let spins = self.depth.as_ref().is_none_or(|space| space.is_spin_finite(number));
             spins
                 && (0..4).all(|i| {
                     velocity[i].is_finite() && ((path[i] + from[i]) * COORDINATE_HEADROOM).is_finite()
                 })
         };
-        let lost: Vec<usize> =
-            self.sleep.awake(self.bodies.count).filter(|&number| !is_finite(number)).collect();
+        let non_finite: Vec<usize> =
+            self.sleep.awake_bodies(self.bodies.last_movable).filter(|&number| !is_finite(number)).collect();
         let speed = |number: usize| {
-            let [x, y, spin, z] = self.bodies.before[number].map(f64::from);
+            let [x, y, spin, z] = self.bodies.initial_velocity[number].map(f64::from);
             x * x + y * y + spin * spin + z * z
         };
-        let fastest = lost.iter().map(|&number| speed(number)).fold(0.0, f64::max);
-        for &number in &lost {
+        let fastest = non_finite.iter().map(|&number| speed(number)).fold(0.0, f64::max);
+        for &number in &non_finite {
             let disabled = speed(number) >= fastest;
-            (self.bodies.hot[number].velocity, self.bodies.path[number]) =
-                (self.bodies.before[number], [0.0; 4]);
+            (self.bodies.states[number].velocity, self.bodies.delta_pose[number]) =
+                (self.bodies.initial_velocity[number], [0.0; 4]);
             let Some(body) = self.bodies.ids[number] else { continue };
-            if let Some(space) = self.space.as_deref_mut() {
-                space.stop_spinning(number);
+            if let Some(space) = self.depth.as_deref_mut() {
+                space.reset_non_finite_spin(number);
                 space.body_mut(body).target = None;
             }
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);
-                entry.body.forget_target();
-                self.is_stale = true;
+                entry.body.clear_target();
+                self.needs_rebuild = true;
             }
             report.push(Event::NotFinite { body, disabled });
         }
-        self.forget_infinite_impulses();
+        self.reset_non_finite_impulses();
     }
 
-    /// Impulses that are not finite, and what springs have learnt of them, are forgotten.
-    fn forget_infinite_impulses(&mut self) {
-        self.for_each_impulse(|impulse| *impulse = finite(*impulse));
-        let mut forget = |points: &mut [super::rows::Point]| {
-            points.iter_mut().for_each(|point| point.separation = finite(point.separation));
+    /// Sets the accumulated impulses, rest impulses and separations in the constraints of the iterative solver to 0 where they
+    /// are not finite.
+    fn reset_non_finite_impulses(&mut self) {
+        self.for_each_impulse(|impulse| *impulse = zero_unless_finite(*impulse));
+        let mut forget = |points: &mut [super::constraint_graph::ContactPointSimd]| {
+            points.iter_mut().for_each(|point| point.separation = zero_unless_finite(point.separation));
         };
-        self.rows.two.for_each(|row| forget(&mut row.points));
-        self.rows.one.for_each(|row| forget(&mut row.points));
-        self.rows.two_fixed.for_each(|row| forget(&mut row.points));
-        self.rows.one_fixed.for_each(|row| forget(&mut row.points));
-        self.rows.space.for_each_point(&mut forget);
+        self.constraints.two_points.for_each(|row| forget(&mut row.points));
+        self.constraints.one_point.for_each(|row| forget(&mut row.points));
+        self.constraints.two_points_static.for_each(|row| forget(&mut row.points));
+        self.constraints.one_point_static.for_each(|row| forget(&mut row.points));
+        self.constraints.depth.for_each_point(&mut forget);
     }
 
-    /// What rows that are awake have of impulses, and of what springs have learnt of them.
+    /// Calls `change` with each accumulated impulse and rest impulse of the contact constraints in the iterative solver, four
+    /// lanes at a time.
     fn for_each_impulse(&mut self, change: impl Fn(&mut f32x4)) {
-        if self.space.is_some() {
-            return self.for_each_impulse_in_space(&change);
+        if self.depth.is_some() {
+            return self.for_each_impulse_3d(&change);
         }
-        let change = |tangent: &mut f32x4, points: &mut [super::rows::Point]| {
+        let change = |tangent: &mut f32x4, points: &mut [super::constraint_graph::ContactPointSimd]| {
             change(tangent);
             for point in points {
-                change(&mut point.impulse);
-                change(&mut point.held);
+                change(&mut point.normal_impulse);
+                change(&mut point.rest_impulse);
             }
         };
-        self.rows.two.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
-        self.rows.one.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
-        self.rows.two_fixed.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
-        self.rows.one_fixed.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
+        self.constraints.two_points.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
+        self.constraints.one_point.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
+        self.constraints.two_points_static.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
+        self.constraints.one_point_static.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
     }
 
-    /// Fifth stage: velocities and ways.
-    pub(crate) fn solve(&mut self, step: &Step) {
-        if self.h != step.h {
+    /// Fifth stage of a step, the solver: computes new velocities and displacements of all awake bodies in `bodies`.
+    pub(crate) fn solve(&mut self, step: &StepContext) {
+        if self.impulse_substep != step.h {
             self.scale_impulses(step.h);
         }
-        self.choose_methods(&step.learning);
-        self.begin_swings(step);
+        self.select_solvers(&step.load_adaptation);
+        self.begin_hinges(step);
         self.solve_direct(step);
-        self.joints.swing(&self.bodies, step);
-        if self.rows.is_empty() && self.joints.are_all_apart() && self.springs.are_all_solved() {
-            fly(&mut self.bodies, &self.sleep.bodies, step);
-            self.joints.share_depth_of_flight(&mut self.bodies, step.dt);
+        self.joints.step_free_articulations(&self.bodies, step);
+        if self.constraints.is_empty() && self.joints.are_all_contact_free() && self.springs.are_all_solved()
+        {
+            integrate_free_flight(&mut self.bodies, &self.sleep.awake_body_runs, step);
+            self.joints.equalize_z_displacement(&mut self.bodies, step.dt);
         } else {
-            self.solve_passes(step);
+            self.solve_substeps(step);
         }
-        self.joints.finish(&mut self.bodies, step);
-        self.finish_direct(step);
-        self.end_swings(step);
+        self.joints.store(&mut self.bodies, step);
+        self.store_direct(step);
+        self.finish_hinges(step);
     }
 
-    fn solve_passes(&mut self, step: &Step) {
-        let may_bounce = self.bounces && self.note_approaches();
-        self.gather_warm(step);
-        self.warm_swings();
-        self.begin_rolls(step);
+    /// Runs the iterative solver: substeps, then the midpoint correction of the displacements, then restitution.
+    fn solve_substeps(&mut self, step: &StepContext) {
+        let may_bounce = self.has_restitution && self.record_approach_velocities();
+        self.accumulate_warm_start(step);
+        self.warm_start_hinges();
+        self.prepare_rolling_contacts(step);
         for substep in 0..step.substeps {
-            self.push_swings(step.h, substep == 0);
-            self.renew_rolls(step, substep == 0);
-            begin_substep(&mut self.bodies, &self.sleep.bodies, substep == 0);
-            self.begin_spins(substep == 0);
-            self.joints.correct(&mut self.bodies, step.h);
-            self.hold_swings(step.h);
-            self.solve_soft(step);
-            self.hold_swings(step.h);
+            self.apply_hinge_springs(step.h, substep == 0);
+            self.update_rolling_contacts(step, substep == 0);
+            apply_warm_start(&mut self.bodies, &self.sleep.awake_body_runs, substep == 0);
+            self.apply_spin_warm_start(substep == 0);
+            self.joints.solve_with_bias(&mut self.bodies, step.h);
+            self.solve_hinge_stops(step.h);
+            self.solve_with_bias(step);
+            self.solve_hinge_stops(step.h);
             if may_bounce {
-                self.note_pushes();
+                self.record_active_points();
             }
-            self.joints.share_depth(&mut self.bodies);
+            self.joints.equalize_z_velocity(&mut self.bodies);
             self.joints.limit_speeds(&mut self.bodies, step.h);
-            displace(&mut self.bodies, &self.sleep.bodies, step.h, substep == 0);
-            self.turn_swings();
-            self.lean_rolls();
-            self.joints.advance(&mut self.bodies, step.h);
+            integrate_positions(&mut self.bodies, &self.sleep.awake_body_runs, step.h, substep == 0);
+            self.update_hinge_angles();
+            self.set_relax_separations();
+            self.joints.update_anchors(&mut self.bodies, step.h);
             self.joints.relax(&mut self.bodies, step.h);
             self.relax(step);
-            self.hold_swings(step.h);
-            self.joints.share_depth(&mut self.bodies);
+            self.solve_hinge_stops(step.h);
+            self.joints.equalize_z_velocity(&mut self.bodies);
             if may_bounce {
-                self.note_pushes();
+                self.record_active_points();
             }
         }
-        self.note_paths_of_rolls();
-        let Precise { bodies, sleep, palette, joints, tuning, .. } = self;
-        even_out(bodies, &sleep.bodies, (palette, joints), tuning.speculative, step);
-        self.restore_paths_of_rolls();
+        self.save_rolling_delta_poses();
+        let Precise { bodies, sleep, color_usage, joints, parameters, .. } = self;
+        apply_midpoint_correction(
+            bodies,
+            &sleep.awake_body_runs,
+            (color_usage, joints),
+            parameters.speculative_distance,
+            step,
+        );
+        self.restore_rolling_delta_poses();
         if may_bounce {
-            self.bounce(step);
+            self.apply_restitution(step);
         }
-        self.end_rolls(step);
+        self.store_rolling_contacts(step);
     }
 
-    /// Impulses are forces times the length of a substep: they follow it.
+    /// Scales the accumulated contact impulses from the substep length of the last step to `h` seconds, since an impulse is
+    /// force times time.
     fn scale_impulses(&mut self, h: f32) {
-        let factor = f32x4::splat(h / self.h);
-        self.h = h;
-        self.for_each_impulse(|impulse| *impulse = finite(*impulse * factor));
+        let factor = f32x4::splat(h / self.impulse_substep);
+        self.impulse_substep = h;
+        self.for_each_impulse(|impulse| *impulse = zero_unless_finite(*impulse * factor));
     }
 
-    /// Answers whether something may bounce in this step.
-    fn note_approaches(&mut self) -> bool {
-        if self.space.is_some() {
-            return self.note_approaches_in_space();
+    /// Stores approach velocities and separations in the contact constraints with restitution, for
+    /// [`apply_restitution`](Self::apply_restitution). Returns whether an approach speed exceeds the restitution threshold.
+    fn record_approach_velocities(&mut self) -> bool {
+        if self.depth.is_some() {
+            return self.record_approach_velocities_3d();
         }
-        let (hot, threshold) = (&self.bodies.hot, self.tuning.bounce);
-        note_approach::<false, 2, _>(&mut self.rows.two, hot, threshold)
-            | note_approach::<false, 1, _>(&mut self.rows.one, hot, threshold)
-            | note_approach::<true, 2, _>(&mut self.rows.two_fixed, hot, threshold)
-            | note_approach::<true, 1, _>(&mut self.rows.one_fixed, hot, threshold)
+        let (states, threshold) = (&self.bodies.states, self.parameters.restitution_threshold);
+        record_approach_velocity::<false, 2, _>(&mut self.constraints.two_points, states, threshold)
+            | record_approach_velocity::<false, 1, _>(&mut self.constraints.one_point, states, threshold)
+            | record_approach_velocity::<true, 2, _>(
+                &mut self.constraints.two_points_static,
+                states,
+                threshold,
+            )
+            | record_approach_velocity::<true, 1, _>(
+                &mut self.constraints.one_point_static,
+                states,
+                threshold,
+            )
     }
 
-    fn note_pushes(&mut self) {
-        if self.space.is_some() {
-            return self.note_pushes_in_space();
+    /// Sets `was_active` of each contact point that has a normal impulse now: restitution applies to such points alone.
+    fn record_active_points(&mut self) {
+        if self.depth.is_some() {
+            return self.record_active_points_3d();
         }
-        note_push(&mut self.rows.two);
-        note_push(&mut self.rows.one);
-        note_push(&mut self.rows.two_fixed);
-        note_push(&mut self.rows.one_fixed);
+        record_active_points(&mut self.constraints.two_points);
+        record_active_points(&mut self.constraints.one_point);
+        record_active_points(&mut self.constraints.two_points_static);
+        record_active_points(&mut self.constraints.one_point_static);
     }
 
-    fn gather_warm(&mut self, step: &Step) {
-        self.joints.begin_passes(&self.springs, &self.bodies, step);
-        let (warm, hot) = (&mut self.bodies.warm, &self.bodies.hot);
-        self.sleep.bodies.iter().for_each(|run| warm[run.clone()].fill([0.0; 4]));
-        if self.space.is_some() {
-            self.gather_warm_in_space(step);
+    /// Warm start: sums into `bodies.warm_start` the velocity changes by the accumulated impulses of all contacts and joints of
+    /// each body. Load adaptation of the contacts runs in this loop, too.
+    fn accumulate_warm_start(&mut self, step: &StepContext) {
+        self.joints.begin_iterative(&self.springs, &self.bodies, step);
+        let (warm_start, states) = (&mut self.bodies.warm_start, &self.bodies.states);
+        self.sleep.awake_body_runs.iter().for_each(|run| warm_start[run.clone()].fill([0.0; 4]));
+        if self.depth.is_some() {
+            self.accumulate_warm_start_3d(step);
         } else {
-            let masks = self.joints.soft_bodies();
-            gather_warm::<false, 2>(&mut self.rows.two, warm, hot, &step.learning, masks);
-            gather_warm::<false, 1>(&mut self.rows.one, warm, hot, &step.learning, masks);
-            gather_warm::<true, 2>(&mut self.rows.two_fixed, warm, hot, &step.learning, masks);
-            gather_warm::<true, 1>(&mut self.rows.one_fixed, warm, hot, &step.learning, masks);
+            let masks = self.joints.iterative_body_masks();
+            accumulate_warm_start::<false, 2>(
+                &mut self.constraints.two_points,
+                warm_start,
+                states,
+                &step.load_adaptation,
+                masks,
+            );
+            accumulate_warm_start::<false, 1>(
+                &mut self.constraints.one_point,
+                warm_start,
+                states,
+                &step.load_adaptation,
+                masks,
+            );
+            accumulate_warm_start::<true, 2>(
+                &mut self.constraints.two_points_static,
+                warm_start,
+                states,
+                &step.load_adaptation,
+                masks,
+            );
+            accumulate_warm_start::<true, 1>(
+                &mut self.constraints.one_point_static,
+                warm_start,
+                states,
+                &step.load_adaptation,
+                masks,
+            );
         }
-        self.joints.warm(&mut self.bodies);
+        self.joints.add_warm_start(&mut self.bodies);
     }
 
-    fn solve_soft(&mut self, step: &Step) {
-        if self.space.is_some() {
-            return self.solve_soft_in_space(step);
+    /// Solves all contacts of the iterative solver as soft constraints, with a bias velocity that resolves penetration.
+    fn solve_with_bias(&mut self, step: &StepContext) {
+        if self.depth.is_some() {
+            return self.solve_with_bias_3d(step);
         }
-        let (hot, inverse, push) = (&mut self.bodies.hot, 1.0 / step.h, self.tuning.push);
-        if let Some(masks) = self.joints.soft_bodies() {
-            let (soft, fixed) = (step.softness_beside_joints(false), step.softness_beside_joints(true));
-            let rows = &mut self.rows;
-            solve_soft_beside_joints::<false, 2, _>(&mut rows.two, hot, inverse, soft, push, masks);
-            solve_soft_beside_joints::<false, 1, _>(&mut rows.one, hot, inverse, soft, push, masks);
-            solve_soft_beside_joints::<true, 2, _>(&mut rows.two_fixed, hot, inverse, fixed, push, masks);
-            solve_soft_beside_joints::<true, 1, _>(&mut rows.one_fixed, hot, inverse, fixed, push, masks);
+        let (states, inverse, max_bias_speed) =
+            (&mut self.bodies.states, 1.0 / step.h, self.parameters.recovery_speed);
+        if let Some(masks) = self.joints.iterative_body_masks() {
+            let (soft, fixed) = (step.softness_with_joints(false), step.softness_with_joints(true));
+            let constraints = &mut self.constraints;
+            solve_with_joint_softness::<false, 2, _>(
+                &mut constraints.two_points,
+                states,
+                inverse,
+                soft,
+                max_bias_speed,
+                masks,
+            );
+            solve_with_joint_softness::<false, 1, _>(
+                &mut constraints.one_point,
+                states,
+                inverse,
+                soft,
+                max_bias_speed,
+                masks,
+            );
+            solve_with_joint_softness::<true, 2, _>(
+                &mut constraints.two_points_static,
+                states,
+                inverse,
+                fixed,
+                max_bias_speed,
+                masks,
+            );
+            solve_with_joint_softness::<true, 1, _>(
+                &mut constraints.one_point_static,
+                states,
+                inverse,
+                fixed,
+                max_bias_speed,
+                masks,
+            );
             return;
         }
-        solve_soft::<false, 2, _>(&mut self.rows.two, hot, inverse, step.soft, push);
-        solve_soft::<false, 1, _>(&mut self.rows.one, hot, inverse, step.soft, push);
-        solve_soft::<true, 2, _>(&mut self.rows.two_fixed, hot, inverse, step.soft_fixed, push);
-        solve_soft::<true, 1, _>(&mut self.rows.one_fixed, hot, inverse, step.soft_fixed, push);
+        solve_with_bias::<false, 2, _>(
+            &mut self.constraints.two_points,
+            states,
+            inverse,
+            step.contact_softness,
+            max_bias_speed,
+        );
+        solve_with_bias::<false, 1, _>(
+            &mut self.constraints.one_point,
+            states,
+            inverse,
+            step.contact_softness,
+            max_bias_speed,
+        );
+        solve_with_bias::<true, 2, _>(
+            &mut self.constraints.two_points_static,
+            states,
+            inverse,
+            step.static_softness,
+            max_bias_speed,
+        );
+        solve_with_bias::<true, 1, _>(
+            &mut self.constraints.one_point_static,
+            states,
+            inverse,
+            step.static_softness,
+            max_bias_speed,
+        );
     }
 
-    fn relax(&mut self, step: &Step) {
-        if self.space.is_some() {
-            return self.relax_in_space(step);
+    /// Relaxation: solves all contacts of the iterative solver as rigid constraints without bias, friction included.
+    fn relax(&mut self, step: &StepContext) {
+        if self.depth.is_some() {
+            return self.relax_3d(step);
         }
-        let (hot, inverse) = (&mut self.bodies.hot, 1.0 / step.h);
-        relax::<false, 2>(&mut self.rows.two, hot, inverse);
-        relax::<false, 1>(&mut self.rows.one, hot, inverse);
-        relax::<true, 2>(&mut self.rows.two_fixed, hot, inverse);
-        relax::<true, 1>(&mut self.rows.one_fixed, hot, inverse);
+        let (states, inverse) = (&mut self.bodies.states, 1.0 / step.h);
+        relax::<false, 2>(&mut self.constraints.two_points, states, inverse);
+        relax::<false, 1>(&mut self.constraints.one_point, states, inverse);
+        relax::<true, 2>(&mut self.constraints.two_points_static, states, inverse);
+        relax::<true, 1>(&mut self.constraints.one_point_static, states, inverse);
     }
 
-    /// A blow on one of several bodies that joints hold together is one on all of them: before bodies leave, contacts and joints are
-    /// swept by Gauss-Seidel for the velocities after it.
-    fn bounce(&mut self, step: &Step) {
-        if self.joints.soft_bodies().is_some() {
-            for _ in 0..JOINTED_RESTITUTION_PASSES {
-                self.joints.begin_bounce();
-                self.bounce_rows(step, false);
-                if self.joints.bounce(&mut self.bodies) <= JOINTED_RESTITUTION_ERROR * self.tuning.bounce {
+    /// Applies restitution after the substeps.
+    ///
+    /// An impact on one body of an articulation changes the velocities of all its bodies. Gauss-Seidel sweeps over contacts and
+    /// joints compute these velocities. A last sweep over the contacts then separates the bodies.
+    fn apply_restitution(&mut self, step: &StepContext) {
+        if self.joints.iterative_body_masks().is_some() {
+            for _ in 0..JOINTED_RESTITUTION_MAX_SWEEPS {
+                self.joints.begin_restitution();
+                self.restitution_sweep(step, false);
+                if self.joints.apply_restitution(&mut self.bodies)
+                    <= JOINTED_RESTITUTION_TOLERANCE * self.parameters.restitution_threshold
+                {
                     break;
                 }
             }
         }
-        self.bounce_rows(step, true);
+        self.restitution_sweep(step, true);
     }
 
-    /// One pass over the rows that bounce; in the last one bodies leave.
-    fn bounce_rows(&mut self, step: &Step, is_last: bool) {
-        if self.space.is_some() {
-            return self.bounce_in_space(step, is_last);
+    /// Applies restitution once to all contacts of the iterative solver. In the last sweep (`is_last`) two bodies that have no
+    /// other contact or joint bounce in closed form: [`resolve_bounce`].
+    fn restitution_sweep(&mut self, step: &StepContext, is_last: bool) {
+        if self.depth.is_some() {
+            return self.apply_restitution_3d(step, is_last);
         }
-        let threshold = self.tuning.bounce;
-        let Precise { rows, bodies, palette, joints, .. } = self;
-        let mut hot = std::mem::take(&mut bodies.hot);
+        let threshold = self.parameters.restitution_threshold;
+        let Precise { constraints, bodies, color_usage, joints, .. } = self;
+        let mut hot = std::mem::take(&mut bodies.states);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
-                bounce::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
+                apply_restitution::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
                     if is_last {
-                        leave(bodies, hot, (palette, joints), step, row, lanes)
+                        resolve_bounce(bodies, hot, (color_usage, joints), step, row, lanes)
                     } else {
-                        joints.note_bounce(row, lanes)
+                        joints.record_restitution(row, lanes)
                     }
                 })
             };
         }
-        bounce_all!(false, 2, &mut rows.two);
-        bounce_all!(false, 1, &mut rows.one);
-        bounce_all!(true, 2, &mut rows.two_fixed);
-        bounce_all!(true, 1, &mut rows.one_fixed);
-        bodies.hot = hot;
+        bounce_all!(false, 2, &mut constraints.two_points);
+        bounce_all!(false, 1, &mut constraints.one_point);
+        bounce_all!(true, 2, &mut constraints.two_points_static);
+        bounce_all!(true, 1, &mut constraints.one_point_static);
+        bodies.states = hot;
     }
 
-    /// Last stage: who has left its bounds gets new ones.
-    pub(crate) fn follow(&mut self) {
-        follow(&mut self.proxies, &self.bodies, &self.sleep.proxies, &self.tuning);
-        if let Some(space) = &self.space {
-            space.follow(&mut self.proxies, &self.bodies, &self.sleep.proxies, &self.tuning);
+    /// End of the sixth stage of a step: computes a new fat AABB for each proxy whose tight AABB has left its fat AABB. The
+    /// broad phase of the next step searches the pairs of these proxies.
+    pub(crate) fn refit_aabbs(&mut self) {
+        find_escaped_proxies(&mut self.proxies, &self.bodies, &self.sleep.awake_proxy_runs, &self.parameters);
+        if let Some(space) = &self.depth {
+            space.collect_escaped(
+                &mut self.proxies,
+                &self.bodies,
+                &self.sleep.awake_proxy_runs,
+                &self.parameters,
+            );
         }
-        for at in 0..self.proxies.escaped.len() {
-            let proxy = self.proxies.escaped[at];
-            let reach = self.proxies.all[proxy as usize].shape.reach;
-            let widening = match self.pairs.of(proxy).next() {
-                None => self.tuning.widening_of_lonely(reach),
-                Some(_) => self.tuning.widening(reach),
+        for at in 0..self.proxies.refitted.len() {
+            let proxy = self.proxies.refitted[at];
+            let extent = self.proxies.all[proxy as usize].shape.max_extent;
+            let margin = match self.pairs.pairs_of(proxy).next() {
+                None => self.parameters.margin_without_pairs(extent),
+                Some(_) => self.parameters.margin_for_extent(extent),
             };
-            self.widen_by(proxy, widening);
+            self.enlarge_aabb_by(proxy, margin);
         }
     }
 
-    /// Gives a proxy new bounds: the same whatever pairs it is in.
-    pub(super) fn widen(&mut self, proxy: u32) {
-        self.widen_by(proxy, self.tuning.widening(self.proxies.all[proxy as usize].shape.reach));
+    /// Computes and stores the fat AABB of a proxy, and moves the proxy in the hash grid. The margin is always the one for
+    /// proxies that are in pairs ([`Parameters::margin_for_extent`](super::scaled_parameters::Parameters::margin_for_extent)).
+    pub(super) fn enlarge_aabb(&mut self, proxy: u32) {
+        self.enlarge_aabb_by(
+            proxy,
+            self.parameters.margin_for_extent(self.proxies.all[proxy as usize].shape.max_extent),
+        );
     }
 
-    fn widen_by(&mut self, proxy: u32, widening: Widening) {
-        let bounds = self.proxies.widened(proxy as usize, &self.bodies, &self.tuning, widening, self.dt);
-        self.proxies.bounds[proxy as usize] = bounds;
-        let Some(space) = &mut self.space else { return self.grid.set(proxy, &bounds) };
-        if proxy == space.ground {
-            self.proxies.bounds[proxy as usize] = BELOW;
+    /// Computes and stores the fat AABB of a proxy with `margin`, and moves the proxy in the hash grid.
+    fn enlarge_aabb_by(&mut self, proxy: u32, margin: AabbMargin) {
+        let bounds = self.proxies.fat_aabb(proxy as usize, &self.bodies, &self.parameters, margin, self.dt);
+        self.proxies.fat_aabbs[proxy as usize] = bounds;
+        let Some(depth) = &mut self.depth else { return self.grid.insert_or_move(proxy, &bounds) };
+        if proxy == depth.ground_proxy {
+            self.proxies.fat_aabbs[proxy as usize] = GROUND_BOUNDS;
         }
         let body = self.proxies.all[proxy as usize].body;
-        let speed = self.bodies.hot.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
-        space.widen(proxy, body, speed * self.dt, widening, self.tuning.speculative);
-        if space.is_in_grid(proxy) {
-            self.grid.set(proxy, &space.cells(proxy, &bounds));
+        let speed = self.bodies.states.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
+        depth.set_fat_interval(proxy, body, speed * self.dt, margin, self.parameters.speculative_distance);
+        if depth.is_in_grid(proxy) {
+            self.grid.insert_or_move(proxy, &depth.grid_bounds(proxy, &bounds));
         }
     }
 }

@@ -14,7 +14,8 @@ use crate::springs::SpringId;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Event {
-    /// Geom `this` touches `other`: one event for each side. When it comes depends on the [methods](crate::Methods):
+    /// Geom `this` touches `other`: one event for each side. The update that lists it depends on the
+    /// [methods](crate::Methods):
     ///
     /// - the faithful set lists it in every update in which the pair has contacts, as the original calls its handlers;
     /// - the [precise](crate::Methods::Precise) set lists it once, in the update in which the touch begins, and
@@ -52,30 +53,31 @@ pub enum Event {
     /// # Ok::<(), farseer_core::Error>(())
     /// ```
     Collision {
-        /// The geom that is told.
+        /// The geom to which the event belongs.
         this: GeomId,
-        /// Its partner.
+        /// The geom that it touches.
         other: GeomId,
         /// Number of contacts.
         contacts: u32,
         /// Whether the handler refused the collision.
         vetoed: bool,
     },
-    /// The boxes of two geoms overlap but the geoms do not touch (any more), told once to each side. Like the
-    /// original's, it recurs in every update for boxes that overlap without contact, and does not come when a
-    /// contact ends by disabling, removing or disposing.
+    /// The boxes of two geoms overlap but the geoms do not touch (any more): one event for each side. Like the
+    /// original's, it recurs in every update for boxes that overlap without contact, and is not listed when a contact
+    /// ends by disabling, removing or disposing.
     ///
-    /// With the [precise set](crate::Methods::Precise) it comes once for every touch that began, however the touch ends: also
-    /// by categories or a group, and when a side is disabled, removed or disposed. The id of what was disposed is stale then.
+    /// With the [precise set](crate::Methods::Precise) it is listed once for every touch that began, however the touch
+    /// ends: also by categories or a group, and when a side is disabled, removed or disposed. The id of a disposed geom
+    /// is stale then.
     Separation {
-        /// The geom that is told.
+        /// The geom to which the event belongs.
         this: GeomId,
-        /// Its partner.
+        /// The geom that it touched, or whose box overlaps.
         other: GeomId,
     },
     /// The handler refused a pair whose boxes overlap.
     BroadPhaseVeto {
-        /// First geom, as the handler was told.
+        /// First geom, in the order of the handler's arguments.
         geom1: GeomId,
         /// Second geom.
         geom2: GeomId,
@@ -100,32 +102,34 @@ pub enum Event {
         /// The object.
         object: ObjectId,
     },
-    /// A setter or [`PhysicsSimulator::update`](crate::PhysicsSimulator::update) was given a value that is not finite, and changed nothing. After
-    /// sixteen refusals of an object since the last update that told, each further argument is told once.
+    /// A setter or [`PhysicsSimulator::update`](crate::PhysicsSimulator::update) was given a value that is not finite,
+    /// and changed no state. After sixteen rejections of an object since the last report, each further argument is
+    /// reported once.
     RejectedInput {
         /// The object whose setter it was; `None` for the simulator itself.
         object: Option<ObjectId>,
         /// Name of the argument.
         argument: &'static str,
     },
-    /// The state of a body stopped being finite. It was put back to its last finite state.
+    /// The state of a body was no longer finite. It was put back to its last finite state.
     NotFinite {
         /// The body.
         body: BodyId,
         /// Whether it was disabled: every dynamic body is, no static one.
         disabled: bool,
     },
-    /// The error of a joint was beyond its breakpoint: it is disabled now.
+    /// A joint broke: its error was beyond its breakpoint, or its force or torque beyond the maximum. It is disabled
+    /// now.
     JointBroke {
         /// The joint.
         joint: JointId,
     },
-    /// The error of a spring was beyond its breakpoint: it is disabled now.
+    /// A spring broke: its error was beyond its breakpoint. It is disabled now.
     SpringBroke {
         /// The spring.
         spring: SpringId,
     },
-    /// A geom dipped into the fluid of a fluid drag controller.
+    /// A geom entered the fluid of a fluid drag controller.
     FluidEntry {
         /// The controller.
         controller: ControllerId,
@@ -134,13 +138,13 @@ pub enum Event {
         /// Number of its vertices in the fluid.
         vertices: u32,
     },
-    /// A joint would have made a velocity infinite or NaN. It did nothing more in this update, and has forgotten its
-    /// impulses.
+    /// A joint would have made a velocity infinite or NaN. It was skipped for the rest of this update, and its impulses
+    /// were reset.
     JointNotFinite {
         /// The joint.
         joint: JointId,
     },
-    /// A spring would have made a force or torque infinite or NaN. It did nothing in this update.
+    /// A spring would have made a force or torque infinite or NaN. It was skipped in this update.
     SpringNotFinite {
         /// The spring.
         spring: SpringId,
@@ -150,28 +154,29 @@ pub enum Event {
         /// The controller.
         controller: ControllerId,
     },
-    /// A controller that is the game's own, or has a fluid container that is, was due, but nobody answered for it.
+    /// A controller of the game's own, or one with a fluid container of the game's own, was due, but no handler
+    /// returned it.
     MissingController {
         /// The controller.
         controller: ControllerId,
     },
 }
 
-/// What happened between updates, or while no callback could be told: it is told as soon as one can be. State, and saved
-/// as such.
+/// An event between updates, or while no callback could be called: it is reported at the next opportunity. It is part
+/// of the state, and saved.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub(crate) enum Notice {
+pub(crate) enum PendingEvent {
     BodyUpdated { body: BodyId },
     BodyDisposed { body: BodyId },
     NotFinite { body: BodyId, disabled: bool },
 }
 
-impl From<Notice> for Event {
-    fn from(notice: Notice) -> Self {
+impl From<PendingEvent> for Event {
+    fn from(notice: PendingEvent) -> Self {
         match notice {
-            Notice::BodyUpdated { body } => Event::BodyUpdated { body },
-            Notice::BodyDisposed { body } => Event::BodyDisposed { body },
-            Notice::NotFinite { body, disabled } => Event::NotFinite { body, disabled },
+            PendingEvent::BodyUpdated { body } => Event::BodyUpdated { body },
+            PendingEvent::BodyDisposed { body } => Event::BodyDisposed { body },
+            PendingEvent::NotFinite { body, disabled } => Event::NotFinite { body, disabled },
         }
     }
 }

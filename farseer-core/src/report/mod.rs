@@ -1,4 +1,4 @@
-//! What a simulator tells of its last update, and what it still has to tell.
+//! The report of the last update, and events that are still to be reported.
 
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -6,49 +6,50 @@ mod event;
 mod step_times;
 
 pub use event::Event;
-pub(crate) use event::Notice;
+pub(crate) use event::PendingEvent;
 pub use step_times::StepTimes;
 pub(crate) use step_times::{Clock, Stopwatch};
 
-/// What a step did: how much work there was.
+/// Counters of the work of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct StepCounters {
-    /// Pairs whose shapes were tested against each other.
+    /// Number of pairs whose shapes were tested against each other.
     pub pairs_tested: usize,
-    /// Pairs that touch.
+    /// Number of pairs that touch.
     pub pairs_touching: usize,
-    /// Contacts the solver worked on in every iteration.
+    /// Number of contacts that the solver worked on in every iteration.
     pub contacts_solved: usize,
-    /// Passes that the solver made.
+    /// Number of solver iterations.
     pub passes: u32,
-    /// Bodies that changed their pose.
+    /// Number of bodies that changed their pose.
     pub bodies_moved: usize,
-    /// Bodies that sleep; 0 with the faithful set.
+    /// Number of sleeping bodies; 0 with the faithful set.
     pub bodies_asleep: usize,
-    /// Pairs of convex pieces whose contacts were found anew, because the two had moved against each other; 0 with the
-    /// faithful set, which finds all anew.
+    /// Number of pairs of convex pieces whose manifolds were computed anew, because their relative pose had changed; 0
+    /// with the faithful set, which computes all anew.
     pub manifolds_made: usize,
-    /// Pairs of convex pieces that had moved so little against each other that only distances were renewed; 0 with the
-    /// faithful set.
+    /// Number of pairs of convex pieces whose manifolds were recycled: their relative pose had changed so little that
+    /// only separations were computed; 0 with the faithful set.
     pub manifolds_kept: usize,
-    /// Fat AABBs that the broad phase computed anew, because shapes had left theirs or were new; 0 with the faithful set.
+    /// Number of fat AABBs that the broad phase computed, because shapes had left theirs or were new; 0 with the
+    /// faithful set.
     pub aabbs_renewed: usize,
 }
 
-/// What is told of the last update. Nothing of it is saved: the next update overwrites it and reads none of it.
+/// The report of the last update. It is not saved: the next update overwrites it and does not depend on it.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     pub(crate) events: Vec<Event>,
     pub(crate) counters: StepCounters,
     pub(crate) step_times: StepTimes,
-    /// Empty: the other buffer of what is still to be told.
-    pub(crate) delivered: Vec<Notice>,
+    /// Empty: the second buffer for pending events.
+    pub(crate) pending_buffer: Vec<PendingEvent>,
 }
 
-reusing_clone! { Report { events, counters, step_times, delivered } }
+reusing_clone! { Report { events, counters, step_times, pending_buffer } }
 
 impl Report {
-    /// An update begins.
+    /// Clears the report at the beginning of an update.
     pub(crate) fn clear(&mut self) {
         self.events.clear();
         self.counters = StepCounters::default();

@@ -1,30 +1,30 @@
-//! How long the stages of an update take (behaviour chapter 04, section 8), by a clock that is handed in.
+//! Times of the stages of an update (behaviour chapter 04, section 8), measured by a clock of the caller.
 
-/// How long the stages of the last timed update took, in milliseconds.
+/// Times of the stages of the last timed update, in milliseconds.
 ///
 /// Before the first [timed update](crate::PhysicsSimulator::update_timed) all are 0, or, as in the original, -1 if the
 /// simulator was made with [a gravity](crate::PhysicsSimulator::new). They are not saved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepTimes {
-    /// Objects entered and left.
+    /// Objects entering and leaving, in milliseconds.
     #[doc(alias = "CleanUpTime")]
     pub clean_up_time: f32,
-    /// The broad phase.
+    /// The broad phase, in milliseconds.
     #[doc(alias = "BroadPhaseCollisionTime")]
     pub broad_phase_collision_time: f32,
-    /// The narrow phase, with the callbacks of collisions.
+    /// The narrow phase, with the callbacks of collisions, in milliseconds.
     #[doc(alias = "NarrowPhaseCollisionTime")]
     pub narrow_phase_collision_time: f32,
-    /// Controllers, springs and forces.
+    /// Controllers, springs and forces, in milliseconds.
     #[doc(alias = "ApplyForcesTime")]
     pub apply_forces_time: f32,
-    /// Joints and contacts: their preparation and all passes.
+    /// Joints and contacts: pre-step and all iterations, in milliseconds.
     #[doc(alias = "ApplyImpulsesTime")]
     pub apply_impulses_time: f32,
-    /// Bodies moved, and geoms followed.
+    /// Integration of positions and update of geoms, in milliseconds.
     #[doc(alias = "UpdatePositionsTime")]
     pub update_positions_time: f32,
-    /// All of it.
+    /// The whole update, in milliseconds.
     #[doc(alias = "UpdateTime")]
     pub update_time: f32,
 }
@@ -42,7 +42,7 @@ impl StepTimes {
     };
 }
 
-/// The caller's clock: tells the time in milliseconds, from any moment on.
+/// The caller's clock: returns the time in milliseconds, from any origin.
 pub(crate) type Clock<'c> = &'c mut dyn FnMut() -> f64;
 
 /// Measures the stages of one update, if there is a clock.
@@ -59,7 +59,7 @@ impl<'c> Stopwatch<'c> {
         Stopwatch { clock, start: now, now, times: StepTimes::default() }
     }
 
-    /// A stage is done.
+    /// Stores the time of a stage that has ended.
     pub(crate) fn lap(&mut self, time: impl FnOnce(&mut StepTimes) -> &mut f32) {
         if let Some(clock) = &mut self.clock {
             let before = std::mem::replace(&mut self.now, clock());

@@ -7,31 +7,30 @@ use super::Vertices;
 use crate::math::lanes::select;
 use crate::math::{Vector2, scalar, vector2};
 
-/// Distance a point must keep from the sides to count as inside. Absolute, in the user's length unit: for
-/// coordinates above about 256 it is lost in rounding.
+/// Minimum distance from the sides at which a point counts as inside. Absolute, in length units: for coordinates above
+/// about 256 it is lost in rounding.
 const CONTAINS_MARGIN: f32 = 0.00001;
 
-/// A box with sides along the axes, in the user's length unit, screen y down. Nothing checks that `min` is
-/// less than `max`.
+/// A box with sides along the axes, in length units, screen y down. `min` is not checked against `max`.
 #[doc(alias = "AABB")]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Aabb {
-    /// The corner of least coordinates.
+    /// The corner with the smallest coordinates.
     #[doc(alias = "Min")]
     pub min: Vector2,
-    /// The corner of greatest coordinates.
+    /// The corner with the greatest coordinates.
     #[doc(alias = "Max")]
     pub max: Vector2,
 }
 
 impl Aabb {
-    /// A box from its corners, taken as they are.
+    /// A box with the given corners.
     pub fn new(min: Vector2, max: Vector2) -> Aabb {
         Aabb { min, max }
     }
 
-    /// The smallest box around the vertices; the zero box without any. A NaN in the first vertex stays, one
-    /// in a later vertex is passed over.
+    /// The smallest box around the vertices; the zero box without any. A NaN in the first vertex stays, one in a later
+    /// vertex is skipped.
     #[inline]
     pub fn from_vertices(vertices: &[Vector2]) -> Aabb {
         let Some(&first) = vertices.first() else {
@@ -54,13 +53,13 @@ impl Aabb {
         let min = Vector2::new(if bx < ax { bx } else { ax }, if by < ay { by } else { ay });
         let max = Vector2::new(if dx > cx { dx } else { cx }, if dy > cy { dy } else { cy });
         if min.x == 0.0 || min.y == 0.0 || max.x == 0.0 || max.y == 0.0 {
-            // Of zeros of both signs the first one counts.
+            // Of -0 and +0 the first one is taken.
             return Self::widened_in_order(first, vertices.iter().copied());
         }
         Aabb { min, max }
     }
 
-    /// As [`from_vertices`](Self::from_vertices), of vertices that are in no list.
+    /// As [`from_vertices`](Self::from_vertices), for points of an iterator.
     pub(crate) fn from_points(mut points: impl Iterator<Item = Vector2>) -> Aabb {
         points.next().map_or_else(Aabb::default, |first| Self::widened_in_order(first, points))
     }
@@ -84,14 +83,14 @@ impl Aabb {
         Aabb { min, max }
     }
 
-    /// Extent along x.
+    /// Extent along x, in length units.
     #[doc(alias = "Width")]
     #[inline]
     pub fn width(&self) -> f32 {
         self.max.x - self.min.x
     }
 
-    /// Extent along y.
+    /// Extent along y, in length units.
     #[doc(alias = "Height")]
     #[inline]
     pub fn height(&self) -> f32 {
@@ -112,26 +111,26 @@ impl Aabb {
         self.max = position + half;
     }
 
-    /// The centre as the least corner plus half the extent; rounds differently from [`Aabb::position`].
+    /// The centre as the smallest corner plus half the extent; rounds differently from [`Aabb::position`].
     #[doc(alias = "GetCenter")]
     pub fn get_center(&self) -> Vector2 {
         Vector2::new(self.min.x + self.width() / 2.0, self.min.y + self.height() / 2.0)
     }
 
-    /// The smaller extent.
+    /// The smaller extent, in length units.
     #[doc(alias = "GetShortestSide")]
     pub fn get_shortest_side(&self) -> f32 {
         scalar::min(self.width(), self.height())
     }
 
-    /// The corners in engine winding, from `min` on.
+    /// The corners in engine winding, beginning with `min`.
     #[doc(alias = "GetVertices")]
     pub fn get_vertices(&self) -> Vertices {
         let (min, max) = (self.min, self.max);
         Vertices::from(vec![min, Vector2::new(min.x, max.y), max, Vector2::new(max.x, min.y)])
     }
 
-    /// Distance of a point from the box, negative inside.
+    /// Distance of a point from the box, in length units, negative inside.
     #[doc(alias = "GetDistance")]
     pub fn get_distance(&self, point: Vector2) -> f32 {
         let dx = (point.x - (self.max.x + self.min.x) * 0.5).abs() - (self.max.x - self.min.x) * 0.5;
@@ -139,7 +138,7 @@ impl Aabb {
         if dx > 0.0 && dy > 0.0 { vector2::length(Vector2::new(dx, dy)) } else { scalar::max(dx, dy) }
     }
 
-    /// Whether a point lies inside, more than 0.00001 from every side.
+    /// Whether a point lies inside, more than 0.00001 length units from every side.
     ///
     /// ```
     /// use farseer_core::math::Vector2;

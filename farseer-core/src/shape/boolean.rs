@@ -1,7 +1,7 @@
 //! Union, difference and intersection of two outlines (behaviour chapter 15, section 15.5).
 //!
-//! All three snap both outlines to whole numbers, mark the points where they cross in both, and walk from one
-//! outline to the other at these points. What a caller has to know stands at [`Vertices::union`].
+//! All three round both outlines to whole numbers, insert the points where they cross into both, and walk from one
+//! outline to the other at these points. For limits of the method see [`Vertices::union`].
 
 use std::f64::consts::PI;
 
@@ -11,13 +11,13 @@ use crate::math::Vector2;
 use crate::math::finite::finite_vertices;
 use crate::shape::ray_helper;
 
-/// Why a boolean operation has no clean result. What the original returned all the same is there as well;
+/// Why a boolean operation has no valid result. Variants contain the outline that the original returned in spite of it;
 /// its `None` is `Ok`.
 #[doc(alias("PolyUnionError.None", "FarseerGames.FarseerPhysics.Collisions.PolyUnionError"))]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PolyUnionError {
-    /// The outlines do not cross. They are apart, or one is inside of the other, or they are the same. The
-    /// original returned null.
+    /// The outlines do not cross. They are apart, or one is inside of the other, or they are the same. The original
+    /// returned null.
     #[doc(alias = "PolyUnionError.NoIntersections")]
     #[error("the outlines do not cross")]
     NoIntersections,
@@ -25,14 +25,14 @@ pub enum PolyUnionError {
     #[doc(alias = "PolyUnionError.Poly1InsidePoly2")]
     #[error("polygon 1 is inside of polygon 2")]
     Poly1InsidePoly2 {
-        /// What is left: the second polygon, not rounded, for a union, and nothing for a difference.
+        /// The result: the second polygon, not rounded, for a union, and an empty list for a difference.
         outline: Vertices,
     },
     /// The walk did not get back to its start.
     #[doc(alias = "PolyUnionError.InfiniteLoop")]
     #[error("the way around the result does not get back to its start")]
     InfiniteLoop {
-        /// The way until it was given up: useless as an outline.
+        /// The path until it was given up: useless as an outline.
         outline: Vertices,
     },
     /// A vertex is not finite.
@@ -50,10 +50,10 @@ enum Operation {
 impl Vertices {
     /// The outline around this polygon and `polygon2`, in whole numbers.
     ///
-    /// What follows is true of [`subtract`](Self::subtract) and [`intersect`](Self::intersect) as well. Both
-    /// outlines must be simple and wound the same way, and so is the result. There is only one: other parts and
-    /// holes are lost. Where an edge has several crossings they are taken in the wrong order, as in the original,
-    /// so that the result may be wrong without an error; [`Vertices::sub_divide_edges`] makes that rare.
+    /// The following holds for [`subtract`](Self::subtract) and [`intersect`](Self::intersect) as well. Both outlines
+    /// must be simple and wound the same way, and so is the result. There is only one: other parts and holes are lost.
+    /// Where an edge has several crossings they are taken in the wrong order, as in the original, so that the result
+    /// may be wrong without an error; [`Vertices::sub_divide_edges`] makes that rare.
     ///
     /// # Errors
     /// See [`PolyUnionError`].
@@ -97,12 +97,11 @@ impl Vertices {
         }
     }
 
-    /// The outline of what this polygon and `polygon2` have in common, in whole numbers; see
-    /// [`union`](Self::union).
+    /// The outline of the intersection of this polygon and `polygon2`, in whole numbers; see [`union`](Self::union).
     ///
-    /// As in the original, outlines that do not cross are no error: the result is empty (null in the original),
-    /// even if one is inside of the other. Where the others say
-    /// [`Poly1InsidePoly2`](PolyUnionError::Poly1InsidePoly2) the result is a copy of `polygon2`, not rounded.
+    /// As in the original, outlines that do not cross are no error: the result is empty (null in the original), even if
+    /// one is inside of the other. Where the others return [`Poly1InsidePoly2`](PolyUnionError::Poly1InsidePoly2) the
+    /// result is a copy of `polygon2`, not rounded.
     ///
     /// # Errors
     /// [`PolyUnionError::InfiniteLoop`], and when a vertex is not finite.
@@ -112,14 +111,14 @@ impl Vertices {
         let Some(first_hit) = overlay.hits.first() else {
             return Ok(Vertices::new());
         };
-        match (overlay.start, place_of(first_hit.intersection_point, &overlay.polygon1)) {
+        match (overlay.start, index_of_vertex(first_hit.intersection_point, &overlay.polygon1)) {
             (Some(_), Some(start)) => overlay.walk(start, Operation::Intersect),
             _ => Ok(polygon2.clone()),
         }
     }
 }
 
-/// Two rounded outlines with the points where they cross put into both.
+/// Two rounded outlines, both with the points where they cross as vertices.
 struct Overlay {
     polygon1: Vertices,
     polygon2: Vertices,
@@ -142,11 +141,11 @@ impl Overlay {
         Ok(Overlay { polygon1, polygon2, hits, start })
     }
 
-    /// Goes along the first outline from `start` on, and over to the other one and back at crossings, until
-    /// the start is reached again.
+    /// Walks along the first outline from `start` on, and over to the other one and back at crossings, until the start
+    /// is reached again.
     fn walk(&self, start: usize, operation: Operation) -> Result<Vertices, PolyUnionError> {
         let (mut current, mut other) = (&self.polygon1, &self.polygon2);
-        let most = current.len() + other.len();
+        let max_vertices = current.len() + other.len();
         let mut i = start;
         let first = current[start];
         let mut outline = Vertices::new();
@@ -160,7 +159,7 @@ impl Overlay {
                 forward ^= operation == Operation::Subtract;
             }
             i = if forward { current.next_index(i) } else { current.previous_index(i) };
-            if outline.len() > most {
+            if outline.len() > max_vertices {
                 return Err(PolyUnionError::InfiniteLoop { outline });
             }
             if current[i] == first {
@@ -169,7 +168,7 @@ impl Overlay {
         }
     }
 
-    /// Where to go on in the other outline, if the way changes over at this point.
+    /// Index at which to continue in the other outline, if the walk changes over at this point.
     fn switch(
         &self,
         point: Vector2,
@@ -179,8 +178,8 @@ impl Overlay {
         forward: bool,
     ) -> Option<usize> {
         let crossing = self.hits.iter().any(|hit| hit.intersection_point == point);
-        // Several hits at one point all lead to the same place.
-        let place = crossing.then(|| place_of(point, other)).flatten()?;
+        // Several hits at one point all lead to the same index.
+        let place = crossing.then(|| index_of_vertex(point, other)).flatten()?;
         let ahead_is_inside = |i: usize| is_inside(other[i], current);
         let switches = match operation {
             Operation::Union => !ahead_is_inside(other.next_index(place)),
@@ -192,11 +191,11 @@ impl Overlay {
     }
 }
 
-fn place_of(point: Vector2, outline: &Vertices) -> Option<usize> {
+fn index_of_vertex(point: Vector2, outline: &Vertices) -> Option<usize> {
     outline.iter().position(|&vertex| vertex == point)
 }
 
-/// All crossings of two outlines, edge by edge of the first, rounded.
+/// All crossings of two outlines, rounded, ordered by the edges of the first.
 fn crossings(polygon1: &Vertices, polygon2: &Vertices) -> Vec<EdgeIntersectInfo> {
     let mut hits = Vec::new();
     let edge = |outline: &Vertices, i: usize| Edge::new(outline[i], outline[outline.next_index(i)]);
@@ -215,18 +214,18 @@ fn crossings(polygon1: &Vertices, polygon2: &Vertices) -> Vec<EdgeIntersectInfo>
     hits
 }
 
-/// Puts a point that is not in an outline after the start of its edge: before the points put in there earlier,
+/// Inserts a point that is not in an outline after the start of its edge: before the points inserted there earlier,
 /// wherever on the edge they are.
 fn insert_after(outline: &mut Vertices, edge_start: Vector2, point: Vector2) {
-    if place_of(point, outline).is_none()
-        && let Some(place) = place_of(edge_start, outline)
+    if index_of_vertex(point, outline).is_none()
+        && let Some(place) = index_of_vertex(edge_start, outline)
     {
         outline.insert(place + 1, point);
     }
 }
 
-/// Whether an outline goes around a point, by the sum of the angles of its edges. Points on the outline are
-/// on either side, as rounding will have it.
+/// Whether an outline encloses a point, by the sum of the angles of its edges. For points on the outline the result
+/// depends on rounding.
 fn is_inside(point: Vector2, outline: &Vertices) -> bool {
     let angle = |v: Vector2| libm::atan2(f64::from(v.y), f64::from(v.x));
     let mut total = 0.0;

@@ -6,16 +6,16 @@ use crate::math::Vector2;
 use crate::math::finite::finite_vertices;
 
 impl Vertices {
-    /// The convex hull of a simple (not self-crossing) outline, by Melkman's algorithm; a copy of the list if
-    /// it has fewer than three vertices.
+    /// The convex hull of a simple (not self-crossing) outline, by Melkman's algorithm; a copy of the list if it has
+    /// fewer than three vertices.
     ///
-    /// The hull has positive shoelace area, against engine winding, and may start anywhere. When the outline
-    /// starts with vertices in line, only the last of these is kept, even if it is not the extreme one.
-    /// Outlines that cross themselves may give a wrong hull.
+    /// The hull has positive shoelace area, opposite to engine winding, and may start at any vertex. If the outline
+    /// starts with collinear vertices, only the last of these is kept, even if it is not the extreme one. Outlines that
+    /// cross themselves may give a wrong hull.
     ///
     /// # Errors
     /// Vertices that are not finite; a vertex that cannot be placed, because the outline crosses itself or is
-    /// degenerate. The original searches on for ever.
+    /// degenerate. The original loops forever.
     #[doc(alias = "GetConvexHull")]
     pub fn get_convex_hull(&self) -> Result<Vertices> {
         finite_vertices("self", self)?;
@@ -34,11 +34,11 @@ impl Vertices {
 }
 
 /// Positive if `c` lies on the positive side of the line from `a` to `b`.
-fn left(a: Vector2, b: Vector2, c: Vector2) -> f32 {
+fn orientation(a: Vector2, b: Vector2, c: Vector2) -> f32 {
     (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)
 }
 
-/// The hull so far: a ring, of which the part from `back` to `front` is used. Both ends are the same vertex.
+/// The hull so far: a ring buffer, used from `back` to `front`. Both ends are the same vertex.
 struct Deque {
     ring: Vec<Vector2>,
     front: usize,
@@ -46,15 +46,15 @@ struct Deque {
 }
 
 impl Deque {
-    /// The hull of the first vertices of an outline of three or more, and how many these are.
+    /// The hull of the first vertices of an outline of three or more, and the number of these vertices.
     fn start(outline: &[Vector2]) -> (Deque, usize) {
         let mut ring = vec![Vector2::new(0.0, 0.0); outline.len() + 1];
         let (p0, p1, p2) = (outline[0], outline[1], outline[2]);
-        let turn = left(p0, p1, p2);
+        let turn = orientation(p0, p1, p2);
         if turn == 0.0 {
             (ring[0], ring[1], ring[2]) = (p0, p2, p0);
             let mut first = 3;
-            while first < outline.len() && left(ring[0], ring[1], outline[first]) == 0.0 {
+            while first < outline.len() && orientation(ring[0], ring[1], outline[first]) == 0.0 {
                 ring[1] = outline[first];
                 first += 1;
             }
@@ -74,14 +74,14 @@ impl Deque {
     }
 
     fn inside_front(&self, p: Vector2) -> bool {
-        left(self.ring[self.before(self.front)], self.ring[self.front], p) > 0.0
+        orientation(self.ring[self.before(self.front)], self.ring[self.front], p) > 0.0
     }
 
     fn inside_back(&self, p: Vector2) -> bool {
-        left(self.ring[self.back], self.ring[self.after(self.back)], p) > 0.0
+        orientation(self.ring[self.back], self.ring[self.after(self.back)], p) > 0.0
     }
 
-    /// Takes another vertex in. `None` when a whole turn of the ring finds no place for it.
+    /// Adds a vertex. `None` if a full turn of the ring finds no position for it.
     fn add(&mut self, p: Vector2) -> Option<()> {
         if self.inside_front(p) && self.inside_back(p) {
             return Some(());
@@ -102,7 +102,7 @@ impl Deque {
         Some(())
     }
 
-    /// The vertices from back to front, each once. When that part crosses the ring's end, the list starts in
+    /// The vertices from back to front, each once. If that range crosses the end of the ring buffer, the list starts in
     /// the middle of the hull.
     fn into_vertices(self) -> Vertices {
         let Deque { ring, front, back } = self;

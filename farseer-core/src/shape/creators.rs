@@ -1,8 +1,7 @@
 //! Outlines of common shapes about the origin (behaviour chapter 05, section 1.7).
 //!
-//! Rectangles, circles, ellipses and gears come out in engine winding. Capsules do not; a geometry made from
-//! one reverses the list. Sizes may be negative or zero where the original accepts that, but not NaN or
-//! infinite.
+//! Rectangles, circles, ellipses and gears are in engine winding. Capsules are not; a geom made from one reverses the
+//! list. Sizes may be negative or zero where the original accepts that, but not NaN or infinite.
 
 use super::Vertices;
 use super::vertices::MAX_VERTICES;
@@ -80,9 +79,8 @@ impl Vertices {
         Ok(outline)
     }
 
-    /// A gear wheel of four vertices per tooth. `tip_percentage`, 0 to 1, is the part of half a tooth's
-    /// angle that its tip takes; `tooth_height` comes on top of `radius`. No teeth or a negative number of
-    /// them give an empty list.
+    /// A gear wheel of four vertices per tooth. `tip_percentage`, 0 to 1, is the fraction of half a tooth's angle that
+    /// its tip takes; `tooth_height` is added to `radius`. No teeth or a negative number of them give an empty list.
     ///
     /// # Errors
     /// When a size is not finite, or for more vertices than [`MAX_VERTICES`].
@@ -132,9 +130,9 @@ impl Vertices {
         Vertices::create_capsule_ends(height, end_radius, edges, end_radius, edges)
     }
 
-    /// An upright capsule whose ends differ: half circles of `top_edges` and `bottom_edges` edges, joined by
-    /// straight sides. The result has `top_edges + bottom_edges + 2` vertices and positive shoelace area;
-    /// "top" is the end of greater y, which is the lower one on a screen.
+    /// An upright capsule with different ends: half circles of `top_edges` and `bottom_edges` edges, joined by straight
+    /// sides. The result has `top_edges + bottom_edges + 2` vertices and positive shoelace area; "top" is the end with
+    /// the greater y, which is the lower one on a screen.
     ///
     /// # Errors
     /// When a size is not finite and greater than 0, a radius is not less than half of `height`, or an end
@@ -175,7 +173,7 @@ impl Vertices {
     }
 }
 
-/// The number of things to make, 0 for a negative one, if that many with `each` vertices may be made.
+/// The number of elements to make, 0 for a negative one, if as many with `each` vertices are within [`MAX_VERTICES`].
 fn vertex_count(argument: &'static str, count: i32, each: usize) -> Result<usize> {
     let wanted = usize::try_from(count).unwrap_or(0);
     if wanted <= MAX_VERTICES / each {
@@ -185,7 +183,7 @@ fn vertex_count(argument: &'static str, count: i32, each: usize) -> Result<usize
     }
 }
 
-/// Refuses the edge counts for which a capsule's end cannot be made.
+/// Refuses numbers of edges with which a capsule's end cannot be made.
 fn at_least_one(argument: &'static str, edges: i32) -> Result<usize> {
     if edges > 0 {
         vertex_count(argument, edges, 1)

@@ -1,4 +1,4 @@
-//! An outline with a hole, made one outline by a bridge (behaviour chapter 15, section 15.3.2).
+//! Cutting a hole: an outline with a hole becomes one outline by a bridge (behaviour chapter 15, section 15.3.2).
 
 use super::ear_clipping::{indexable, is_convex, is_inside};
 use super::{Vertices, WindingOrder};
@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::math::finite::finite_vertices;
 use crate::math::{Vector2, math_helper, scalar, vector2};
 
-/// A vertex and its 16-bit index, by both of which the original compares.
+/// A vertex with its 16-bit index; the original compares both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct RingVertex {
     point: Vector2,
@@ -19,12 +19,12 @@ fn ring_of(points: &[Vector2], first_index: usize) -> Vec<RingVertex> {
 }
 
 impl Vertices {
-    /// This outline with a hole in it, joined to one outline by a bridge that is gone to and fro: two vertices
-    /// more than both lists have. [`Vertices::triangulate`] takes it, and so holes can be cut one after the
-    /// other. If no edge lies to the right of the hole, the shape comes back without it.
+    /// This outline with a hole in it, joined to one outline by a bridge, an edge in both directions: two vertices more
+    /// than both lists have. [`Vertices::triangulate`] accepts the result, and further holes can be cut into it. If no
+    /// edge lies to the right of the hole, the shape is returned without it.
     ///
-    /// The shape runs counter-clockwise afterwards and the hole clockwise, as
-    /// [`Vertices::determine_winding_order`] sees it. The original also writes to the standard output.
+    /// The shape is counter-clockwise afterwards and the hole clockwise, as [`Vertices::determine_winding_order`] sees
+    /// it. The original also writes to the standard output.
     ///
     /// # Errors
     /// When a list is empty or a vertex is not finite, or for more than 65,536 vertices in all.
@@ -50,14 +50,14 @@ impl Vertices {
     }
 }
 
-/// The vertex of the outer ring that sees a vertex of the hole, to the right of it.
+/// The vertex of the outer ring, to the right of a vertex of the hole, that is visible from it.
 fn bridge_end(ring: &[RingVertex], from: RingVertex) -> Option<usize> {
     let (segment, distance) = nearest_edge_to_the_right(ring, from.point)?;
     let hit = RingVertex { point: from.point + vector2::UNIT_X * distance, index: 1 };
     let [a, b] = segment.map(|i| ring[i]);
     let mut end = if a.point.x > b.point.x { a } else { b };
 
-    // Whatever corner lies in the way is nearer; the one closest to the horizontal is seen.
+    // A corner between the two is nearer; the one closest to the horizontal is visible.
     let triangle = [from, hit, end];
     let points = triangle.map(|corner| corner.point);
     let mut best = -1.0;
@@ -75,7 +75,7 @@ fn bridge_end(ring: &[RingVertex], from: RingVertex) -> Option<usize> {
     ring.iter().position(|vertex| *vertex == end)
 }
 
-/// The first edge that a ray to the right meets, as the places of its ends, and how far it is.
+/// The first edge that a ray to the right meets, as the indices of its ends, and its distance.
 fn nearest_edge_to_the_right(ring: &[RingVertex], from: Vector2) -> Option<([usize; 2], f32)> {
     let mut nearest: Option<([usize; 2], f32)> = None;
     for i in 0..ring.len() {
@@ -98,7 +98,7 @@ fn nearest_edge_to_the_right(ring: &[RingVertex], from: Vector2) -> Option<([usi
     nearest
 }
 
-/// Where two segments cross, computed along the first; their ends count.
+/// Intersection of two segments, computed along the first; their ends are included.
 fn segment_intersection([a, b]: [Vector2; 2], [c, d]: [Vector2; 2]) -> Option<Vector2> {
     let denominator = (d.y - c.y) * (b.x - a.x) - (d.x - c.x) * (b.y - a.y);
     let along_first = ((d.x - c.x) * (a.y - c.y) - (d.y - c.y) * (a.x - c.x)) / denominator;

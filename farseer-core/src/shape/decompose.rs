@@ -1,5 +1,5 @@
-//! Decomposition of an outline into convex pieces (behaviour chapter 15, section 15.4): the outline is cut
-//! into triangles, and these are put together again as long as the pieces stay convex.
+//! Decomposition of an outline into convex pieces (behaviour chapter 15, section 15.4): the outline is cut into
+//! triangles, and these are merged as long as the pieces stay convex.
 
 use super::Vertices;
 use super::triangulate::{self, Triangle};
@@ -7,25 +7,25 @@ use crate::error::{Error, Result};
 use crate::math::finite::finite_vertices;
 use crate::math::{Vector2, calculator, vector2};
 
-/// The most pieces of a decomposition, whatever the caller asks for.
+/// Maximum number of pieces of a decomposition, whatever the caller asks for.
 const MAX_PIECES: usize = 50;
 
-/// The most vertices of a piece.
+/// Maximum number of vertices of a piece.
 const MAX_PIECE_VERTICES: usize = 32;
 
-/// Corners that turn by less than this are taken off a piece; one degree in radians.
+/// Angle in radians, one degree: corners that turn by less are removed from a piece.
 const PARALLEL_TOLERANCE: f32 = calculator::RADIANS_TO_DEGREES_RATIO;
 
 impl Vertices {
-    /// Convex pieces of an outline that does not cross itself, at most `max_polys_to_find` of them: the rest
-    /// of the outline is left out. Fewer than three vertices, and outlines of which no triangle can be cut,
-    /// give no pieces. The pieces have positive shoelace area, against engine winding.
+    /// Convex pieces of an outline that does not cross itself, at most `max_polys_to_find` of them: the remainder of
+    /// the outline is left out. Fewer than three vertices, and outlines of which no triangle can be cut, give no
+    /// pieces. The pieces have positive shoelace area, opposite to engine winding.
     ///
     /// The time grows with the square of the number of vertices: [`simplify`](Self::simplify) long outlines first.
     ///
     /// # Errors
-    /// Vertices that are not finite; when the outline has more than 175 triangles (177 vertices, if it is simple), or `max_polys_to_find`
-    /// is more than 50 and so is the number of pieces.
+    /// Vertices that are not finite; an outline with more than 175 triangles (177 vertices, if it is simple); more than
+    /// 50 pieces, if `max_polys_to_find` is more than 50.
     ///
     /// ```
     /// use farseer_core::math::Vector2;
@@ -52,7 +52,7 @@ impl Vertices {
     }
 }
 
-/// The shoelace area, summed from the closing edge on.
+/// The shoelace area, summed up from the closing edge on.
 fn area(outline: &[Vector2]) -> f32 {
     let last = outline[outline.len() - 1];
     let closing = last.x * outline[0].y - outline[0].x * last.y;
@@ -63,7 +63,7 @@ fn area(outline: &[Vector2]) -> f32 {
     sum * 0.5
 }
 
-/// Puts triangles together to convex pieces, each piece starting with the first triangle that is left.
+/// Merges triangles into convex pieces, each piece starting with the first triangle that is not used yet.
 fn polygonize(triangles: &[Triangle], max_polys_to_find: i32) -> Result<Vec<Vertices>> {
     let max = usize::try_from(max_polys_to_find).unwrap_or(0);
     let mut covered: Vec<bool> = triangles.iter().map(has_equal_corners).collect();
@@ -91,7 +91,7 @@ fn has_equal_corners(t: &Triangle) -> bool {
     t[0] == t[1] || t[0] == t[2] || t[1] == t[2]
 }
 
-/// Adds all triangles to a piece that leave it convex, in two passes, and marks them.
+/// Adds all triangles to a piece that leave it convex, in two runs, and marks them as used.
 fn grow(first: Triangle, triangles: &[Triangle], covered: &mut [bool]) -> Vertices {
     let mut piece = Vertices::from(&first[..]);
     for _ in 0..2 {
@@ -111,8 +111,8 @@ fn grow(first: Triangle, triangles: &[Triangle], covered: &mut [bool]) -> Vertic
     piece
 }
 
-/// The piece with a triangle attached to the edge they share; `None` if they share none. As in the
-/// original a third common vertex replaces the second.
+/// The piece with a triangle attached to the edge they share; `None` if they share none. As in the original a third
+/// common vertex replaces the second.
 fn attach(piece: &Vertices, triangle: &Triangle) -> Option<Vertices> {
     let (mut first, mut second) = (None, None);
     for (i, vertex) in piece.iter().enumerate() {
@@ -134,10 +134,10 @@ fn attach(piece: &Vertices, triangle: &Triangle) -> Option<Vertices> {
     Some(larger)
 }
 
-/// The piece without the vertices where it hardly turns, as long as more than three are left.
+/// The piece without the vertices where it hardly turns, as long as more than three remain.
 ///
-/// As in the original an edge of length 0 counts as one vertex less without taking it off, so that the last
-/// ones are lost instead.
+/// As in the original an edge of length 0 reduces the number of vertices without removing one, so that the last
+/// vertices are lost instead.
 fn merge_parallel(piece: Vertices) -> Vertices {
     let n = piece.len();
     if n <= 3 {
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn a_doubled_vertex_costs_the_last_ones() {
+    fn a_doubled_vertex_removes_the_last_vertices() {
         let square = outline(&[(0.0, 0.0), (0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         assert_eq!(merge_parallel(square), outline(&[(0.0, 0.0), (0.0, 0.0), (4.0, 0.0)]));
     }

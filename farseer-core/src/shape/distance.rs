@@ -61,11 +61,11 @@ fn signed_distance(vertices: &Vertices, point: Vector2, nearest: usize) -> f32 {
     if dot(point - feature.position, feature.normal) < 0.0 { -feature.distance } else { feature.distance }
 }
 
-/// [`nearest_distance`] of four points side by side, to the same bits.
+/// [`nearest_distance`] of four points in SIMD lanes, with the same bits.
 pub(crate) fn nearest_distances(vertices: &Vertices, points: [Vector2; 4]) -> [f32; 4] {
     let (x, y) = (f32x4::new(points.map(|v| v.x)), f32x4::new(points.map(|v| v.y)));
     let mut best = f32x4::splat(f32::MAX);
-    // Numbers of edges, as bits that are only moved.
+    // Edge indices as bit patterns, which are only moved.
     let mut best_index = f32x4::ZERO;
     for index in 0..vertices.len() {
         let d = distances_to_edge(vertices, x, y, index);
@@ -77,17 +77,17 @@ pub(crate) fn nearest_distances(vertices: &Vertices, points: [Vector2; 4]) -> [f
     std::array::from_fn(|i| signed_distance(vertices, points[i], nearest[i]))
 }
 
-/// [`distance_to_edge`] of four points: all three ways are taken, and one is chosen for each.
+/// [`distance_to_edge`] of four points: all three cases are computed, and one is selected for each point.
 #[inline(always)]
 fn distances_to_edge(vertices: &Vertices, x: f32x4, y: f32x4, index: usize) -> f32x4 {
     let (start, edge) = (vertices[index], vertices.get_edge(index));
     let end = vertices[vertices.next_index(index)];
     let c1 = (x - start.x) * edge.x + (y - start.y) * edge.y;
     let c2 = f32x4::splat(dot(edge, edge));
-    let part = c1 / c2;
+    let fraction = c1 / c2;
     let (is_before, is_behind) = (c1.simd_lt(f32x4::ZERO), c2.simd_le(c1));
     let nearest = |start: f32, edge: f32, end: f32| {
-        let within = f32x4::splat(start) + part * edge;
+        let within = f32x4::splat(start) + fraction * edge;
         select(is_before, f32x4::splat(start), select(is_behind, f32x4::splat(end), within))
     };
     let dx = x - nearest(start.x, edge.x, end.x);
@@ -99,7 +99,7 @@ fn distances_to_edge(vertices: &Vertices, x: f32x4, y: f32x4, index: usize) -> f
 mod tests {
     use super::*;
 
-    /// Numbers of many sizes, zeros of both signs and numbers whose squares are infinite.
+    /// Numbers of many magnitudes, zeros of both signs and numbers whose squares are infinite.
     fn number(seed: &mut u32) -> f32 {
         *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let fraction = (*seed >> 8) as f32 / (1 << 23) as f32 - 1.0;
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn four_points_side_by_side_have_the_bits_of_one_after_the_other() {
+    fn simd_distances_equal_scalar_ones_bit_for_bit() {
         let mut seed = 1;
         let mut point = || Vector2::new(number(&mut seed), number(&mut seed));
         for round in 0..20_000 {

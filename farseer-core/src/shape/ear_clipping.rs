@@ -1,5 +1,5 @@
-//! Cutting an outline into triangles for drawing (behaviour chapter 15, section 15.3.1). The triangulation
-//! inside of the decomposition is another one.
+//! Triangulation of an outline by ear clipping, for drawing (behaviour chapter 15, section 15.3.1). The decomposition
+//! uses another triangulation.
 
 use std::collections::VecDeque;
 
@@ -8,17 +8,16 @@ use crate::error::{Error, Result};
 use crate::math::finite::finite_vertices;
 use crate::math::{Vector2, vector2};
 
-/// The most vertices whose indices a 16-bit number tells apart.
+/// Maximum number of vertices that 16-bit indices distinguish.
 const MAX_INDEXED: usize = 1 << 16;
 
 impl Vertices {
-    /// Triangles of a simple outline, by cutting off ears: the vertices, counter-clockwise as
-    /// [`Vertices::determine_winding_order`] sees it and starting with the same one, and three indices of
-    /// these per triangle, in the desired order. An index has the bits of the original's `short`.
+    /// Triangulates a simple outline by ear clipping. Returns the vertices, counter-clockwise as
+    /// [`Vertices::determine_winding_order`] sees it and starting with the same one, and three indices into them per
+    /// triangle, in the desired order. An index has the bits of the original's `short`.
     ///
-    /// A simple outline of n vertices whose winding order is seen right has n - 2 triangles; one that crosses
-    /// itself has fewer, one or two vertices have none. Vertices that coincide with a neighbour are never cut
-    /// off.
+    /// A simple outline of n vertices whose winding order is recognised has n - 2 triangles. An outline that crosses
+    /// itself has fewer; one or two vertices have none. Vertices that coincide with a neighbour are never cut off.
     ///
     /// # Errors
     /// When the list is empty or has more than 65,536 vertices, or a vertex is not finite.
@@ -45,7 +44,7 @@ impl Vertices {
     }
 }
 
-/// Refuses more vertices than there are indices.
+/// Refuses more vertices than 16-bit indices distinguish.
 pub(super) fn indexable(argument: &'static str, count: usize) -> Result<()> {
     if count <= MAX_INDEXED {
         Ok(())
@@ -54,15 +53,15 @@ pub(super) fn indexable(argument: &'static str, count: usize) -> Result<()> {
     }
 }
 
-/// Whether a corner turns as a counter-clockwise outline does, or not at all. A corner on its neighbour does
-/// not.
+/// Whether a corner turns as a counter-clockwise outline does, or not at all. False for a corner that coincides with
+/// its neighbour.
 pub(super) fn is_convex(before: Vector2, here: Vector2, after: Vector2) -> bool {
     let incoming = vector2::normalize(here - before);
     let outgoing = vector2::normalize(after - here);
     vector2::dot(incoming, Vector2::new(-outgoing.y, outgoing.x)) <= 0.0
 }
 
-/// Whether a point that is no corner lies in a triangle.
+/// Whether a point that is not a corner lies in a triangle.
 pub(super) fn is_inside([a, b, c]: [Vector2; 3], p: Vector2) -> bool {
     let hit = |s: Vector2, u: Vector2| {
         ((s.y < p.y && u.y >= p.y) || (u.y < p.y && s.y >= p.y))
@@ -71,8 +70,7 @@ pub(super) fn is_inside([a, b, c]: [Vector2; 3], p: Vector2) -> bool {
     hit(c, a) ^ hit(a, b) ^ hit(b, c)
 }
 
-/// What is left of an outline: its vertices are named by their indices, which grow along the ring from its
-/// head on.
+/// The remaining outline: vertices are indices, which increase along the ring from its head on.
 struct Ring<'a> {
     points: &'a [Vector2],
     before: Vec<usize>,
@@ -140,7 +138,7 @@ impl<'a> Ring<'a> {
         triangles
     }
 
-    /// Sorts a vertex anew after one of its neighbours is gone. A convex one stays convex.
+    /// Updates the class of a vertex after one of its neighbours was removed. A convex vertex stays convex.
     fn revalidate(&mut self, i: usize) {
         if let Some(place) = self.reflex.iter().position(|&r| r == i) {
             if !self.is_convex(i) {

@@ -1,4 +1,4 @@
-//! Edges and where they meet (behaviour chapter 15, section 15.7). Points are in the user's length unit.
+//! Edges and their intersections (behaviour chapter 15, section 15.7). Points are in length units.
 
 use std::cmp::Ordering;
 
@@ -8,10 +8,10 @@ use crate::math::Vector2;
 #[doc(alias = "FarseerGames.FarseerPhysics.Collisions.Edge")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Edge {
-    /// Where the edge starts.
+    /// Start of the edge.
     #[doc(alias = "Edge.EdgeStart")]
     pub edge_start: Vector2,
-    /// Where the edge ends.
+    /// End of the edge.
     #[doc(alias = "Edge.EdgeEnd")]
     pub edge_end: Vector2,
 }
@@ -33,7 +33,7 @@ pub struct EdgeIntersectInfo {
     /// The edge of the second outline.
     #[doc(alias = "EdgeIntersectInfo.EdgeTwo")]
     pub edge_two: Edge,
-    /// Where they cross.
+    /// The point where they cross.
     #[doc(alias = "EdgeIntersectInfo.IntersectionPoint")]
     pub intersection_point: Vector2,
 }
@@ -45,7 +45,7 @@ impl EdgeIntersectInfo {
     }
 }
 
-/// Along which coordinate crossings with a line are sorted.
+/// Coordinate by which crossings with a line are sorted.
 #[doc(alias = "FarseerGames.FarseerPhysics.Collisions.EdgeAlignment")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum EdgeAlignment {
@@ -67,16 +67,16 @@ pub struct CrossingEdgeInfo {
     /// The other end.
     #[doc(alias = "CrossingEdgeInfo.EdgeVertex2")]
     pub edge_vertex2: Vector2,
-    /// Where the edge crosses the row.
+    /// The point where the edge crosses the row.
     #[doc(alias = "CrossingEdgeInfo.CrossingPoint")]
     pub crossing_point: Vector2,
-    /// What [`CrossingEdgeInfo::compare_to`] goes by.
+    /// Coordinate that [`CrossingEdgeInfo::compare_to`] compares.
     #[doc(alias = "CrossingEdgeInfo.CheckLineAlignment")]
     pub check_line_alignment: EdgeAlignment,
 }
 
 impl CrossingEdgeInfo {
-    /// An edge and where it crosses.
+    /// An edge and the point where it crosses the row.
     pub fn new(
         edge_vertex1: Vector2,
         edge_vertex2: Vector2,
@@ -86,7 +86,7 @@ impl CrossingEdgeInfo {
         CrossingEdgeInfo { edge_vertex1, edge_vertex2, crossing_point, check_line_alignment }
     }
 
-    /// Which crossing comes first, by the coordinate that this one's alignment names. NaN equals everything.
+    /// Compares crossings by the coordinate that this one's alignment names. NaN is equal to every number.
     #[doc(alias = "CompareTo")]
     pub fn compare_to(&self, other: &CrossingEdgeInfo) -> Ordering {
         let (mine, others) = match self.check_line_alignment {

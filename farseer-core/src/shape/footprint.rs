@@ -1,16 +1,16 @@
-//! Footprints: what something upright covers of the floor, as seen from above.
+//! Footprints: the area of the floor that an upright object covers, as seen from above.
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::math::Vector2;
 
-/// So many corners a footprint may have.
-const MOST: usize = 8;
-/// Sine of the angle by which a corner turns, at least.
-const TURNS: f32 = 1e-3;
+/// Maximum number of corners of a footprint.
+const MAX_FOOTPRINT_CORNERS: usize = 8;
+/// Minimum sine of the angle by which a corner turns, dimensionless. Chosen; no range measured.
+const MIN_CORNER_SINE: f32 = 1e-3;
 
-/// A convex polygon of three to eight corners in the plane of X and Z, in the user's unit of length, about where the body is.
+/// A convex polygon of three to eight corners in the plane of X and Z, in length units, relative to the body.
 ///
 /// ```
 /// use farseer_core::math::Vector2;
@@ -22,7 +22,7 @@ const TURNS: f32 = 1e-3;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<Vector2>", into = "Vec<Vector2>")]
 pub struct Footprint {
-    corners: [Vector2; MOST],
+    corners: [Vector2; MAX_FOOTPRINT_CORNERS],
     count: usize,
 }
 
@@ -30,34 +30,35 @@ impl Footprint {
     /// A polygon of these corners, X and Z, in either order.
     ///
     /// # Errors
-    /// Fewer than three corners or more than eight; one that is not finite; corners that do not all turn the same way, or hardly
-    /// turn (by less than a thousandth); a polygon so large that its area is no number.
+    /// Fewer than three corners or more than eight; one that is not finite. Corners that do not all turn to the same
+    /// side, or hardly turn (by less than a thousandth of a radian). A polygon so large that its area is not finite.
     pub fn new(corners: &[Vector2]) -> Result<Self> {
         let refused = |requirement| Err(Error::invalid("corners", format!("{corners:?}"), requirement));
         let count = corners.len();
-        if !(3..=MOST).contains(&count) {
+        if !(3..=MAX_FOOTPRINT_CORNERS).contains(&count) {
             return refused("three to eight corners");
         }
         if !corners.iter().all(|corner| corner.x.is_finite() && corner.y.is_finite()) {
             return refused("finite");
         }
-        let mut kept = [Vector2::zeros(); MOST];
+        let mut kept = [Vector2::zeros(); MAX_FOOTPRINT_CORNERS];
         kept[..count].copy_from_slice(corners);
         let turn = |at: usize| {
             let [a, b, c] = [0, 1, 2].map(|on| kept[(at + on) % count]);
             let (one, next) = (b - a, c - b);
             one.perp(&next) / (one.norm() * next.norm())
         };
-        let way = if turn(0) < 0.0 { -1.0 } else { 1.0 };
-        // Who turns the same way at every corner may still go round more than once: then a corner is beyond some edge.
+        let orientation = if turn(0) < 0.0 { -1.0 } else { 1.0 };
+        // A polygon whose corners all turn to the same side may go around more than once: then a corner is beyond some
+        // edge.
         let is_before = |at: usize| {
             let (a, b) = (kept[at], kept[(at + 1) % count]);
-            kept[..count].iter().all(|&corner| way * (b - a).perp(&(corner - a)) >= 0.0)
+            kept[..count].iter().all(|&corner| orientation * (b - a).perp(&(corner - a)) >= 0.0)
         };
-        if !(0..count).all(|at| way * turn(at) >= TURNS && is_before(at)) {
+        if !(0..count).all(|at| orientation * turn(at) >= MIN_CORNER_SINE && is_before(at)) {
             return refused("convex");
         }
-        if way < 0.0 {
+        if orientation < 0.0 {
             kept[..count].reverse();
         }
         let area: f32 =
@@ -68,7 +69,7 @@ impl Footprint {
         Ok(Footprint { corners: kept, count })
     }
 
-    /// A rectangle about the middle, so wide along X and so deep along Z.
+    /// A rectangle about the middle, with these extents along X and Z, in length units.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -82,7 +83,7 @@ impl Footprint {
         &self.corners[..self.count]
     }
 
-    /// Least and greatest X and Z.
+    /// The corners with the smallest and the greatest X and Z.
     pub fn bounds(&self) -> (Vector2, Vector2) {
         let first = (self.corners[0], self.corners[0]);
         self.corners().iter().fold(first, |(low, high), corner| (low.inf(corner), high.sup(corner)))
@@ -124,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_convex_polygon_is_refused() {
+    fn polygons_that_are_not_convex_are_refused() {
         let pentagram = [[0.0, 10.0], [-5.9, -8.1], [9.5, 3.1], [-9.5, 3.1], [5.9, -8.1]];
         for wrong in [
             &[[0.0, 0.0], [1.0, 0.0]][..],

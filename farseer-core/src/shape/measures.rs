@@ -16,7 +16,7 @@ impl Vertices {
         sum / 2.0
     }
 
-    /// The area enclosed, never negative; 0 for fewer than three vertices.
+    /// The enclosed area, in length units², never negative; 0 for fewer than three vertices.
     #[doc(alias = "GetArea")]
     pub fn get_area(&self) -> f32 {
         let area = self.signed_area();
@@ -38,8 +38,8 @@ impl Vertices {
         self.get_centroid_with_area(self.get_area())
     }
 
-    /// The centre of the enclosed area for an area that is already known (and is used as it is, without a
-    /// check). NaN or infinite if `area` is 0.
+    /// The centre of the enclosed area for an area that is already known, which is not checked. NaN or infinite if
+    /// `area` is 0.
     #[doc(alias = "GetCentroid")]
     pub fn get_centroid_with_area(&self, area: f32) -> Vector2 {
         let mut sum = Vector2::new(0.0, 0.0);
@@ -47,7 +47,7 @@ impl Vertices {
             let factor = -(from.x * to.y - to.x * from.y);
             sum += (from + to) * factor;
         };
-        // The sum runs along the outline in engine winding whatever way the list runs.
+        // The sum follows the outline in engine winding, whatever the order of the list.
         if self.signed_area() > 0.0 {
             (0..self.len()).rev().for_each(|i| visit(self[i], self[self.previous_index(i)]));
         } else {

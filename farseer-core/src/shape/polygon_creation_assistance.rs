@@ -1,4 +1,4 @@
-//! A texture and how its outlines are to be traced (behaviour chapter 15, section 15.6.1).
+//! A texture and the options for tracing its outlines (behaviour chapter 15, section 15.6.1).
 
 use std::borrow::Cow;
 
@@ -6,12 +6,12 @@ use crate::error::{Error, Result};
 use crate::math::finite::finite;
 use crate::math::{Vector2, scalar};
 
-/// The greatest width or height: f32 counts every pixel below it exactly.
+/// Maximum width or height, in pixels: f32 counts every pixel below it exactly.
 const MAX_SIDE: u32 = 1 << 24;
 
-/// A texture, of which only the alpha channel counts, and the options of
-/// [`Vertices::create_polygons`](super::Vertices::create_polygons). Lengths are in pixels, x to the right and
-/// y down from the first pixel.
+/// A texture, of which only the alpha channel is used, and the options of
+/// [`Vertices::create_polygons`](super::Vertices::create_polygons). Lengths are in pixels, x to the right and y down
+/// from the first pixel.
 ///
 /// ```
 /// use farseer_core::shape::{PolygonCreationAssistance, Vertices};
@@ -97,7 +97,7 @@ impl<'a> PolygonCreationAssistance<'a> {
         })
     }
 
-    /// Whether that many pixels fill a texture of that size. What fails this cannot be made.
+    /// Whether this number of pixels fills a texture of that size. A texture that fails this test cannot be made.
     #[doc(alias = "IsValid")]
     pub fn is_valid(pixels: usize, width: u32, height: u32) -> bool {
         let size = u64::from(width) * u64::from(height);
@@ -110,7 +110,7 @@ impl<'a> PolygonCreationAssistance<'a> {
         &self.data
     }
 
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     #[doc(alias = "PolygonCreationAssistance.Width")]
     pub fn width(&self) -> i32 {
         self.width
@@ -122,25 +122,25 @@ impl<'a> PolygonCreationAssistance<'a> {
         self.height
     }
 
-    /// The least alpha of a solid pixel; 20 unless set. With 0 all pixels are solid.
+    /// Minimum alpha of a solid pixel, 0 to 255; 20 unless set. With 0 all pixels are solid.
     #[doc(alias = "AlphaTolerance")]
     pub fn alpha_tolerance(&self) -> u8 {
         self.alpha_tolerance
     }
 
-    /// Sets the least alpha of a solid pixel.
+    /// Sets the minimum alpha of a solid pixel.
     pub fn set_alpha_tolerance(&mut self, alpha_tolerance: u8) {
         self.alpha_tolerance = alpha_tolerance;
     }
 
-    /// How far, in pixels, an outline may leave the pixels it goes along; 1.5 unless set. It leaves single ones
-    /// by more, up to 2.3 times as much in 40,000 random pictures.
+    /// Maximum distance, in pixels, of an outline from the pixels that it follows; 1.5 unless set. Single pixels are
+    /// farther away, up to 2.3 times as far in 40,000 random pictures.
     #[doc(alias = "HullTolerance")]
     pub fn hull_tolerance(&self) -> f32 {
         self.hull_tolerance
     }
 
-    /// Sets how far an outline may leave its pixels, limited to 0.9 to 4 pixels.
+    /// Sets the maximum distance of an outline from its pixels, limited to 0.9 to 4 pixels.
     ///
     /// # Errors
     /// When the value is not finite.
@@ -149,13 +149,13 @@ impl<'a> PolygonCreationAssistance<'a> {
         Ok(())
     }
 
-    /// Distance of the rows in which holes are looked for, in pixels; 1 unless set.
+    /// Distance of the rows in which holes are searched, in pixels; 1 unless set.
     #[doc(alias = "HoleDetectionLineStepSize")]
     pub fn hole_detection_line_step_size(&self) -> i32 {
         self.hole_detection_line_step_size
     }
 
-    /// Sets the distance of the rows in which holes are looked for, limited to 1 to 10 pixels.
+    /// Sets the distance of the rows in which holes are searched, limited to 1 to 10 pixels.
     pub fn set_hole_detection_line_step_size(&mut self, step_size: i32) {
         self.hole_detection_line_step_size = step_size.clamp(1, 10);
     }
@@ -171,13 +171,13 @@ impl<'a> PolygonCreationAssistance<'a> {
         self.hole_detection = hole_detection;
     }
 
-    /// Whether parts after the first are looked for; not unless set.
+    /// Whether parts after the first are searched; not unless set.
     #[doc(alias = "MultipartDetection")]
     pub fn multipart_detection(&self) -> bool {
         self.multipart_detection
     }
 
-    /// Sets whether parts after the first are looked for.
+    /// Sets whether parts after the first are searched.
     pub fn set_multipart_detection(&mut self, multipart_detection: bool) {
         self.multipart_detection = multipart_detection;
     }
@@ -197,7 +197,7 @@ impl<'a> PolygonCreationAssistance<'a> {
         self.is_solid(scalar::to_int(pixel.x), scalar::to_int(pixel.y))
     }
 
-    /// Whether a pixel, counted row by row, is there and solid.
+    /// Whether there is a solid pixel with this index, counted row by row.
     #[doc(alias = "IsSolid")]
     #[inline]
     pub fn is_solid_index(&self, index: i32) -> bool {

@@ -1,11 +1,11 @@
-//! Intersections of lines and segments (behaviour chapter 09, sections 1 to 3). Points are in the user's
-//! length unit, screen y down.
+//! Intersections of lines and segments (behaviour chapter 09, sections 1 to 3). Points are in length units, screen y
+//! down.
 
 use crate::math::Vector2;
 use crate::shape::{Aabb, Vertices};
 
-/// Lines count as parallel when the cross product of their direction vectors is not farther than this from 0.
-/// Absolute: short segments that cross may count as parallel.
+/// Maximum absolute cross product of the direction vectors of parallel lines, in length units². Absolute: short
+/// segments that cross may count as parallel. Farseer's value.
 const PARALLEL_TOLERANCE: f32 = 0.00001;
 
 /// Whether two values differ by at most `delta`.
@@ -20,8 +20,7 @@ pub fn float_in_range(value: f32, min: f32, max: f32) -> bool {
     value >= min && value <= max
 }
 
-/// Where the segments from `point1` to `point2` and from `point3` to `point4` cross; see
-/// [`line_intersect_with`].
+/// Intersection of the segments from `point1` to `point2` and from `point3` to `point4`; see [`line_intersect_with`].
 ///
 /// ```
 /// use farseer_core::math::Vector2;
@@ -37,9 +36,9 @@ pub fn line_intersect(point1: Vector2, point2: Vector2, point3: Vector2, point4:
     line_intersect_with(point1, point2, point3, point4, true, true)
 }
 
-/// Where the line through `point1` and `point2` crosses the line through `point3` and `point4`; each may be
-/// limited to the segment between its points. `None` for parallel lines, and for crossings exactly at the
-/// first point of either line, even if it is no segment; crossings at a second point count.
+/// Intersection of the line through `point1` and `point2` with the line through `point3` and `point4`; each may be
+/// limited to the segment between its points. `None` for parallel lines, and for crossings exactly at the first point
+/// of either line, even if it is no segment; crossings at a second point count.
 ///
 /// The crossing is computed along the first line, so that the last digits depend on the order. The original's
 /// tolerance argument has no effect there and is left out.
@@ -78,9 +77,9 @@ pub fn line_intersect_with(
     Some(Vector2::new(point1.x + along_first * b, point1.y + along_first * d))
 }
 
-/// Appends where the segment from `point1` to `point2` crosses the edges of an outline, in the order of the
-/// edges. A segment through a vertex crosses the edge that ends there, not the one that starts; a crossing
-/// at `point1` is not reported.
+/// Appends the points where the segment from `point1` to `point2` crosses the edges of an outline, in the order of the
+/// edges. A segment through a vertex crosses the edge that ends there, not the one that starts; a crossing at `point1`
+/// is not reported.
 #[doc(alias = "RayHelper.LineSegmentVerticesIntersect")]
 pub fn line_segment_vertices_intersect(
     point1: Vector2,
@@ -92,8 +91,8 @@ pub fn line_segment_vertices_intersect(
     intersection_points.extend((0..vertices.len()).filter_map(crossing));
 }
 
-/// Appends where the segment from `point1` to `point2` crosses the sides of a box, in the order left,
-/// greatest y, right, least y; see [`line_segment_vertices_intersect`].
+/// Appends the points where the segment from `point1` to `point2` crosses the sides of a box, in the order left,
+/// greatest y, right, smallest y; see [`line_segment_vertices_intersect`].
 #[doc(alias = "RayHelper.LineSegmentAABBIntersect")]
 pub fn line_segment_aabb_intersect(
     point1: Vector2,

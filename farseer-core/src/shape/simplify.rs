@@ -1,5 +1,5 @@
-//! More or fewer vertices for the same outline (behaviour chapter 05, sections 1.6 and 1.9, and chapter 15,
-//! section 15.1).
+//! Subdivision and simplification of outlines (behaviour chapter 05, sections 1.6 and 1.9, and chapter 15, section
+//! 15.1).
 
 use super::Vertices;
 use super::vertices::MAX_VERTICES;
@@ -8,8 +8,8 @@ use crate::math::finite::finite;
 use crate::math::{Vector2, vector2};
 
 impl Vertices {
-    /// Divides edges longer than `max_edge_length` into equal parts not longer than that. A negative length
-    /// changes nothing.
+    /// Divides edges longer than `max_edge_length` into equal parts that are not longer. With a negative length it does
+    /// nothing.
     ///
     /// # Errors
     /// When the length is not finite, or so small (0 above all) that there would be more vertices than
@@ -50,18 +50,17 @@ impl Vertices {
         self.iter().map(|v| Vector2::new(v.x.round_ties_even(), v.y.round_ties_even())).collect()
     }
 
-    /// [`Vertices::simplify_with_bias`] with bias 0: rounded, without repeated vertices and without those in
-    /// line with their neighbours.
+    /// [`Vertices::simplify_with_bias`] with bias 0: rounded, without repeated vertices and without collinear ones.
     #[doc(alias = "Simplify")]
     pub fn simplify(&self) -> Vertices {
         self.simplify_with_bias(0)
     }
 
-    /// The rounded outline without the vertices that are not farther than `bias` from the one before, or in
-    /// line with their neighbours; a copy, not rounded, for fewer than three vertices.
+    /// The rounded outline without the vertices at most `bias` length units away from the one before, or collinear with
+    /// their neighbours; a copy, not rounded, for fewer than three vertices.
     ///
-    /// Neighbours are those of the full outline: of a run of vertices close to each other only the first is
-    /// left, however long the run. The result may have fewer than three vertices.
+    /// Neighbours are those of the full outline: of a run of vertices close to each other only the first remains,
+    /// however long the run. The result may have fewer than three vertices.
     #[doc(alias = "Simplify")]
     pub fn simplify_with_bias(&self, bias: i32) -> Vertices {
         if self.len() < 3 {

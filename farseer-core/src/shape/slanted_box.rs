@@ -1,15 +1,16 @@
-//! The shape of a platform: a box, tilted about the z axis and sheared along x and y with depth.
+//! Shape of a platform: a box, tilted about the z axis and sheared along x and y with depth.
 //!
-//! Frame: the plane's, x right, y **down**, z into the picture. A point of the box has three local coordinates:
-//! `across` and `down` in the tilted rectangle and `deep` along z, each within the half sizes; at depth `deep` from
-//! the centre the rectangle is shifted by `shear * deep` in x and by `climb * deep` up. That makes a parallelepiped whose front
-//! and back are at right angles to z and whose sides have the normals `(nx, ny, climb * ny - shear * nx)`, not yet of unit
-//! length.
+//! Coordinates are those of the plane: x right, y **down**, z into the picture. A point of the box has three local
+//! coordinates: `across` and `down` in the tilted rectangle and `deep` along z, each within the half sizes. At depth
+//! `deep` from the centre the rectangle is shifted by `shear * deep` in x and by `climb * deep` up.
 //!
-//! Last, all of that may be turned about the upright axis through the centre.
+//! The result is a parallelepiped whose front and back are perpendicular to z. Its sides have the normals
+//! `(nx, ny, climb * ny - shear * nx)`, not yet of unit length.
 //!
-//! Source: the closest point minimises the squared distance, which is convex and piecewise quadratic in `deep`;
-//! segments are clipped by the half-spaces of the faces (Cyrus and Beck 1978).
+//! Finally the parallelepiped may be turned about the upright axis through the centre.
+//!
+//! The closest point minimises the squared distance, which is convex and piecewise quadratic in `deep`. Segments are
+//! clipped by the half-spaces of the faces (Cyrus and Beck, 1978).
 
 use crate::math::{Vector2, Vector3, scalar};
 use serde::{Deserialize, Serialize};
@@ -17,24 +18,24 @@ use serde::{Deserialize, Serialize};
 /// A box tilted about z and sheared along x and y.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SlantedBox {
-    /// Its middle.
+    /// Centre of the box, in length units.
     pub centre: Vector3,
-    /// Half of width, height and depth.
+    /// Half of width, height and depth, in length units.
     pub half: [f32; 3],
-    /// Cosine of the tilt, clockwise on the screen.
+    /// Cosine of the tilt, which is clockwise on the screen.
     pub cos: f32,
-    /// Sine of it.
+    /// Sine of the tilt.
     pub sin: f32,
-    /// Shift in x for every unit of depth from the centre.
+    /// Shift in x per unit of depth from the centre, dimensionless ratio.
     pub shear: f32,
-    /// How far it rises, against y, for every unit of depth.
+    /// Rise, against y, per unit of depth from the centre, dimensionless ratio.
     pub climb: f32,
-    /// Cosine and sine of the angle by which all of that is turned about the upright axis through its middle, from x to z.
+    /// Cosine and sine of the final turn about the upright axis through the centre, from x to z.
     pub turn: [f32; 2],
 }
 
-/// Of what is not turned.
-const LEVEL: [f32; 2] = [1.0, 0.0];
+/// Cosine and sine of no turn.
+const NO_TURN: [f32; 2] = [1.0, 0.0];
 
 impl Default for SlantedBox {
     fn default() -> Self {
@@ -45,25 +46,26 @@ impl Default for SlantedBox {
             sin: 0.0,
             shear: 0.0,
             climb: 0.0,
-            turn: LEVEL,
+            turn: NO_TURN,
         }
     }
 }
 
-/// A face of the box, named as it lies when level. The first four are in the order of the outline's edges.
+/// A face of the box, named by its direction when the box is level. The first four are in the order of the outline's
+/// edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Face {
-    /// Towards less y.
+    /// Toward smaller y.
     Top,
-    /// Towards less x.
+    /// Toward smaller x.
     Left,
-    /// Towards greater y.
+    /// Toward greater y.
     Bottom,
-    /// Towards greater x.
+    /// Toward greater x.
     Right,
-    /// Towards less z.
+    /// Toward smaller z.
     Front,
-    /// Towards greater z.
+    /// Toward greater z.
     Back,
 }
 
@@ -73,70 +75,71 @@ impl Face {
     const ALL: [Face; 6] = [Face::Top, Face::Left, Face::Bottom, Face::Right, Face::Front, Face::Back];
 }
 
-/// Where a ball touches the box.
+/// Contact of a ball with the box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoxTouch {
     /// Unit vector from the box to the ball.
     pub normal: Vector3,
-    /// Negative when they overlap.
+    /// Distance of ball and box, in length units; negative when they overlap.
     pub separation: f32,
-    /// On the ball's surface.
+    /// Contact point on the ball's surface.
     pub point: Vector3,
-    /// The face through which the ball leaves, while its centre is inside.
+    /// The face through which the ball is pushed out, while its centre is inside.
     pub face: Option<Face>,
 }
 
-/// The nearest coordinate within a half size.
-fn within(coordinate: f32, half: f32) -> f32 {
+/// The coordinate clamped to the half size.
+fn clamp_to_half(coordinate: f32, half: f32) -> f32 {
     scalar::min(scalar::max(coordinate, -half), half)
 }
 
-/// How far a coordinate is beyond a half size, with its sign; 0 within.
-fn excess(coordinate: f32, half: f32) -> f32 {
-    coordinate - within(coordinate, half)
+/// Signed distance of a coordinate beyond the half size, in length units; 0 within.
+fn overshoot(coordinate: f32, half: f32) -> f32 {
+    coordinate - clamp_to_half(coordinate, half)
 }
 
-/// What depth does to it.
+/// Effects of depth.
 impl SlantedBox {
-    /// Whether its edges along z do not run along it.
+    /// Whether the edges through the depth are not parallel to z.
     pub fn is_sheared(&self) -> bool {
         self.shear != 0.0 || self.climb != 0.0
     }
 
-    /// Where its rectangle is at a depth from the centre, as seen from where it is at the centre.
+    /// Shift of the rectangle at a depth from the centre, relative to its position at the centre.
     pub fn shift(&self, deep: f32) -> Vector3 {
         Vector3::new(self.shear * deep, -self.climb * deep, 0.0)
     }
 
-    /// Whether it is turned about an upright axis.
+    /// Whether the box is turned about the upright axis.
     pub fn is_turned(&self) -> bool {
-        self.turn != LEVEL
+        self.turn != NO_TURN
     }
 
-    /// Where a point is as seen from the middle, in the frame that is turned with the box.
+    /// A point relative to the centre, in coordinates that turn with the box.
     fn offset(&self, point: Vector3) -> Vector3 {
         self.turned_by(-1.0, point - self.centre)
     }
 
-    /// From the frame that is turned with the box, with `way` 1; or into it, with -1.
-    fn turned_by(&self, way: f32, v: Vector3) -> Vector3 {
+    /// Rotates from coordinates that turn with the box to the world with `sign` 1, or back with -1.
+    fn turned_by(&self, sign: f32, v: Vector3) -> Vector3 {
         if !self.is_turned() {
             return v;
         }
-        let [cos, sin] = [self.turn[0], way * self.turn[1]];
+        let [cos, sin] = [self.turn[0], sign * self.turn[1]];
         Vector3::new(cos * v.x - sin * v.z, v.y, sin * v.x + cos * v.z)
     }
 
-    /// How fast a side with this normal in the plane comes forward with depth.
+    /// Rate at which a side with this normal in the plane advances with depth, dimensionless ratio.
     pub fn lean(&self, [x, y]: [f32; 2]) -> f32 {
-        // Where it does not climb, with the sign of the zero that shearing leaves.
+        // Without climb the result keeps the sign of zero that shear alone has.
         if self.climb == 0.0 { self.shear * x } else { self.shear * x - self.climb * y }
     }
 }
 
 /// Closest point queries.
 impl SlantedBox {
-    /// Signed distance of a point to the surface, negative inside, and its unit gradient. None if not finite.
+    /// Signed distance of a point from the surface, in length units, negative inside, and its unit gradient. `None` if
+    /// not finite.
     pub fn nearest(&self, point: Vector3) -> Option<(f32, Vector3)> {
         let offset = self.offset(point);
         let [width, height, depth] = self.half;
@@ -146,12 +149,12 @@ impl SlantedBox {
         }
         let deep = self.closest_deep(offset);
         let (across, down) = self.local(offset, deep);
-        let excess_across = excess(across, width);
-        let excess_down = excess(down, height);
+        let excess_across = overshoot(across, width);
+        let excess_down = overshoot(down, height);
         let is_inner = deep > -depth && deep < depth;
-        // Opposite one face only, its normal is known without dividing by a distance that may be tiny.
+        // Next to one face only, its normal is known without dividing by a distance that may be tiny.
         let face = match (excess_across, excess_down) {
-            // On the surface, as far as rounding goes.
+            // On the surface, up to rounding.
             (0.0, 0.0) if is_inner => Some(self.nearest_face(point)),
             (0.0, 0.0) => Some(if deep < 0.0 { Face::Front } else { Face::Back }),
             (a, 0.0) if is_inner => Some(if a < 0.0 { Face::Left } else { Face::Right }),
@@ -167,22 +170,22 @@ impl SlantedBox {
         (distance > 0.0 && distance.is_finite()).then(|| (distance, self.turned_by(1.0, away / distance)))
     }
 
-    /// Depth from the centre of the closest point of the box to a point outside.
+    /// Depth, relative to the centre, of the point of the box that is closest to a point outside.
     fn closest_deep(&self, offset: Vector3) -> f32 {
         let [width, height, depth] = self.half;
         if !self.is_sheared() {
-            return within(offset.z, depth);
+            return clamp_to_half(offset.z, depth);
         }
-        // The local coordinates of the point move at these rates as `deep` grows.
+        // Rates at which the local coordinates of the point change with `deep`.
         let (across_rate, down_rate) =
             (-self.shear * self.cos + self.climb * self.sin, self.shear * self.sin + self.climb * self.cos);
         let (across, down) = self.local(offset, 0.0);
-        // Half the derivative of the squared distance: rising, and linear between the depths at which a coordinate
+        // Half the derivative of the squared distance: increasing, and linear between the depths at which a coordinate
         // passes the edge of the rectangle.
         let slope = |deep: f32| {
             let (across, down) = (across + across_rate * deep, down + down_rate * deep);
-            let excess_across = excess(across, width);
-            let excess_down = excess(down, height);
+            let excess_across = overshoot(across, width);
+            let excess_down = overshoot(down, height);
             deep - offset.z + excess_across * across_rate + excess_down * down_rate
         };
         let (mut low, mut high) = (-depth, depth);
@@ -200,7 +203,7 @@ impl SlantedBox {
             (-height - down) / down_rate,
         ];
         for bend in bends {
-            // Bends outside, and those that no rate gives (infinite or not a number), are passed over.
+            // Bends outside of the range, and those that are infinite or NaN, are skipped.
             if bend > low && bend < high {
                 let slope = slope(bend);
                 if slope < 0.0 {
@@ -214,8 +217,8 @@ impl SlantedBox {
         scalar::min(scalar::max(low + (high - low) * share, low), high)
     }
 
-    /// Where a ball touches. `before` is where its centre was in the last step, relative to the box. While the centre
-    /// is inside, the ball leaves through the face that was `kept`, or else the one it came through, or else the
+    /// The contact of a ball. `before` is its centre in the last step, relative to the box. While the centre is inside,
+    /// the ball is pushed out through the face `kept`, else through the one by which it entered, else through the
     /// nearest.
     pub fn ball_touch(
         &self,
@@ -251,7 +254,7 @@ impl SlantedBox {
         }
     }
 
-    /// Length of a side's normal that is not yet of unit length.
+    /// Length of a side's normal before it is normalised, dimensionless.
     pub fn stretch(&self, plane_normal: Vector2) -> f32 {
         let lean = self.lean([plane_normal.x, plane_normal.y]);
         (1.0 + lean * lean).sqrt()
@@ -272,7 +275,7 @@ impl SlantedBox {
         self.turned_by(1.0, normal)
     }
 
-    /// Signed distance of a point to the plane of a face, positive outside.
+    /// Signed distance of a point from the plane of a face, in length units, positive outside.
     pub fn distance_to_face(&self, face: Face, point: Vector3) -> f32 {
         let offset = self.offset(point);
         let [width, height, depth] = self.half;
@@ -287,7 +290,7 @@ impl SlantedBox {
         (normal.x * x + normal.y * y - half) / self.stretch(normal)
     }
 
-    /// The face whose plane is nearest to a point inside: the first one where several are.
+    /// The face whose plane is nearest to a point inside; the first one of several.
     pub fn nearest_face(&self, point: Vector3) -> Face {
         let mut nearest = (Face::Top, self.distance_to_face(Face::Top, point));
         for face in Face::ALL {
@@ -299,7 +302,8 @@ impl SlantedBox {
         nearest.0
     }
 
-    /// The face through which the way from `before` to `now` enters the box; None if it begins inside or misses it.
+    /// The face through which the segment from `before` to `now` enters the box; `None` if it begins inside or misses
+    /// it.
     pub fn entry_face(&self, before: Vector3, now: Vector3) -> Option<Face> {
         let (mut entry, mut exit) = ((None, 0.0), 1.0f32);
         for face in Face::ALL {
@@ -321,12 +325,12 @@ impl SlantedBox {
 
 /// Outlines and extents.
 impl SlantedBox {
-    /// A vector of the rectangle turned into the plane.
+    /// A vector of the rectangle, rotated into the plane.
     fn tilted(&self, across: f32, down: f32) -> Vector2 {
         Vector2::new(across * self.cos - down * self.sin, across * self.sin + down * self.cos)
     }
 
-    /// Coordinates in the rectangle at depth `deep` of a point at an offset from the centre.
+    /// Coordinates, in the rectangle at depth `deep`, of a point given relative to the centre.
     fn local(&self, offset: Vector3, deep: f32) -> (f32, f32) {
         let (x, y) = (offset.x - self.shear * deep, offset.y + self.climb * deep);
         (x * self.cos + y * self.sin, y * self.cos - x * self.sin)
@@ -340,7 +344,7 @@ impl SlantedBox {
         offset.z.abs() <= depth && across.abs() <= width && down.abs() <= height
     }
 
-    /// The corners of what of it is level, as seen from above and from its middle: x and z.
+    /// The corners of the box's level section as seen from above, relative to the centre: x and z.
     pub fn footprint(&self) -> [[f32; 2]; 4] {
         let [width, _, depth] = self.half;
         [(-width, -depth), (width, -depth), (width, depth), (-width, depth)].map(|(x, z)| {
@@ -349,8 +353,8 @@ impl SlantedBox {
         })
     }
 
-    /// The eight corners: of the front face, with smaller z before it is turned, from the top left one clockwise as seen with y
-    /// down, then of the back face in the same order.
+    /// The eight corners, from the top left one clockwise as seen with y down. The four corners of the front face, with
+    /// smaller z before the turn, come first, then those of the back face.
     pub fn corners(&self) -> [Vector3; 8] {
         let [right, left, low_left, low_right] = self.rectangle();
         let outline = [left, right, low_right, low_left];
@@ -368,7 +372,7 @@ impl SlantedBox {
             .map(|(across, down)| self.tilted(across, down))
     }
 
-    /// Least and greatest coordinates.
+    /// The corners with the smallest and the greatest coordinates.
     pub fn bounds(&self) -> (Vector3, Vector3) {
         let [width, height, depth] = self.half;
         let (cos, sin) = (self.cos.abs(), self.sin.abs());
@@ -383,8 +387,8 @@ impl SlantedBox {
         (self.centre - reach, self.centre + reach)
     }
 
-    /// The y of the topmost point on the vertical line at `x` and `z`, and the normal of the face there. None when
-    /// the line misses the box.
+    /// The y of the topmost point on the vertical line at `x` and `z`, and the normal of the face there. `None` if the
+    /// line misses the box.
     pub fn height_at(&self, x: f32, z: f32) -> Option<(f32, Vector3)> {
         let [width, height, depth] = self.half;
         let at = self.offset(Vector3::new(x, self.centre.y, z));

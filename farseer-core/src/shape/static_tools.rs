@@ -1,4 +1,4 @@
-//! Small tools for points that are not in a list (behaviour chapter 05, section 1.9).
+//! Small tools for single points (behaviour chapter 05, section 1.9).
 
 use super::Vertices;
 use crate::math::{Vector2, scalar, vector2};
@@ -14,8 +14,8 @@ impl Vertices {
         Vector2::new(middle(first.x, second.x), middle(first.y, second.y))
     }
 
-    /// The normal, of length 1, of the edge between two points; opposite to that of
-    /// [`Vertices::get_edge_normal`], inward in engine winding. NaN for equal points.
+    /// The unit normal of the edge between two points; opposite to that of [`Vertices::get_edge_normal`], inward in
+    /// engine winding. NaN for equal points.
     #[doc(alias = "FindEdgeNormal")]
     pub fn find_edge_normal(first: Vector2, second: Vector2) -> Vector2 {
         let edge = first - second;
@@ -29,8 +29,8 @@ impl Vertices {
         Vertices::find_edge_normal(first, second) + Vertices::find_edge_normal(second, c)
     }
 
-    /// The angle of a vector in radians, -pi/2 to pi/2 from the y axis: opposite vectors have the same, and
-    /// those along an axis, or with a NaN, have 0.
+    /// The angle of a vector in radians, -pi/2 to pi/2 from the y axis. Opposite vectors have the same angle; a vector
+    /// along an axis, or with a NaN, has 0.
     #[doc(alias = "FindNormalAngle")]
     pub fn find_normal_angle(n: Vector2) -> f32 {
         let off_axis = n.y.abs() > 0.0;

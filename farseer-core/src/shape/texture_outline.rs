@@ -1,4 +1,4 @@
-//! The walk around the solid pixels of a texture (behaviour chapter 15, section 15.6.3).
+//! Tracing of the outline of solid pixels in a texture (behaviour chapter 15, section 15.6.3).
 
 use super::PolygonCreationAssistance;
 use crate::math::Vector2;
@@ -24,17 +24,17 @@ impl Pixel {
 
 const NEIGHBOURS: [(i32, i32); 8] = [(-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0)];
 
-/// Stands for an entrance that is not given.
-pub(super) const NOWHERE: Pixel = Pixel { x: 0, y: 0 };
+/// Marks an entrance that is not given.
+pub(super) const NO_PIXEL: Pixel = Pixel { x: 0, y: 0 };
 
-/// The outline of the part around an entrance, thinned to the hull tolerance. `last` is the pixel from which
-/// the entrance is entered. The walk ends when it is back at the entrance. What is not solid has no outline;
-/// without an entrance it is that of the first solid pixel.
+/// Traces the outline of the part around an entrance, thinned to the hull tolerance. `last` is the pixel from which the
+/// entrance is entered. The trace ends when it is back at the entrance. If the entrance is not solid there is no
+/// outline; without an entrance the trace starts at the first solid pixel.
 ///
-/// Every walk ends. It goes from a pair of neighbours to the next, and the next pixel is the first solid one
-/// clockwise after the last one ([`next_solid`]), so that the last one is the first solid one counterclockwise
-/// before the next: no two pairs have the same successor. So the pairs that follow the first, which has left
-/// the entrance, form a ring, and the pair before the first in it comes back to the entrance.
+/// Every trace ends. It proceeds from a pair of neighbouring pixels to the next pair. The next pixel is the first solid
+/// one clockwise after the last one ([`next_solid`]), so that the last one is the first solid one counterclockwise
+/// before the next: no two pairs have the same successor. So the pairs after the first, which has left the entrance,
+/// form a ring, and the pair before the first in it returns to the entrance.
 pub(super) fn trace(image: &PolygonCreationAssistance<'_>, entrance: Pixel, last: Pixel) -> Vec<Vector2> {
     let mut outline = Vec::new();
     let Some((entrance, mut current)) = enter(image, entrance, last) else {
@@ -45,7 +45,7 @@ pub(super) fn trace(image: &PolygonCreationAssistance<'_>, entrance: Pixel, last
     let mut window = Vec::new();
     loop {
         window.push(next.point());
-        if let Some(outstanding) = outstanding(image, &window) {
+        if let Some(outstanding) = first_outlier(image, &window) {
             outline.push(window[outstanding]);
             window.drain(..outstanding);
         }
@@ -58,7 +58,7 @@ pub(super) fn trace(image: &PolygonCreationAssistance<'_>, entrance: Pixel, last
 
 /// The first pixel of an outline and the one from which it is entered.
 fn enter(image: &PolygonCreationAssistance<'_>, entrance: Pixel, last: Pixel) -> Option<(Pixel, Pixel)> {
-    if entrance == NOWHERE || !image.in_bounds(entrance.point()) {
+    if entrance == NO_PIXEL || !image.in_bounds(entrance.point()) {
         let index = (0..image.data().len() as i32).find(|&i| image.is_solid_index(i))?;
         let first = Pixel { x: index % image.width(), y: index / image.width() };
         return Some((first, Pixel { x: first.x - 1, y: first.y }));
@@ -74,8 +74,8 @@ fn enter(image: &PolygonCreationAssistance<'_>, entrance: Pixel, last: Pixel) ->
     neighbours.find(|pixel| !image.is_solid(pixel.x, pixel.y)).map(|empty| (entrance, empty))
 }
 
-/// The solid neighbour of `current` with which an outline that came from `last` goes on: the first clockwise
-/// after `last`, which is `last` itself if there is no other.
+/// The solid neighbour of `current` with which an outline that came from `last` continues: the first clockwise after
+/// `last`, or `last` itself if there is no other.
 fn next_solid(image: &PolygonCreationAssistance<'_>, last: Pixel, current: Pixel) -> Option<Pixel> {
     let first = match (current.x - last.x, current.y - last.y) {
         (1, 1) => 1,
@@ -92,8 +92,8 @@ fn next_solid(image: &PolygonCreationAssistance<'_>, last: Pixel, current: Pixel
         .find(|pixel| image.is_solid(pixel.x, pixel.y))
 }
 
-/// The place of the first point that is too far from the line between the ends of a window.
-fn outstanding(image: &PolygonCreationAssistance<'_>, window: &[Vector2]) -> Option<usize> {
+/// Index of the first point that is too far from the line between the ends of a window.
+fn first_outlier(image: &PolygonCreationAssistance<'_>, window: &[Vector2]) -> Option<usize> {
     let [first, between @ .., last] = window else {
         return None;
     };
@@ -107,9 +107,9 @@ fn outstanding(image: &PolygonCreationAssistance<'_>, window: &[Vector2]) -> Opt
 mod tests {
     use super::*;
 
-    /// What proves that every walk ends.
+    /// The property from which follows that every trace ends.
     #[test]
-    fn no_two_solid_neighbours_of_a_pixel_are_left_for_the_same_one() {
+    fn no_two_pixel_pairs_have_the_same_successor() {
         let centre = Pixel { x: 1, y: 1 };
         for around in 0_u32..256 {
             let solid = |direction: &usize| around >> direction & 1 == 1;

@@ -1,6 +1,6 @@
 //! Polygons around the solid pixels of a texture (behaviour chapter 15, section 15.6.2).
 
-use super::texture_outline::{NOWHERE, Pixel, trace};
+use super::texture_outline::{NO_PIXEL, Pixel, trace};
 use super::texture_search::{find_hole, is_in_polygon, next_entrance, split};
 use super::{Aabb, PolygonCreationAssistance, Vertices};
 use crate::error::{Error, Result};
@@ -22,8 +22,7 @@ impl Vertices {
         })
     }
 
-    /// The outlines of a texture with the options most used; see [`PolygonCreationAssistance`] for what they
-    /// mean.
+    /// The outlines of a texture with the most common options; see [`PolygonCreationAssistance`] for their meaning.
     ///
     /// # Errors
     /// As [`Vertices::create_polygons`], and when the hull tolerance is not finite.
@@ -45,15 +44,16 @@ impl Vertices {
         Vertices::create_polygons(&assistance)
     }
 
-    /// The outlines of a texture: of its first part, or of all with multi-part detection. A hole that is found
+    /// The outlines of a texture: of its first part, or of all parts with multi-part detection. Each hole that is found
     /// is joined to its outline by a bridge.
     ///
-    /// Vertices are pixels, in columns and rows, not their corners: an outline is half a pixel inside of the
-    /// picture. Parts have positive shoelace area, against engine winding. An outline starts at the first pixel of
-    /// its part, and the last corner before it is back there is not looked for, as in the original: of a block of
-    /// three by three pixels three corners remain. The search ends at the first part of fewer than three vertices,
-    /// such as an isolated pixel. A hole is not found in a part that reaches the first row, and less than the hull
-    /// tolerance from the outline.
+    /// Vertices are the columns and rows of pixels, not the corners of pixels: an outline is half a pixel inside of the
+    /// picture. Parts have positive shoelace area, opposite to engine winding.
+    ///
+    /// An outline starts at the first pixel of its part. The last corner before the trace returns there is lost, as in
+    /// the original: of a block of three by three pixels three corners remain. The search ends at the first part with
+    /// fewer than three vertices, such as an isolated pixel. A hole is not found in a part that reaches the first row,
+    /// nor within the hull tolerance of the outline.
     ///
     /// # Errors
     /// None: every texture that can be made can be traced.
@@ -61,11 +61,11 @@ impl Vertices {
     pub fn create_polygons(assistance: &PolygonCreationAssistance<'_>) -> Result<Vec<Vertices>> {
         let mut polygons: Vec<Vertices> = Vec::new();
         let mut boxes: Vec<Aabb> = Vec::new();
-        // As in the original both are kept from part to part.
+        // As in the original both keep their values from part to part.
         let mut holes = Vec::new();
         let mut hole = None;
 
-        let mut outline = trace(assistance, NOWHERE, NOWHERE);
+        let mut outline = trace(assistance, NO_PIXEL, NO_PIXEL);
         let mut part = topmost(&outline);
         loop {
             if outline.len() <= 2 {
@@ -103,7 +103,7 @@ fn topmost(outline: &[Vector2]) -> Option<Pixel> {
     Some(Pixel { x: top.x as i32, y: top.y as i32 })
 }
 
-/// Joins the holes of an outline to it, until there is none or one comes up again. The answer is where the
+/// Joins the holes of an outline to it, until there is none or one is found again. Returns the pixel at which the
 /// search ended.
 fn cut_holes(
     image: &PolygonCreationAssistance<'_>,

@@ -1,11 +1,12 @@
-//! Holes and further parts of a texture, once some outlines are known (behaviour chapter 15, section 15.6.4).
+//! Search for holes and further parts of a texture, once some outlines are known (behaviour chapter 15, section
+//! 15.6.4).
 
 use super::texture_outline::Pixel;
 use super::{Aabb, CrossingEdgeInfo, EdgeAlignment, PolygonCreationAssistance};
 use crate::math::calculator::distance_between_point_and_line_segment;
 use crate::math::{Vector2, scalar, vector2};
 
-/// Where an outline crosses a row, from left to right.
+/// Crossings of an outline with a row, from left to right.
 fn crossings(outline: &[Vector2], row: i32) -> Vec<CrossingEdgeInfo> {
     let mut crossings = Vec::new();
     let &[_, .., mut before] = outline else {
@@ -16,8 +17,8 @@ fn crossings(outline: &[Vector2], row: i32) -> Vec<CrossingEdgeInfo> {
         let across = (here.y >= y && before.y <= y) || (here.y <= y && before.y >= y);
         if across && here.y != before.y {
             let edge = before - here;
-            // An outline that goes through the row at a vertex crosses it once, one that turns back there not
-            // at all or twice.
+            // An outline that goes through the row at a vertex crosses it once; one that turns back there crosses it
+            // not at all or twice.
             let after = outline[if i + 1 == outline.len() { 0 } else { i + 1 }];
             let ahead = here.y - after.y;
             if here.y != y || (if edge.y > 0.0 { ahead <= 0.0 } else { ahead >= 0.0 }) {
@@ -31,8 +32,8 @@ fn crossings(outline: &[Vector2], row: i32) -> Vec<CrossingEdgeInfo> {
     crossings
 }
 
-/// The x of the crossings of a row in pairs, between which the outline's inside is; none if the crossings do
-/// not come in pairs.
+/// The x of the crossings of a row in pairs, between which is the inside of the outline; none if the number of
+/// crossings is odd.
 fn spans(outline: &[Vector2], row: i32) -> Vec<[f32; 2]> {
     let crossings = crossings(outline, row);
     let (pairs, rest) = crossings.as_chunks::<2>();
@@ -42,7 +43,7 @@ fn spans(outline: &[Vector2], row: i32) -> Vec<[f32; 2]> {
     pairs.iter().map(|pair| pair.map(|crossing| crossing.crossing_point.x)).collect()
 }
 
-/// Whether a point keeps more than the hull tolerance from an outline of three vertices or more.
+/// Whether a point is farther than the hull tolerance from an outline of three vertices or more.
 fn is_far_from(image: &PolygonCreationAssistance<'_>, outline: &[Vector2], point: Vector2) -> bool {
     let &[_, _, .., mut before] = outline else {
         return false;
@@ -97,8 +98,8 @@ fn hole_edge(image: &PolygonCreationAssistance<'_>, [left, right]: [f32; 2], y: 
     None
 }
 
-/// Opens an outline left of a hole: a vertex is put in twice, and the place between the two is the answer.
-/// `None` if the outline has no edge there.
+/// Opens an outline left of a hole: a vertex is inserted twice, and the index between the two is returned. `None` if
+/// the outline has no edge there.
 pub(super) fn split(outline: &mut Vec<Vector2>, hole: Pixel) -> Option<usize> {
     let entrance = hole.point();
     let mut nearest: Option<f32> = None;
@@ -140,8 +141,9 @@ pub(super) fn next_entrance(image: &PolygonCreationAssistance<'_>, from: Pixel) 
     Some(Pixel { x: entrance % width, y: entrance / width })
 }
 
-/// Whether a point is so far from the box of an outline that rounding cannot bring it within the hull tolerance, nor a
-/// crossing of its row to it: pixels are whole numbers up to 2^24, of which a distance is rounded by less than 2.
+/// Whether a point is so far from the box of an outline that neither the outline nor a crossing of the point's row can
+/// be within the hull tolerance, even with rounding. Pixels are whole numbers up to 2^24, whose distances are rounded
+/// by less than 2.
 fn is_far_from_box(image: &PolygonCreationAssistance<'_>, aabb: &Aabb, point: Vector2) -> bool {
     let reach = image.hull_tolerance() + 2.0;
     aabb.min.x - point.x > reach
@@ -181,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_far_from_the_box_is_not_in_the_polygon() {
+    fn points_far_from_the_box_are_outside_of_the_polygon() {
         let corners = [(10.0, 12.0), (22.0, 10.0), (25.0, 21.0), (13.0, 24.0)];
         let outline = corners.map(|(x, y)| Vector2::new(x, y));
         let aabb = Aabb::from_vertices(&outline);
@@ -217,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_left_of_the_hole_cannot_be_opened() {
+    fn an_outline_without_an_edge_left_of_the_hole_cannot_be_opened() {
         let mut outline = closed_square();
         assert_eq!(split(&mut outline, Pixel { x: 1, y: 5 }), None);
         assert_eq!(outline, closed_square());

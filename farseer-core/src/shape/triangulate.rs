@@ -1,12 +1,12 @@
-//! Cutting an outline into triangles for its decomposition (behaviour chapter 15, section 15.4).
+//! Triangulation of an outline for its decomposition (behaviour chapter 15, section 15.4).
 
 use crate::error::{Error, Result};
 use crate::math::{Vector2, scalar, vector2};
 
-/// The most triangles the original's tables hold.
+/// Maximum number of triangles in the original's tables.
 const MAX_TRIANGLES: usize = 175;
 
-/// Vertices closer than this in both coordinates pinch an outline; in the user's length unit.
+/// Distance in both coordinates, in length units, below which two vertices pinch an outline. Farseer's value.
 const PINCH_TOLERANCE: f32 = f32::from_bits(0x3A83_126F);
 
 /// Three corners, stored so that the shoelace area is not negative.
@@ -17,16 +17,15 @@ fn triangle(a: Vector2, b: Vector2, c: Vector2) -> Triangle {
     if turn > 0.0 { [a, b, c] } else { [a, c, b] }
 }
 
-/// A part of the work of [`triangulate`], which keeps its own stack: an outline may be pinched any number of
-/// times.
+/// A task on the stack of [`triangulate`], which does not recurse: an outline may be pinched any number of times.
 enum Task {
     Outline(Vec<Vector2>),
     /// Joins the two last results.
     Join,
 }
 
-/// The triangles of an outline, cut first where two vertices coincide. `None` if a part of it has no ear or
-/// if there are no triangles.
+/// The triangles of an outline, which is first cut where two vertices coincide. `None` if a part of it has no ear or if
+/// there are no triangles.
 pub(super) fn triangulate(outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>> {
     let mut tasks = vec![Task::Outline(outline)];
     let mut results: Vec<Option<Vec<Triangle>>> = Vec::new();
@@ -54,8 +53,8 @@ pub(super) fn triangulate(outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>
     Ok(results.pop().flatten().filter(|triangles| !triangles.is_empty()))
 }
 
-/// The first pair of vertices that coincide and do not follow each other in the list; the last and the first
-/// are such a pair.
+/// The first pair of vertices that coincide and are not consecutive in the list; the last and the first are such a
+/// pair.
 fn find_pinch(outline: &[Vector2]) -> Option<(usize, usize)> {
     let close = |a: f32, b: f32| (a - b).abs() < PINCH_TOLERANCE;
     (0..outline.len()).find_map(|i| {
@@ -81,11 +80,11 @@ fn push(triangles: &mut Vec<Triangle>, triangle: Triangle) -> Result<()> {
     Ok(())
 }
 
-/// Cuts ears off until a triangle is left, the one with the largest smallest angle first. `None` if there is
-/// no ear to begin with; if there is none later on, the triangles so far.
+/// Cuts ears off until a triangle remains, the one with the largest smallest angle first. `None` if there is no ear to
+/// begin with; if there is none later on, the triangles so far.
 fn clip_ears(mut outline: Vec<Vector2>) -> Result<Option<Vec<Triangle>>> {
     let mut triangles = Vec::new();
-    let mut tips: Vec<Tip> = (0..outline.len()).map(|i| Tip::of(i, &outline)).collect();
+    let mut tips: Vec<VertexClass> = (0..outline.len()).map(|i| VertexClass::of(i, &outline)).collect();
     while outline.len() > 3 {
         let Some(best) = best_ear(&tips) else {
             return Ok(if triangles.is_empty() { None } else { Some(triangles) });
@@ -102,10 +101,10 @@ fn neighbours(i: usize, n: usize) -> (usize, usize) {
     (if i == 0 { n - 1 } else { i - 1 }, if i + 1 == n { 0 } else { i + 1 })
 }
 
-/// What is known of a vertex, from one ear to the next: an ear that is cut off changes little.
+/// Class of a vertex, kept from one ear to the next: cutting an ear off changes few vertices.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Tip {
-    /// The outline turns the other way there, or not at all.
+enum VertexClass {
+    /// The outline turns to the other side there, or not at all.
     Reflex,
     /// The vertex at this index lies in the triangle with the neighbours.
     Blocked(usize),
@@ -114,18 +113,18 @@ enum Tip {
     Ear(f32),
 }
 
-impl Tip {
-    fn of(i: usize, outline: &[Vector2]) -> Tip {
+impl VertexClass {
+    fn of(i: usize, outline: &[Vector2]) -> VertexClass {
         let (lower, upper) = neighbours(i, outline.len());
         let (here, before, after) = (outline[i], outline[lower], outline[upper]);
         if (here.x - before.x) * (after.y - here.y) - (after.x - here.x) * (here.y - before.y) > 0.0 {
-            return Tip::Reflex;
+            return VertexClass::Reflex;
         }
         let t = triangle(here, after, before);
         let is_in_the_way = |&j: &usize| j != i && j != lower && j != upper && is_inside(&t, outline[j]);
         match (0..outline.len()).find(is_in_the_way) {
-            Some(j) => Tip::Blocked(j),
-            None => Tip::Ear(smallest_sine(here, before, after)),
+            Some(j) => VertexClass::Blocked(j),
+            None => VertexClass::Ear(smallest_sine(here, before, after)),
         }
     }
 }
@@ -139,13 +138,13 @@ fn smallest_sine(here: Vector2, before: Vector2, after: Vector2) -> f32 {
     scalar::min(sine(d1, d2), scalar::min(sine(d2, d3), sine(d3, d1)))
 }
 
-/// The ear whose smallest angle has the greatest sine, the first one of equal ears. Ears with an edge of
-/// length 0 have no angle and are passed over.
-fn best_ear(tips: &[Tip]) -> Option<usize> {
+/// The ear whose smallest angle has the greatest sine, the first one of equal ears. Ears with an edge of length 0 have
+/// no angle and are skipped.
+fn best_ear(tips: &[VertexClass]) -> Option<usize> {
     let mut best = None;
     let mut best_score = -10.0;
     for (i, tip) in tips.iter().enumerate() {
-        if let &Tip::Ear(score) = tip
+        if let &VertexClass::Ear(score) = tip
             && score > best_score
         {
             best = Some(i);
@@ -155,17 +154,17 @@ fn best_ear(tips: &[Tip]) -> Option<usize> {
     best
 }
 
-/// Takes a vertex off. That changes its neighbours, and those that it alone may have blocked.
-fn remove(gone: usize, outline: &mut Vec<Vector2>, tips: &mut Vec<Tip>) {
+/// Removes a vertex. Its neighbours are classified again, and the vertices that it alone may have blocked.
+fn remove(gone: usize, outline: &mut Vec<Vector2>, tips: &mut Vec<VertexClass>) {
     outline.remove(gone);
     tips.remove(gone);
     let n = outline.len();
     let (before, after) = (if gone == 0 { n - 1 } else { gone - 1 }, if gone == n { 0 } else { gone });
     for (i, tip) in tips.iter_mut().enumerate() {
         match *tip {
-            _ if i == before || i == after => *tip = Tip::of(i, outline),
-            Tip::Blocked(by) if by == gone => *tip = Tip::of(i, outline),
-            Tip::Blocked(by) if by > gone => *tip = Tip::Blocked(by - 1),
+            _ if i == before || i == after => *tip = VertexClass::of(i, outline),
+            VertexClass::Blocked(by) if by == gone => *tip = VertexClass::of(i, outline),
+            VertexClass::Blocked(by) if by > gone => *tip = VertexClass::Blocked(by - 1),
             _ => {}
         }
     }
@@ -233,12 +232,12 @@ mod tests {
     }
 
     #[test]
-    fn what_was_cut_before_ears_ran_out_counts() {
+    fn triangles_cut_before_ears_run_out_are_returned() {
         let crossing_itself = [(3.0, 3.0), (4.0, 6.0), (6.0, 0.0), (5.0, 3.0), (2.0, 5.0)];
         assert_eq!(clip_ears(outline(&crossing_itself)).unwrap().map(|triangles| triangles.len()), Some(1));
     }
 
-    /// Pairs of numbers that look random.
+    /// Pairs of pseudo-random numbers.
     fn points(seed: u32, count: usize) -> Vec<Vector2> {
         let mut state = seed;
         let mut next = || {
@@ -248,21 +247,22 @@ mod tests {
         (0..count).map(|_| Vector2::new(next(), next())).collect()
     }
 
-    /// Outlines that cross themselves, too: nothing there relies on their being simple.
+    /// Outlines that may cross themselves: the algorithm does not require simple ones.
     #[test]
-    fn what_is_kept_of_the_vertices_is_what_would_be_found_anew() {
+    fn incremental_vertex_classes_equal_recomputed_ones() {
         let mut cut = 0;
         for seed in 0..200 {
             let mut outline = points(seed, 40);
-            let mut tips: Vec<Tip> = (0..outline.len()).map(|i| Tip::of(i, &outline)).collect();
+            let mut tips: Vec<VertexClass> =
+                (0..outline.len()).map(|i| VertexClass::of(i, &outline)).collect();
             while let Some(best) = best_ear(&tips).filter(|_| outline.len() > 3) {
                 remove(best, &mut outline, &mut tips);
                 cut += 1;
                 for (i, tip) in tips.iter().enumerate() {
-                    let agrees = match (Tip::of(i, &outline), *tip) {
-                        (Tip::Ear(anew), Tip::Ear(kept)) => anew.to_bits() == kept.to_bits(),
-                        // Any vertex in the way will do.
-                        (Tip::Blocked(_), Tip::Blocked(by)) => {
+                    let agrees = match (VertexClass::of(i, &outline), *tip) {
+                        (VertexClass::Ear(anew), VertexClass::Ear(kept)) => anew.to_bits() == kept.to_bits(),
+                        // Any vertex that blocks the ear is accepted.
+                        (VertexClass::Blocked(_), VertexClass::Blocked(by)) => {
                             let (lower, upper) = neighbours(i, outline.len());
                             let t = triangle(outline[i], outline[upper], outline[lower]);
                             ![i, lower, upper].contains(&by) && is_inside(&t, outline[by])

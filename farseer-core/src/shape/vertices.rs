@@ -1,8 +1,8 @@
 //! A list of vertices: indices, edges, normals, transformations (behaviour chapter 05, sections 1.1, 1.4
 //! and 1.5).
 //!
-//! Coordinates are in the user's length unit, screen y down. *Engine winding* is the order of vertices with
-//! negative shoelace area, counter-clockwise on such a screen: with it `(-edge.y, edge.x)` points outward.
+//! Coordinates are in length units, screen y down. *Engine winding* is the order of vertices with negative shoelace
+//! area, counter-clockwise on such a screen: with it `(-edge.y, edge.x)` points outward.
 
 use std::ops::{Deref, DerefMut};
 
@@ -11,13 +11,13 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Error, Result};
 use crate::math::{Vector2, matrix, vector2};
 
-/// The largest number of vertices a creator or a subdivision makes; f32 counts every index below it exactly.
+/// Maximum number of vertices that a creator or a subdivision makes; f32 counts every index below it exactly.
 pub const MAX_VERTICES: usize = 1 << 24;
 
 /// A list of vertices, mostly a polygon whose last vertex is joined to the first.
 ///
-/// It derefs to `Vec<Vector2>`, which gives all list operations. Nothing is checked when vertices are put
-/// in; non-finite ones go through the arithmetic as they are.
+/// It derefs to `Vec<Vector2>`, with all list operations. Vertices are not checked when they are inserted: the
+/// arithmetic uses non-finite ones as they are.
 ///
 /// ```
 /// use farseer_core::math::Vector2;
@@ -32,7 +32,7 @@ pub const MAX_VERTICES: usize = 1 << 24;
 #[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Vertices(Vec<Vector2>);
 
-/// `clone_from` keeps the room that the list has.
+/// `clone_from` keeps the capacity of the list.
 impl Clone for Vertices {
     fn clone(&self) -> Self {
         Vertices(self.0.clone())
@@ -168,7 +168,7 @@ impl Vertices {
         self[index] + self.get_edge(index) * 0.5
     }
 
-    /// The normal of edge `index`, of length 1, outward in engine winding. An edge of length 0 gives NaN.
+    /// The unit normal of edge `index`, outward in engine winding. An edge of length 0 gives NaN.
     ///
     /// # Panics
     /// When `index` is out of range.
@@ -240,9 +240,9 @@ impl Vertices {
         }
     }
 
-    /// Whether all corners turn the same way. Corners of three vertices in line count as turning in the
-    /// direction of positive area, so that an outline in engine winding which has some is called not
-    /// convex; the 16-vertex rectangle is an example.
+    /// Whether all corners turn to the same side. Corners between collinear vertices count as turning in the direction
+    /// of positive area, so that an outline in engine winding with such corners is reported as not convex; the
+    /// 16-vertex rectangle is an example.
     #[doc(alias = "IsConvex")]
     pub fn is_convex(&self) -> bool {
         let turn = |i: usize| {

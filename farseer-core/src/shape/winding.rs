@@ -1,5 +1,5 @@
-//! The direction in which an outline runs, as triangulation and hole cutting see it (behaviour chapter 15,
-//! section 15.3). It has nothing to do with engine winding, which goes by the area.
+//! Winding order of an outline as triangulation and hole cutting define it (behaviour chapter 15, section 15.3). It is
+//! independent of engine winding, which depends on the area.
 
 use super::Vertices;
 use crate::error::{Error, Result};
@@ -18,10 +18,10 @@ pub enum WindingOrder {
 }
 
 impl Vertices {
-    /// The direction in which more corners turn, the first corner left out.
+    /// The direction to which more corners turn; the first corner is left out.
     ///
-    /// A vote, not an area: an outline with many small dents may be called by the wrong name. Corners without
-    /// a turn vote for clockwise, a tie is counter-clockwise.
+    /// A vote, not an area: the result can be wrong for an outline with many small dents. Corners without a turn vote
+    /// for clockwise, a tie is counter-clockwise.
     ///
     /// # Errors
     /// When the list is empty.
@@ -56,8 +56,8 @@ impl Vertices {
         reversed
     }
 
-    /// The outline in the given direction, as [`Vertices::determine_winding_order`] sees it: a copy, reversed
-    /// if need be.
+    /// The outline in the given direction, as [`Vertices::determine_winding_order`] sees it: a copy, reversed if
+    /// necessary.
     ///
     /// # Errors
     /// When the list is empty.

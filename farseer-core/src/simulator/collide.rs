@@ -1,17 +1,17 @@
-//! Which pairs there are, and where they touch.
+//! Broad and narrow phase of the faithful set.
 
-use super::tell::Handler;
+use super::callbacks::Handler;
 use super::{Context, EventHandler, PhysicsSimulator};
+use crate::broad_phase::{BroadPhase, PairCallback};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::Filter;
-use crate::geom::surface::SetSurface;
-use crate::pairs::{BroadPhase, PairSink};
+use crate::geom::surface::SurfaceOverride;
+use crate::narrow_phase::update_arbiter::{ContactLimits, find_contacts, replace_contacts};
 use crate::report::Event;
-use crate::touch::contacts_of_pair::{ContactLimits, find_contacts, renew_contacts};
 
 impl PhysicsSimulator {
-    pub(super) fn look_for_pairs(&mut self, handler: &mut Handler<'_>) {
+    pub(super) fn run_broad_phase(&mut self, handler: &mut Handler<'_>) {
         let is_filtered = handler.wants(|handler| handler.filters_pairs());
         if is_filtered {
             self.filter_listed_pairs(handler);
@@ -25,7 +25,8 @@ impl PhysicsSimulator {
         self.objects.methods = self.objects.methods.with_broad(method);
     }
 
-    /// Asks the handler about every pair that has an arbiter. Those that it refuses lose their contacts, and leave.
+    /// Asks the handler about every pair that has an arbiter. Pairs that it refuses lose their contacts, and are
+    /// removed.
     fn filter_listed_pairs(&mut self, handler: &mut Handler<'_>) {
         for position in 0..self.contacts.len() {
             if let Some((a, b)) = self.contacts.at(position).geoms
@@ -38,7 +39,7 @@ impl PhysicsSimulator {
         self.remove_separated(handler);
     }
 
-    /// Asks the handler about a pair whose boxes have come to overlap; a refusal is an event.
+    /// Asks the handler about a pair whose boxes have begun to overlap; a refusal is an event.
     pub(super) fn approves_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
         let ask = |handler: &mut dyn EventHandler, context: &mut Context<'_>| {
             let is_accepted = handler.on_broad_phase_collision(context, geom1, geom2);
@@ -47,15 +48,16 @@ impl PhysicsSimulator {
             }
             is_accepted
         };
-        self.tell(handler, ask).unwrap_or(true)
+        self.call_handler(handler, ask).unwrap_or(true)
     }
 
     pub(super) fn accepts_pair(&mut self, handler: &mut Handler<'_>, geom1: GeomId, geom2: GeomId) -> bool {
-        self.tell(handler, |handler, context| handler.accepts_pair(context, geom1, geom2)).unwrap_or(true)
+        self.call_handler(handler, |handler, context| handler.accepts_pair(context, geom1, geom2))
+            .unwrap_or(true)
     }
 
-    pub(super) fn look_for_contacts(&mut self, handler: &mut Handler<'_>) {
-        self.contacts.forget_answers();
+    pub(super) fn run_narrow_phase(&mut self, handler: &mut Handler<'_>) {
+        self.contacts.clear_overrides();
         let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
         for position in 0..self.contacts.len() {
             self.collide_pair(position, &mut contacts, handler);
@@ -75,18 +77,18 @@ impl PhysicsSimulator {
             resolve: settings.max_contacts_to_resolve,
         };
         find_contacts(self.objects.methods.narrow(), &self.objects.geoms, (a, b), limits, contacts);
-        let mut surface = SetSurface::default();
-        self.tell_collision((a, b), contacts, &mut surface, handler);
-        self.tell_collision((b, a), contacts, &mut surface, handler);
+        let mut surface = SurfaceOverride::default();
+        self.report_collision((a, b), contacts, &mut surface, handler);
+        self.report_collision((b, a), contacts, &mut surface, handler);
         self.contacts.set_surface(handle, surface);
-        renew_contacts(&mut self.contacts.arbiters[handle].contacts, contacts);
+        replace_contacts(&mut self.contacts.arbiters[handle].contacts, contacts);
     }
 
-    fn tell_collision(
+    fn report_collision(
         &mut self,
         (this, other): (GeomId, GeomId),
         contacts: &mut Vec<Contact>,
-        surface: &mut SetSurface,
+        surface: &mut SurfaceOverride,
         handler: &mut Handler<'_>,
     ) {
         if contacts.is_empty() {
@@ -95,7 +97,7 @@ impl PhysicsSimulator {
         let count = contacts.len() as u32;
         let event =
             |is_accepted: bool| Event::Collision { this, other, contacts: count, vetoed: !is_accepted };
-        let is_accepted = self.tell_side(handler, this, |handler, context| {
+        let is_accepted = self.call_handler_of_side(handler, this, |handler, context| {
             let is_accepted = handler.on_collision(&mut context.with_surface(surface), this, other, contacts);
             context.simulator.report.push(event(is_accepted));
             contacts.retain(|contact| is_accepted && contact.is_finite());
@@ -104,26 +106,28 @@ impl PhysicsSimulator {
         if is_accepted.is_none() {
             self.report.push(event(true));
             if let Some(handler) = handler.get() {
-                handler.on_untold_collision(self, this, other, contacts);
+                handler.on_silent_collision(self, this, other, contacts);
             }
         }
     }
 
-    /// Takes arbiters without contacts out of the list, and tells both sides.
+    /// Removes arbiters without contacts from the list, and calls the handler for both sides.
     fn remove_separated(&mut self, handler: &mut Handler<'_>) {
         let mut separated = std::mem::take(&mut self.pipeline.separated);
         self.contacts.remove_where(|arbiter| arbiter.contacts.is_empty(), |a, b| separated.push((a, b)));
         for (a, b) in separated.drain(..) {
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Separation { this, other });
-                self.tell_side(handler, this, |handler, context| handler.on_separation(context, this, other));
+                self.call_handler_of_side(handler, this, |handler, context| {
+                    handler.on_separation(context, this, other)
+                });
             }
         }
         self.pipeline.separated = separated;
     }
 }
 
-/// Hands pairs from the broad phase to the arbiter list.
+/// Adds pairs of the broad phase to the arbiter list.
 struct PairFinder<'s, 'h> {
     simulator: &'s mut PhysicsSimulator,
     handler: Handler<'h>,
@@ -131,7 +135,7 @@ struct PairFinder<'s, 'h> {
     is_filtered: bool,
 }
 
-impl PairSink for PairFinder<'_, '_> {
+impl PairCallback for PairFinder<'_, '_> {
     fn has_approval(&self) -> bool {
         self.handler.wants(|handler| handler.handles_broad_phase())
     }
@@ -153,7 +157,8 @@ impl PairSink for PairFinder<'_, '_> {
         if !geoms.contains(geom1) || !geoms.contains(geom2) {
             return;
         }
-        // Asked before the table is: most pairs are refused, and asking is the cheaper of the two.
+        // The handler is asked before the table is searched: most pairs are refused, and asking is the cheaper of the
+        // two.
         if self.is_filtered && !self.simulator.accepts_pair(&mut self.handler, geom1, geom2) {
             return;
         }

@@ -1,20 +1,20 @@
-//! What touches, and what an engine that is built on this one does with it.
+//! Queries of contacts, and contacts that an engine on top solves.
 
 use super::PhysicsSimulator;
-use crate::contacts::arbiter::{ArbiterRef, Found};
+use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::geom::GeomId;
 use crate::geom::surface::mix_restitution;
 
 /// Contacts.
 impl PhysicsSimulator {
-    /// The pairs whose boxes overlapped in the last update and which touch, in the order in which they are solved; with the
-    /// precise set in no particular order, those of convex pieces of geoms each for itself.
+    /// The touching pairs whose boxes overlapped in the last update, in the order in which they are solved. With the
+    /// precise set the order is unspecified, and each pair of convex pieces has an arbiter of its own.
     #[doc(alias = "ArbiterList")]
     pub fn arbiters(&self) -> impl Iterator<Item = ArbiterRef<'_>> {
         let count =
             self.pipeline.precise.as_ref().map_or(self.contacts.len(), |precise| precise.pair_count());
         (0..count).filter_map(|at| match &self.pipeline.precise {
-            Some(precise) => precise.touching(at),
+            Some(precise) => precise.arbiter_of_pair(at),
             None => self.listed_arbiter(at),
         })
     }
@@ -22,7 +22,7 @@ impl PhysicsSimulator {
     fn listed_arbiter(&self, position: usize) -> Option<ArbiterRef<'_>> {
         let handle = *self.contacts.list.get(position)?;
         let arbiter = self.contacts.at(position);
-        let contacts = Found::Kept(&arbiter.contacts);
+        let contacts = ContactSource::Stored(&arbiter.contacts);
         Some(ArbiterRef { handle, geoms: arbiter.geoms?, friction: arbiter.friction, contacts })
     }
 
@@ -44,11 +44,12 @@ impl PhysicsSimulator {
         self.arbiters().map(|arbiter| arbiter.contacts().len()).sum()
     }
 
-    /// The geoms that a geom touched in the last update, in the order in which the pairs are solved. The list of what is
-    /// in a sensor: sensors have contacts like other geoms, nothing pushes them.
+    /// The geoms that a geom touched in the last update, in the order in which the pairs are solved. For a sensor these
+    /// are the geoms inside of it: sensors have contacts like other geoms, without impulses.
     ///
-    /// None for a stale id. Pairs that may not collide, such as those of two static bodies unless, with the precise set, one of the
-    /// geoms is a [sensor](crate::Objects::set_is_sensor) or has no collision response, and collisions that a handler refused do not count: they have no contacts.
+    /// None for a stale id. Pairs that may not collide and collisions that a handler refused do not count: they have no
+    /// contacts. Two static bodies may not collide, unless, with the precise set, one of the geoms is a
+    /// [sensor](crate::Objects::set_is_sensor) or has no collision response.
     pub fn overlaps(&self, geom: GeomId) -> Vec<GeomId> {
         let mut partners = Vec::new();
         for arbiter in self.arbiters().filter(|arbiter| arbiter.contacts().len() > 0) {
@@ -57,7 +58,7 @@ impl PhysicsSimulator {
                 (a, b) if b == geom => a,
                 _ => continue,
             };
-            // The list may hold a pair twice.
+            // The list may contain a pair twice.
             if !partners.contains(&partner) {
                 partners.push(partner);
             }
@@ -66,21 +67,22 @@ impl PhysicsSimulator {
     }
 }
 
-/// For engines that are built on the stages: contacts that they solve.
+/// Contacts that an engine on top solves.
 impl PhysicsSimulator {
-    /// Between [`collide_pairs`](Self::collide_pairs) and [`pre_step`](Self::pre_step): the core does not solve the
-    /// arbiter at this position of the list in this update. It stays in the list with its contacts and their impulses,
-    /// and is not counted in [`contacts_solved`](crate::StepCounters::contacts_solved). Beyond the end of the list
-    /// nothing happens.
+    /// Excludes the arbiter at this position of the list from the core's solver in this update. To be called between
+    /// [`collide_pairs`](Self::collide_pairs) and [`pre_step`](Self::pre_step). The arbiter stays in the list with its
+    /// contacts and their impulses, and is not counted in [`contacts_solved`](crate::StepCounters::contacts_solved). A
+    /// position beyond the end of the list has no effect.
     pub fn leave_to_engine(&mut self, position: usize) {
         self.contacts.leave_to_engine(position);
     }
 
-    /// Sets the accumulated impulses (mass times velocity) of a contact of the arbiter at a position of the list: what
-    /// an engine found for an arbiter that was [left](Self::leave_to_engine) to it. The contact has them again in the
-    /// next update, if it is still there. Those of other arbiters are overwritten by [`integrate`](Self::integrate).
+    /// Sets the accumulated impulses, in mass units · length units/s, of a contact of the arbiter at a position of the
+    /// list, as an engine computed them for an arbiter that was [left](Self::leave_to_engine) to it. The contact has
+    /// them again in the next update, if it still exists. Impulses of other arbiters are overwritten by
+    /// [`integrate`](Self::integrate).
     ///
-    /// Nothing happens if there is no such contact or an impulse is not finite.
+    /// No effect if there is no such contact or an impulse is not finite.
     pub fn set_arbiter_impulses(
         &mut self,
         position: usize,
@@ -97,12 +99,12 @@ impl PhysicsSimulator {
         }
     }
 
-    /// How two restitution coefficients combine: their mean.
+    /// Combines two restitution coefficients: their mean.
     pub fn mix_restitution(a: f32, b: f32) -> f32 {
         mix_restitution(a, b)
     }
 
-    /// How two friction coefficients combine: [`friction_type`](Self::friction_type).
+    /// Combines two friction coefficients by the [`friction_type`](Self::friction_type).
     pub fn mix_friction(&self, a: f32, b: f32) -> f32 {
         self.settings.friction_type.mix(a, b)
     }

@@ -1,49 +1,49 @@
-//! What a callback sees of the simulator that calls it.
+//! The simulator as a callback sees it.
 
 use std::ops::{Deref, DerefMut};
 
 use super::PhysicsSimulator;
-use crate::geom::surface::SetSurface;
+use crate::geom::surface::SurfaceOverride;
 use crate::math::finite::{finite, zero_or_more};
 use crate::objects::Objects;
 use crate::{Error, Result};
 
-/// What a callback may do to the simulator that calls it: everything that [`Objects`] offers, at once. What it adds,
-/// removes or disposes enters or leaves with the next update.
+/// Access of a callback to the simulator that calls it: all that [`Objects`] offers, at once. Objects that a callback
+/// adds, removes or disposes enter or leave with the next update.
 #[derive(Debug)]
 pub struct Context<'a> {
     pub(super) simulator: &'a mut PhysicsSimulator,
-    /// What is set about the two geoms of a collision, while a handler is asked about it.
-    pub(super) surface: Option<&'a mut SetSurface>,
+    /// Surface coefficients of the two geoms of a collision, while a handler is asked about it.
+    pub(super) surface: Option<&'a mut SurfaceOverride>,
 }
 
 impl Context<'_> {
-    /// The same for a shorter time: for engines that hand it on inside a context of their own.
+    /// The same with a shorter lifetime: for engines that pass it on inside a context of their own.
     pub fn reborrow(&mut self) -> Context<'_> {
         Context { simulator: self.simulator, surface: self.surface.as_deref_mut() }
     }
 
     /// The same while a handler is asked about a collision.
-    pub(super) fn with_surface<'s>(&'s mut self, surface: &'s mut SetSurface) -> Context<'s> {
+    pub(super) fn with_surface<'s>(&'s mut self, surface: &'s mut SurfaceOverride) -> Context<'s> {
         Context { simulator: self.simulator, surface: Some(surface) }
     }
 
-    /// The simulator, to look at everything and to ask its queries. In the middle of an update it shows what the
-    /// stages have done so far.
+    /// The simulator, for reading and queries. In the middle of an update it shows the state that the stages have
+    /// reached.
     pub fn simulator(&self) -> &PhysicsSimulator {
         self.simulator
     }
 
-    /// For engines with depth, which tell of edits at once.
+    /// For engines with depth, which report edits at once.
     #[doc(hidden)]
     pub fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
         self.simulator
     }
 }
 
-/// How a collision goes: what a handler may set in [`on_collision`](crate::EventHandler::on_collision), for all contacts of
-/// the two geoms and this update alone. What is not set is what the geoms' coefficients come to. The side that is asked
-/// later may set it again, and the last value counts. Not in the original.
+/// Surface coefficients that a handler may set in [`on_collision`](crate::EventHandler::on_collision), for all contacts
+/// of the two geoms and this update alone. Coefficients that are not set follow from those of the geoms. The side that
+/// is asked later may set them again, and the last value counts. Not in the original.
 ///
 /// ```
 /// use farseer_core::{Contact, Context, EventHandler, GeomId};
@@ -67,7 +67,7 @@ impl Context<'_> {
 /// }
 /// ```
 impl Context<'_> {
-    /// Sets the friction between the two geoms, 0 or more: this is not mixed with anything.
+    /// Sets the friction coefficient between the two geoms, dimensionless, 0 or more; it replaces the combined one.
     ///
     /// # Errors
     /// A number that is not finite or less than 0; [`Error::NoCollision`] in any other callback.
@@ -77,8 +77,8 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// Sets the restitution between the two geoms, 0 or more: the part of the speed of approach with which they part. This
-    /// is not mixed with anything.
+    /// Sets the restitution coefficient between the two geoms, dimensionless, 0 or more: ratio of the speeds after and
+    /// before the impact. It replaces the combined one.
     ///
     /// # Errors
     /// As [`set_contact_friction`](Self::set_contact_friction).
@@ -88,10 +88,12 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// Sets the speed, in length units per second, at which friction lets the two slide along each other: that of geom B
-    /// against geom A along `(normal.y, -normal.x)` of their contacts, which is the same whoever is A. So with y down, as on
-    /// a screen, what lies on a floor is carried to the left by a positive speed; with y up to the right. It comes
-    /// to what bodies do themselves, static ones with a velocity included. Usually 0, and without friction nothing.
+    /// Sets the target of friction, in length units/s: the speed of geom B relative to geom A along `(normal.y,
+    /// -normal.x)` of their contacts. The direction is the same whichever geom is A.
+    ///
+    /// With y down, as on a screen, a positive speed carries a body on a floor to the left; with y up to the right. The
+    /// speed adds to the velocities of the bodies, also to the surface velocity of static ones. Usually 0; without
+    /// friction it has no effect.
     ///
     /// # Errors
     /// A number that is not finite; [`Error::NoCollision`] in any other callback.
@@ -101,7 +103,7 @@ impl Context<'_> {
         Ok(())
     }
 
-    fn surface(&mut self) -> Result<&mut SetSurface> {
+    fn surface(&mut self) -> Result<&mut SurfaceOverride> {
         self.surface.as_deref_mut().ok_or(Error::NoCollision)
     }
 }

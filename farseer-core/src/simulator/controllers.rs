@@ -1,7 +1,7 @@
-//! When controllers act (behaviour chapter 12).
+//! Calls of controllers in an update (behaviour chapter 12).
 
 use super::PhysicsSimulator;
-use super::tell::Handler;
+use super::callbacks::Handler;
 use crate::controllers::{
     ControllerId, ControllerKind, ControllerType, FluidContainer, FluidContainerRef, FluidDragController,
     WaveController,
@@ -13,14 +13,14 @@ use crate::report::Event;
 use crate::shape::Vertices;
 
 impl PhysicsSimulator {
-    /// Lets the game's own controllers look after themselves, disabled and disposed ones as well.
+    /// Calls `validate` of the game's own controllers, also of disabled and disposed ones.
     pub(super) fn validate_controllers(&mut self, handler: &mut Handler<'_>) {
         for position in 0..self.controller_list().len() {
             let id = self.controller_list()[position];
             if !matches!(self.objects.controllers[id].kind(), ControllerKind::UserDefined) {
                 continue;
             }
-            self.tell(handler, |handler, context| {
+            self.call_handler(handler, |handler, context| {
                 if let Some(user) = handler.user_controller(id) {
                     user.validate(context, id);
                 }
@@ -28,8 +28,8 @@ impl PhysicsSimulator {
         }
     }
 
-    /// Controllers in list order: each is looked at when its turn comes, since one before it may have disabled or
-    /// disposed it.
+    /// Updates controllers in list order. The state of each is read when its turn comes, since an earlier one may have
+    /// disabled or disposed it.
     pub(super) fn update_controllers(&mut self, dt: f32, dt_real: f32, handler: &mut Handler<'_>) {
         for position in 0..self.controller_list().len() {
             let Some((id, controller)) = self.objects.controllers.at(position) else { continue };
@@ -39,7 +39,7 @@ impl PhysicsSimulator {
         }
     }
 
-    /// Answers false if the controller would have made something that is not finite.
+    /// Returns false if the controller would have computed values that are not finite.
     fn update_controller(
         &mut self,
         id: ControllerId,
@@ -65,7 +65,7 @@ impl PhysicsSimulator {
     }
 
     fn update_user_defined(&mut self, id: ControllerId, dt: f32, dt_real: f32, handler: &mut Handler<'_>) {
-        let is_there = self.tell(handler, |handler, context| {
+        let is_there = self.call_handler(handler, |handler, context| {
             handler.user_controller(id).map(|user| user.update(context, id, dt, dt_real)).is_some()
         });
         if is_there != Some(true) {
@@ -79,30 +79,32 @@ impl PhysicsSimulator {
             drag.geoms.retain(|&(geom, _)| geoms.contains(geom));
         }
         let mut all_finite = true;
-        // Looked at anew each time: callbacks may change the controller.
+        // Read again each time: callbacks may change the controller.
         for index in 0.. {
             let Some(drag) = FluidDragController::of_mut(&mut self.objects.controllers[id]) else { break };
             let Some(&(geom, _)) = drag.geoms.get(index) else { break };
             let container = drag.container();
             let mut submerged = std::mem::take(&mut drag.submerged);
-            let found = self.submerge(id, container, geom, &mut submerged, handler);
+            let found = self.find_submerged_vertices(id, container, geom, &mut submerged, handler);
             let mut enters = false;
             match found {
-                Found::Dry => {}
-                Found::Reached => {
-                    let (has_entered, is_finite) = self.float(id, index, &submerged);
+                SubmersionResult::Dry => {}
+                SubmersionResult::Reached => {
+                    let (has_entered, is_finite) = self.apply_fluid(id, index, &submerged);
                     enters = has_entered;
                     all_finite &= is_finite;
                 }
-                Found::NoContainer => self.report.push(Event::MissingController { controller: id }),
+                SubmersionResult::NoContainer => {
+                    self.report.push(Event::MissingController { controller: id })
+                }
             }
             if enters {
-                self.tell_fluid_entry(id, geom, &submerged, handler);
+                self.report_fluid_entry(id, geom, &submerged, handler);
             }
             if let Some(drag) = FluidDragController::of_mut(&mut self.objects.controllers[id]) {
                 drag.submerged = submerged;
             }
-            if found == Found::NoContainer {
+            if found == SubmersionResult::NoContainer {
                 break;
             }
         }
@@ -110,18 +112,18 @@ impl PhysicsSimulator {
     }
 
     /// Collects the vertices of a geom that are in a fluid.
-    fn submerge(
+    fn find_submerged_vertices(
         &mut self,
         id: ControllerId,
         container: FluidContainerRef,
         geom: GeomId,
         submerged: &mut Vertices,
         handler: &mut Handler<'_>,
-    ) -> Found {
-        let Some(body) = self.objects.body_of(geom) else { return Found::Dry };
+    ) -> SubmersionResult {
+        let Some(body) = self.objects.body_of(geom) else { return SubmersionResult::Dry };
         if self.objects.methods.is_precise() {
-            // Its geoms follow when somebody looks.
-            self.objects.settle_body(body);
+            // Geoms of a moved body are updated only when they are read.
+            self.objects.update_edited_geom_transforms(body);
         }
         let geom = &self.objects.geoms[geom];
         match container {
@@ -129,20 +131,21 @@ impl PhysicsSimulator {
             FluidContainerRef::Wave(wave) => {
                 match self.objects.controllers.get_mut(wave).and_then(WaveController::of_mut) {
                     Some(wave) => collect_submerged(wave, geom, submerged),
-                    None => Found::NoContainer,
+                    None => SubmersionResult::NoContainer,
                 }
             }
             FluidContainerRef::UserDefined => {
                 match handler.get().and_then(|handler| handler.fluid_container(id)) {
                     Some(container) => collect_submerged(container, geom, submerged),
-                    None => Found::NoContainer,
+                    None => SubmersionResult::NoContainer,
                 }
             }
         }
     }
 
-    /// Lets the fluid act on a geom. Answers whether the geom has just entered it, and whether all was finite.
-    fn float(&mut self, id: ControllerId, index: usize, submerged: &Vertices) -> (bool, bool) {
+    /// Applies the fluid's force to a geom. Returns whether the geom has just entered the fluid, and whether all
+    /// numbers were finite.
+    fn apply_fluid(&mut self, id: ControllerId, index: usize, submerged: &Vertices) -> (bool, bool) {
         let Objects { controllers, geoms, bodies, .. } = &mut self.objects;
         let Some(drag) = FluidDragController::of_mut(&mut controllers[id]) else { return (false, true) };
         let Some(geom) = geoms.get(drag.geoms[index].0) else { return (false, true) };
@@ -150,7 +153,7 @@ impl PhysicsSimulator {
         if FluidDragController::has_left(submerged.len(), geom.local_vertices.len()) {
             drag.geoms[index].1 = false;
         }
-        let Some(load) = drag.load(submerged, geom.local_vertices.get_area(), &entry.body) else {
+        let Some(load) = drag.fluid_force(submerged, geom.local_vertices.get_area(), &entry.body) else {
             return (false, true);
         };
         let is_finite = load.apply_to(&mut entry.body);
@@ -158,7 +161,7 @@ impl PhysicsSimulator {
         (!was_in_fluid, is_finite)
     }
 
-    fn tell_fluid_entry(
+    fn report_fluid_entry(
         &mut self,
         controller: ControllerId,
         geom: GeomId,
@@ -167,16 +170,18 @@ impl PhysicsSimulator {
     ) {
         let vertices = submerged.len() as u32;
         self.report.push(Event::FluidEntry { controller, geom, vertices });
-        self.tell(handler, |handler, context| handler.on_fluid_entry(context, controller, geom, submerged));
+        self.call_handler(handler, |handler, context| {
+            handler.on_fluid_entry(context, controller, geom, submerged)
+        });
     }
 }
 
-/// What a look for a geom in a fluid has found.
+/// Result of a search for submerged vertices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Found {
-    /// The geom's box is out of the fluid.
+enum SubmersionResult {
+    /// The geom's box is outside of the fluid.
     Dry,
-    /// The geom's box reaches into it.
+    /// The geom's box reaches into the fluid.
     Reached,
     NoContainer,
 }
@@ -185,11 +190,11 @@ fn collect_submerged(
     container: &mut dyn FluidContainer,
     geom: &GeomEntry,
     submerged: &mut Vertices,
-) -> Found {
+) -> SubmersionResult {
     if !container.intersect(&geom.aabb) {
-        return Found::Dry;
+        return SubmersionResult::Dry;
     }
     submerged.clear();
     submerged.extend(geom.world_vertices.iter().copied().filter(|&vertex| container.contains(vertex)));
-    Found::Reached
+    SubmersionResult::Reached
 }

@@ -11,19 +11,19 @@ use crate::shape::Vertices;
 use crate::simulator::UserController;
 use crate::springs::SpringId;
 
-/// Callbacks of a game. Handlers belong to the game, never to the simulator, so that saving the simulator keeps
-/// everything.
+/// Callbacks of a game. Handlers belong to the game, never to the simulator, so that saving the simulator saves all its
+/// state.
 ///
-/// Callbacks come in the original's order. Through the [`Context`] they edit bodies, geoms, joints, springs and
-/// controllers at once; what they add, remove or dispose enters or leaves with the next update.
+/// Callbacks are called in the original's order. Through the [`Context`] they edit bodies, geoms, joints, springs and
+/// controllers at once; objects that they add, remove or dispose enter or leave with the next update.
 pub trait EventHandler {
     /// Geom `this` touches `other`; called in every update in which there are contacts, for both sides unless their
-    /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off. `false` drops the contacts of this update,
-    /// and the second side is not asked. The list may be changed, too: what is taken off it pushes nothing. Friction,
-    /// restitution and the speed of a conveyor may be set for this update by the [`Context`], as
-    /// [`set_contact_friction`](Context::set_contact_friction) says.
+    /// [callbacks](crate::Geom::set_collision_callbacks_enabled) are switched off. `false` drops the contacts of this
+    /// update, and the second side is not asked. Contacts may also be removed from the list: they exert no impulse. The
+    /// [`Context`] can set friction, restitution and the speed of a conveyor for this update, see
+    /// [`set_contact_friction`](Context::set_contact_friction).
     ///
-    /// Of a sensor and a static body a handler is told once, when they begin to touch: there is nothing to refuse.
+    /// For a sensor and a static body it is called once, when they begin to touch: there is no impulse to refuse.
     #[doc(alias("OnCollision", "CollisionEventHandler"))]
     fn on_collision(
         &mut self,
@@ -43,8 +43,8 @@ pub trait EventHandler {
         let _ = (context, this, other);
     }
 
-    /// Whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is to be asked. With brute force
-    /// and spatial hash the answers then **replace** the test of the boxes, as in the original.
+    /// Whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is to be called. With brute force and
+    /// spatial hash its results then **replace** the test of the boxes, as in the original.
     fn handles_broad_phase(&self) -> bool {
         false
     }
@@ -56,36 +56,39 @@ pub trait EventHandler {
         true
     }
 
-    /// Whether [`accepts_pair`](Self::accepts_pair) is to be asked; looked at once per update.
+    /// Whether [`accepts_pair`](Self::accepts_pair) is to be called; queried once per update.
     fn filters_pairs(&self) -> bool {
         false
     }
 
-    /// Whether two geoms whose boxes overlap and that may collide may have contacts; not in the original, for engines
-    /// that know more about them, such as how deep in the picture they are.
+    /// Whether two geoms whose boxes overlap and that may collide may have contacts. Not in the original: for engines
+    /// that know more about them, such as their depth in the picture.
     ///
-    /// Asked in every update: first about every pair that has an arbiter. If refused it loses it, with
-    /// [`on_separation`](Self::on_separation) for both sides. Then about every pair whose boxes overlap, after
-    /// [`on_broad_phase_collision`](Self::on_broad_phase_collision). If refused it gets none, without an event. Unlike
-    /// that callback it never replaces the test of the boxes, and a pair refused in one update is asked about in the
-    /// next. A pair may be asked about more than once per update. Boxes are widened by 0.01 with sweep and prune.
+    /// Called in every update, first for every pair that has an arbiter. A refused pair loses it, with
+    /// [`on_separation`](Self::on_separation) for both sides. It is then called for every pair whose boxes overlap,
+    /// after [`on_broad_phase_collision`](Self::on_broad_phase_collision); a refused pair gets no arbiter, without an
+    /// event.
+    ///
+    /// Unlike that callback it never replaces the test of the boxes, and a pair refused in one update is asked about
+    /// again in the next. It may be called more than once per update for a pair. Sweep and prune widens boxes by 0.01
+    /// length units.
     fn accepts_pair(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
         let _ = (context, geom1, geom2);
         true
     }
 
-    /// For engines with depth: everything that touches is known, and nothing has been pushed yet. Answers the numbers of pairs
-    /// that push nothing in this update.
+    /// For engines with depth: all contacts are known, and no impulse has been applied yet. Returns the indices of
+    /// pairs that exert no impulse in this update.
     #[doc(hidden)]
-    fn on_space_touches(&mut self, context: &mut Context<'_>) -> Vec<usize> {
+    fn on_depth_contacts(&mut self, context: &mut Context<'_>) -> Vec<usize> {
         let _ = context;
         Vec::new()
     }
 
-    /// For engines built on this one: a geom touches another one, and is not told because its
-    /// [callbacks](crate::Geom::collision_callbacks_enabled) are switched off.
+    /// For engines on top: a geom touches another one, and [`on_collision`](Self::on_collision) is not called because
+    /// its [callbacks](crate::Geom::collision_callbacks_enabled) are switched off.
     #[doc(hidden)]
-    fn on_untold_collision(
+    fn on_silent_collision(
         &mut self,
         simulator: &PhysicsSimulator,
         this: GeomId,
@@ -95,9 +98,9 @@ pub trait EventHandler {
         let _ = (simulator, this, other, contacts);
     }
 
-    /// For engines with depth: bodies have moved, and nobody has been told yet.
+    /// For engines with depth: bodies have moved, and no other callback has been called yet.
     #[doc(hidden)]
-    fn on_space_moved(&mut self, context: &mut Context<'_>) {
+    fn on_depth_moved(&mut self, context: &mut Context<'_>) {
         let _ = context;
     }
 
@@ -114,18 +117,18 @@ pub trait EventHandler {
     }
 
     /// A joint broke: the error found by the last pre-step is beyond its breakpoint. It is disabled already, but acts
-    /// in this pass of the solver. Velocities set here act at once, other changes of bodies from the next update on.
+    /// in this solver iteration. Velocities set here act at once, other changes of bodies from the next update on.
     #[doc(alias = "Joint.Broke")]
     fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
         let _ = (context, joint);
     }
 
-    /// Whether [`on_joint_updated`](Self::on_joint_updated) is to be told; looked at in every pass.
+    /// Whether [`on_joint_updated`](Self::on_joint_updated) is to be called; queried in every iteration.
     fn handles_joint_updates(&self) -> bool {
         false
     }
 
-    /// A joint has applied an impulse, told in every pass of the solver in which it did. Velocities set here act at
+    /// A joint has applied an impulse; called in every solver iteration in which it did. Velocities set here act at
     /// once, other changes of bodies from the next update on.
     #[doc(alias("JointUpdated", "JointDelegate", "FixedJointDelegate"))]
     fn on_joint_updated(&mut self, context: &mut Context<'_>, joint: JointId) {
@@ -139,7 +142,7 @@ pub trait EventHandler {
         let _ = (context, spring);
     }
 
-    /// Whether [`on_spring_updated`](Self::on_spring_updated) is to be told; looked at for every spring.
+    /// Whether [`on_spring_updated`](Self::on_spring_updated) is to be called; queried for every spring.
     fn handles_spring_updates(&self) -> bool {
         false
     }
@@ -150,7 +153,7 @@ pub trait EventHandler {
         let _ = (context, spring);
     }
 
-    /// A geom dipped into the fluid of a fluid drag controller with these vertices of its outline, in the world.
+    /// A geom entered the fluid of a fluid drag controller with these vertices of its outline, in the world.
     #[doc(alias("Entry", "EntryEventHandler"))]
     fn on_fluid_entry(
         &mut self,
@@ -162,21 +165,21 @@ pub trait EventHandler {
         let _ = (context, controller, geom, vertices);
     }
 
-    /// The game's own controller behind an id that was made with
-    /// [`Controller::user_defined`](crate::Controller::user_defined); its turn has come.
+    /// Returns the game's own controller behind an id that was made with
+    /// [`Controller::user_defined`](crate::Controller::user_defined), when it is to be updated.
     fn user_controller(&mut self, controller: ControllerId) -> Option<&mut dyn UserController> {
         let _ = controller;
         None
     }
 
-    /// The game's own fluid container of a fluid drag controller that was made with
+    /// Returns the game's own fluid container of a fluid drag controller that was made with
     /// [`FluidContainerRef::UserDefined`](crate::FluidContainerRef::UserDefined).
     fn fluid_container(&mut self, controller: ControllerId) -> Option<&mut dyn FluidContainer> {
         let _ = controller;
         None
     }
 
-    /// An object entered its list. Without a context: the original would lose what is queued here.
+    /// An object entered its list. It has no context: the original would lose objects that are queued here.
     #[doc(alias = "ContentsChangedEventHandler")]
     fn on_added(&mut self, object: ObjectId) {
         let _ = object;

@@ -1,36 +1,36 @@
-//! The simulator: owns everything and steps it (behaviour chapter 04).
+//! The simulator: owns all objects and steps them (behaviour chapter 04).
 
+mod apply_edits;
+mod callbacks;
 mod collide;
 mod contacts;
 mod context;
 mod controllers;
+mod depth_hooks;
+mod facade;
 mod handler;
 mod precise;
 mod queries;
 mod save;
-mod settle;
 mod sleep;
 mod solve;
-mod space;
 mod springs;
-mod tell;
 mod update;
 mod user_controller;
-mod verbs;
 
 use std::ops::{Deref, DerefMut};
 
 use serde::{Deserialize, Serialize};
 
 use crate::body::BodyId;
+use crate::broad_phase::BroadPhase;
 use crate::contacts::arbiter::ArbiterList;
 use crate::geom::surface::FrictionType;
 use crate::joints::JointId;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
-use crate::methods::{BroadPhaseCollider, IslandChoice, Methods, NarrowPhaseCollider};
+use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider, SolverChoice};
 use crate::objects::{Objects, SavedObjects};
-use crate::pairs::BroadPhase;
 use crate::pipeline::Pipeline;
 use crate::precise::Precise;
 use crate::report::{Event, Report, StepCounters, StepTimes};
@@ -40,7 +40,7 @@ use crate::{Error, Result};
 pub use context::Context;
 pub use handler::EventHandler;
 pub use save::SavedSimulator;
-pub use solve::{Constraints, SolvedBodies};
+pub use solve::{ExternalConstraints, SolverBodiesView};
 pub use user_controller::UserController;
 
 /// The settings of a simulator.
@@ -55,7 +55,7 @@ struct Settings {
     max_contacts_to_resolve: i32,
     friction_type: FrictionType,
     is_sleep_enabled: bool,
-    island_choice: IslandChoice,
+    island_choice: SolverChoice,
 }
 
 impl Default for Settings {
@@ -70,14 +70,14 @@ impl Default for Settings {
             max_contacts_to_resolve: 4,
             friction_type: FrictionType::Average,
             is_sleep_enabled: true,
-            island_choice: IslandChoice::ByItself,
+            island_choice: SolverChoice::Auto,
         }
     }
 }
 
 /// Owns bodies and geoms and moves them in steps.
 ///
-/// Everything that can be done to its objects is what [`Objects`] offers: a simulator is used as if it were them.
+/// Operations on its objects are those of [`Objects`], to which a simulator derefs.
 ///
 /// ```
 /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, PhysicsSimulator, math::Vector2};
@@ -97,8 +97,8 @@ impl Default for Settings {
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
 ///
-/// A clone goes on with the same bits. To go back again and again, keep a simulator and use `clone_from`: it overwrites what
-/// is there, and allocates nothing where nothing new has come.
+/// A clone continues with the same bits. To return to an earlier state again and again, keep a simulator and use
+/// `clone_from`: it overwrites the state, and allocates only where objects have been added.
 #[derive(Debug, Serialize)]
 pub struct PhysicsSimulator {
     settings: Settings,
@@ -116,7 +116,7 @@ impl Default for PhysicsSimulator {
     fn default() -> Self {
         PhysicsSimulator {
             settings: Settings::default(),
-            objects: Objects::none(),
+            objects: Objects::empty(),
             contacts: ArbiterList::default(),
             pipeline: Pipeline::default(),
             report: Report::default(),
@@ -141,7 +141,7 @@ impl DerefMut for PhysicsSimulator {
 
 /// Settings.
 impl PhysicsSimulator {
-    /// An empty simulator with this gravity: acceleration in the user's length unit per square second, y down.
+    /// An empty simulator with this gravity: acceleration in length units/s², y down.
     ///
     /// # Errors
     /// Gravity that is not finite.
@@ -153,7 +153,7 @@ impl PhysicsSimulator {
         Ok(simulator)
     }
 
-    /// Acceleration of every body that does not ignore it.
+    /// Acceleration, in length units/s², of every body that does not ignore it.
     #[doc(alias = "Gravity")]
     pub fn gravity(&self) -> Vector2 {
         self.settings.gravity
@@ -162,47 +162,48 @@ impl PhysicsSimulator {
     /// Sets the gravity.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_gravity(&mut self, gravity: Vector2) -> Result<()> {
         self.settings.gravity = finite_vector("gravity", gravity)?;
         Ok(())
     }
 
-    /// Whether updates move anything; queues are processed either way. Default true.
+    /// Whether updates move bodies; queues are processed either way. Default true.
     #[doc(alias = "Enabled")]
     pub fn enabled(&self) -> bool {
         self.settings.enabled
     }
 
-    /// Lets updates move things or not.
+    /// Sets whether updates move bodies.
     pub fn set_enabled(&mut self, enabled: bool) {
         self.settings.enabled = enabled;
     }
 
-    /// Passes of the solver per update, as they were set. Default 5.
+    /// Number of solver iterations per update, as it was set. Default 5.
     #[doc(alias = "Iterations")]
     pub fn iterations(&self) -> i32 {
         self.settings.iterations
     }
 
-    /// Sets the passes of the solver; with 0 or less only the impulses of the last update act again.
+    /// Sets the number of solver iterations; with 0 or less only the warm start is applied.
     ///
-    /// No more are made than the [limits](Self::limits) allow, and none where there is neither a contact to solve nor a
-    /// joint: [`StepCounters::passes`] says how many there were.
+    /// There are at most as many as the [limits](Self::limits) allow, and none where there is neither a contact to
+    /// solve nor a joint: [`StepCounters::passes`] is the number that was run.
     pub fn set_iterations(&mut self, iterations: i32) {
         self.settings.iterations = iterations;
     }
 
-    /// Part of an overlap that is undone per update. Default 0.8.
+    /// Fraction of a penetration that is corrected per update, dimensionless. Default 0.8.
     #[doc(alias = "BiasFactor")]
     pub fn bias_factor(&self) -> f32 {
         self.settings.bias_factor
     }
 
-    /// Sets the part of an overlap that is undone per update.
+    /// Sets the fraction of a penetration that is corrected per update.
     ///
     /// # Errors
-    /// What is not finite; another number than it has with the precise set, which undoes overlaps in its own way.
+    /// A value that is not finite; with the precise set, which has its own position correction, another value than the
+    /// present one.
     pub fn set_bias_factor(&mut self, bias_factor: f32) -> Result<()> {
         let bias_factor = finite("bias_factor", bias_factor)?;
         self.check_faithful("bias factor", bias_factor != self.settings.bias_factor)?;
@@ -210,16 +211,17 @@ impl PhysicsSimulator {
         Ok(())
     }
 
-    /// Overlap that is left alone, in the user's length unit. Default 0.05.
+    /// Penetration that is not corrected, in length units. Default 0.05.
     #[doc(alias = "AllowedPenetration")]
     pub fn allowed_penetration(&self) -> f32 {
         self.settings.allowed_penetration
     }
 
-    /// Sets the overlap that is left alone.
+    /// Sets the penetration that is not corrected.
     ///
     /// # Errors
-    /// What is not finite; another number than it has with the precise set, which leaves none alone.
+    /// A value that is not finite; with the precise set, which corrects all penetration, another value than the present
+    /// one.
     pub fn set_allowed_penetration(&mut self, allowed_penetration: f32) -> Result<()> {
         let allowed_penetration = finite("allowed_penetration", allowed_penetration)?;
         let is_other = allowed_penetration != self.settings.allowed_penetration;
@@ -228,7 +230,7 @@ impl PhysicsSimulator {
         Ok(())
     }
 
-    /// With the precise set a setting that it does not have cannot become another one.
+    /// Refuses another value of a setting that the precise set does not have.
     fn check_faithful(&self, what: &'static str, is_other: bool) -> Result<()> {
         if is_other && self.objects.methods.is_precise() {
             return Err(Error::NotSupported { what, methods: "precise" });
@@ -236,25 +238,25 @@ impl PhysicsSimulator {
         Ok(())
     }
 
-    /// Contacts the narrow phase looks for per pair. Default 10.
+    /// Maximum number of contacts that the narrow phase finds per pair. Default 10.
     #[doc(alias = "MaxContactsToDetect")]
     pub fn max_contacts_to_detect(&self) -> i32 {
         self.settings.max_contacts_to_detect
     }
 
-    /// Sets the number of contacts to look for. A negative number is no limit for the distance grid and for the precise set,
-    /// and leaves one contact for SAT.
+    /// Sets the maximum number of contacts to find. A negative number is no limit for the distance grid and for the
+    /// precise set, and leaves one contact for SAT.
     pub fn set_max_contacts_to_detect(&mut self, max_contacts_to_detect: i32) {
         self.settings.max_contacts_to_detect = max_contacts_to_detect;
     }
 
-    /// Contacts solved per pair, the deepest first. Default 4.
+    /// Maximum number of contacts solved per pair, the deepest first. Default 4.
     #[doc(alias = "MaxContactsToResolve")]
     pub fn max_contacts_to_resolve(&self) -> i32 {
         self.settings.max_contacts_to_resolve
     }
 
-    /// Sets the number of contacts solved per pair.
+    /// Sets the maximum number of contacts solved per pair.
     ///
     /// # Errors
     /// Negative numbers; the original throws in its next update.
@@ -266,40 +268,41 @@ impl PhysicsSimulator {
         Ok(())
     }
 
-    /// How the friction of two geoms combines. Default [`FrictionType::Average`].
+    /// Rule for combining the friction of two geoms. Default [`FrictionType::Average`].
     #[doc(alias = "FrictionType")]
     pub fn friction_type(&self) -> FrictionType {
         self.settings.friction_type
     }
 
-    /// Sets how friction combines, for pairs that begin to overlap later.
+    /// Sets the rule for combining friction, for pairs that begin to overlap later.
     pub fn set_friction_type(&mut self, friction_type: FrictionType) {
         self.settings.friction_type = friction_type;
     }
 
-    /// Whether bodies that have come to rest sleep. Default true; only with the [precise set](Methods::Precise), which says
-    /// when they do. What sleeps costs nothing and does not move; it wakes by itself as soon as something could move it.
+    /// Whether bodies that have come to rest fall asleep. Default true; only with the [precise set](Methods::Precise),
+    /// where the conditions are documented. Sleeping bodies cost no time and do not move; they wake by themselves as
+    /// soon as something could move them.
     pub fn is_sleep_enabled(&self) -> bool {
         self.settings.is_sleep_enabled
     }
 
-    /// Sets whether bodies that have come to rest sleep. If not, all are awake from the next update on.
+    /// Sets whether bodies that have come to rest fall asleep. If not, all are awake from the next update on.
     pub fn set_sleep_enabled(&mut self, value: bool) {
         self.settings.is_sleep_enabled = value;
     }
 
-    /// How islands of contacts are solved. Default [`IslandChoice::ByItself`]; only with the
-    /// [precise set](Methods::Precise).
-    pub fn island_choice(&self) -> IslandChoice {
+    /// Choice of the solver for islands of contacts. Default [`SolverChoice::Auto`]; only with the [precise
+    /// set](Methods::Precise).
+    pub fn solver_choice(&self) -> SolverChoice {
         self.settings.island_choice
     }
 
-    /// Sets how islands of contacts are solved, from the next update on: to compare methods, or to have the same one whatever
-    /// the game builds. It is for all of a scene: islands come, part and join in every update, so there is nothing that lasts
-    /// for which one could be set. What flies, swings or sleeps is not touched by it.
+    /// Sets the solver of islands of contacts, from the next update on: to compare solvers, or to have the same one for
+    /// all that the game builds. The choice is for all islands: they form, split and merge in every update, so there is
+    /// no lasting island for which one could be set. It has no effect on ballistic, articulated and sleeping islands.
     ///
     /// ```
-    /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, IslandChoice, IslandMethod, WhyMethod};
+    /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, SolverChoice, IslandSolver, SolverReason};
     /// use farseer_core::{Methods, PhysicsSimulator, math::Vector2};
     ///
     /// let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 300.0))?;
@@ -312,15 +315,15 @@ impl PhysicsSimulator {
     /// }
     /// simulator.update(1.0 / 60.0);
     /// let column = &simulator.islands()[0];
-    /// assert_eq!((column.method, column.why), (IslandMethod::Whole, WhyMethod::Pays));
+    /// assert_eq!((column.method, column.why), (IslandSolver::Direct, SolverReason::Pays));
     ///
-    /// simulator.set_island_choice(IslandChoice::Passes);
+    /// simulator.set_solver_choice(SolverChoice::Iterative);
     /// simulator.update(1.0 / 60.0);
     /// let column = &simulator.islands()[0];
-    /// assert_eq!((column.method, column.why), (IslandMethod::Passes, WhyMethod::Chosen));
+    /// assert_eq!((column.method, column.why), (IslandSolver::Iterative, SolverReason::Chosen));
     /// # Ok::<(), farseer_core::Error>(())
     /// ```
-    pub fn set_island_choice(&mut self, choice: IslandChoice) {
+    pub fn set_solver_choice(&mut self, choice: SolverChoice) {
         self.settings.island_choice = choice;
     }
 
@@ -329,26 +332,26 @@ impl PhysicsSimulator {
         self.objects.methods
     }
 
-    /// Chooses the methods. Geoms that are there already are not made ready for another narrow phase; see
-    /// [`set_narrow_phase_collider`](Self::set_narrow_phase_collider). From the faithful set to the precise one and back,
-    /// between updates, everything stays but what the solver knows of contacts and joints: what rests begins to rest anew.
-    /// Settings that the precise set does not have stay what they are, for the way back.
+    /// Sets the methods. Existing geoms are not prepared for another narrow phase; see
+    /// [`set_narrow_phase_collider`](Self::set_narrow_phase_collider). A change between the faithful and the precise
+    /// set, between updates, keeps all state but the solver's impulses of contacts and joints: resting bodies start
+    /// without them. Settings that the precise set does not have keep their values, for a change back.
     ///
     /// # Errors
-    /// A broad phase of the faithful set in place of another one if a geom is in the simulator already
-    /// ([`Error::GeomListNotEmpty`]; geoms still waiting to be added do not count); a cell size or length that is not finite,
-    /// or a length that is not greater than 0; the faithful set while there are chains, one-way geoms, prismatic joints, or joints with a
-    /// motor or limits that it does not have ([`Error::NotSupported`]).
+    /// Another broad phase of the faithful set if a geom is in the simulator already ([`Error::GeomListNotEmpty`];
+    /// geoms still waiting to be added do not count). A cell size or length that is not finite, or a length that is not
+    /// greater than 0. The faithful set while there are chains, one-way geoms, prismatic joints, or joints with a motor
+    /// or limits that it does not have ([`Error::NotSupported`]).
     pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
         let methods = methods.check()?;
         self.objects.geoms.listed_or_queued().try_for_each(|geom| methods.check_geom(geom))?;
         self.objects.joints.listed_or_queued().try_for_each(|joint| methods.check_joint(joint))?;
         match methods {
-            Methods::Faithful { broad, .. } => self.set_faithful_pairs(broad)?,
+            Methods::Faithful { broad, .. } => self.set_faithful_broad_phase(broad)?,
             Methods::Precise { .. } if methods == self.objects.methods => {}
             Methods::Precise { length_unit } => {
                 self.contacts = Default::default();
-                self.list_pairs_anew(methods.broad());
+                self.rebuild_broad_phase(methods.broad());
                 self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
             }
         }
@@ -360,19 +363,19 @@ impl PhysicsSimulator {
         Ok(())
     }
 
-    fn set_faithful_pairs(&mut self, broad: BroadPhaseCollider) -> Result<()> {
+    fn set_faithful_broad_phase(&mut self, broad: BroadPhaseCollider) -> Result<()> {
         if self.pipeline.precise.is_none() && !self.geom_list().is_empty() {
             return Err(Error::GeomListNotEmpty);
         }
         if self.pipeline.precise.take().is_some() {
             let bodies: Vec<BodyId> = self.objects.bodies().collect();
-            bodies.into_iter().for_each(|body| self.objects.settle_body(body));
+            bodies.into_iter().for_each(|body| self.objects.update_edited_geom_transforms(body));
         }
-        self.list_pairs_anew(broad);
+        self.rebuild_broad_phase(broad);
         Ok(())
     }
 
-    fn list_pairs_anew(&mut self, broad: BroadPhaseCollider) {
+    fn rebuild_broad_phase(&mut self, broad: BroadPhaseCollider) {
         self.pipeline.broad_phase = BroadPhase::new(broad);
         for &geom in self.objects.geoms.list() {
             self.pipeline.broad_phase.add(geom, &self.objects.geoms);
@@ -385,8 +388,9 @@ impl PhysicsSimulator {
         self.objects.methods.narrow()
     }
 
-    /// Sets the narrow phase. Geoms made under SAT have no distance grid and touch nothing under the other. The precise set
-    /// has contacts of its own: nothing changes, which is reported as [`Event::RejectedInput`].
+    /// Sets the narrow phase. Geoms made under SAT have no distance grid and make no contacts under the other method.
+    /// With the precise set, which has its own narrow phase, the call has no effect and is reported as
+    /// [`Event::RejectedInput`].
     pub fn set_narrow_phase_collider(&mut self, narrow_phase: NarrowPhaseCollider) {
         if self.objects.methods.is_precise() {
             self.report.push(Event::RejectedInput { object: None, argument: "narrow_phase" });
@@ -403,7 +407,8 @@ impl PhysicsSimulator {
     /// Sets the broad phase.
     ///
     /// # Errors
-    /// As [`set_methods`](Self::set_methods); [`Error::NotSupported`] with the precise set, which has pairs of its own.
+    /// As [`set_methods`](Self::set_methods); [`Error::NotSupported`] with the precise set, which has its own broad
+    /// phase.
     pub fn set_broad_phase_collider(&mut self, method: BroadPhaseCollider) -> Result<()> {
         if self.objects.methods.is_precise() {
             return Err(Error::NotSupported { what: "choice of a broad phase", methods: "precise" });
@@ -412,19 +417,19 @@ impl PhysicsSimulator {
     }
 }
 
-/// What the last update did.
+/// Results of the last update.
 impl PhysicsSimulator {
-    /// What happened in the last update, in order; cleared by the next.
+    /// The events of the last update, in order; the next update clears them.
     pub fn events(&self) -> &[Event] {
         &self.report.events
     }
 
-    /// How much work the last update was.
+    /// Counters of the work of the last update.
     pub fn counters(&self) -> StepCounters {
         self.report.counters
     }
 
-    /// How long the stages of the last [timed update](Self::update_timed) took.
+    /// Times of the stages of the last [timed update](Self::update_timed).
     pub fn step_times(&self) -> StepTimes {
         self.report.step_times
     }

@@ -1,16 +1,16 @@
-//! The update with the precise set: its stages, and what is told between them.
+//! The update with the precise set: its stages, and the callbacks between them.
 
 use super::PhysicsSimulator;
-use super::tell::Handler;
+use super::callbacks::Handler;
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::geom::filter::{Filter, is_valid_pair, may_go_on_touching};
-use crate::geom::surface::SetSurface;
+use crate::geom::filter::{Filter, is_valid_pair, may_keep_touching};
+use crate::geom::surface::SurfaceOverride;
 use crate::objects::Objects;
-use crate::precise::dormant::Terms;
-use crate::precise::{Precise, Step};
+use crate::precise::island::all_asleep::StepSettings;
+use crate::precise::{Precise, StepContext};
 use crate::report::{Event, Stopwatch};
-use crate::springs::Steps;
+use crate::springs::StepLengths;
 
 impl PhysicsSimulator {
     /// The state of the precise set, while it is chosen.
@@ -18,8 +18,8 @@ impl PhysicsSimulator {
         self.pipeline.precise.as_mut().expect("the precise set is chosen")
     }
 
-    /// Answers whether anything may have happened: not where all sleeps and nothing acts.
-    pub(super) fn run_precise(
+    /// Runs an update. Returns false if it was skipped because all bodies sleep and nothing acts on them.
+    pub(super) fn step_precise(
         &mut self,
         dt: f32,
         dt_real: f32,
@@ -31,76 +31,77 @@ impl PhysicsSimulator {
         let gravity = self.settings.gravity;
         let may_sleep = self.settings.is_sleep_enabled;
         let choice = self.settings.island_choice;
-        self.precise().set_island_choice(choice);
-        if self.pass_dormant(dt, substeps, handler) {
+        self.precise().set_solver_choice(choice);
+        if self.try_skip_step(dt, substeps, handler) {
             return false;
         }
-        let steps = Steps { before: self.precise().last_step(), now: dt };
-        let step = self.precise().begin(dt, substeps, gravity, may_sleep);
+        let steps = StepLengths { before: self.precise().last_dt(), now: dt };
+        let step = self.precise().begin_step(dt, substeps, gravity, may_sleep);
         if let Some(precise) = &mut self.pipeline.precise {
             precise.begin_kinematic(&self.objects);
         }
-        self.report.counters.aabbs_renewed = self.precise().escaped_count();
+        self.report.counters.aabbs_renewed = self.precise().refitted_count();
         let found = self.precise().find_pairs();
-        self.accept_precise_pairs(found, handler);
+        self.add_precise_pairs(found, handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
-        let most = self.most_precise_contacts();
-        self.report.counters.pairs_tested = self.precise().find_contacts(friction, most);
-        let looks = self.precise().looks();
-        (self.report.counters.manifolds_made, self.report.counters.manifolds_kept) = (looks.made, looks.kept);
-        if self.precise().is_in_space() {
+        let max_contacts = self.max_manifold_contacts();
+        self.report.counters.pairs_tested = self.precise().find_contacts(friction, max_contacts);
+        let stats = self.precise().narrow_phase_stats();
+        (self.report.counters.manifolds_made, self.report.counters.manifolds_kept) =
+            (stats.computed, stats.recycled);
+        if self.precise().has_depth() {
             self.report.counters.pairs_touching = self.precise().touching_count();
-            self.ask_about_space(handler);
+            self.ask_about_depth_contacts(handler);
         } else {
             if handler.wants(|handler| handler.filters_pairs()) {
                 self.filter_precise_pairs(handler);
             }
-            self.tell_precise(handler);
+            self.report_contact_events(handler);
         }
         stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
         self.update_controllers(dt, dt_real, handler);
         self.update_springs(Some(steps), handler);
-        self.sync_precise();
+        self.import_edits();
         self.wake_disturbed();
         self.break_precise_joints(handler);
-        self.read_precise(&step);
+        self.load_bodies_and_joints(&step);
         stopwatch.lap(|times| &mut times.apply_forces_time);
         self.precise().solve(&step);
-        if self.precise().find_fast() {
-            let found = self.precise().find_pairs_of_fast();
-            self.accept_precise_pairs(found, handler);
-            if self.precise().stop_fast(&step) {
-                let found = self.precise().find_pairs_of_fast();
-                self.accept_precise_pairs(found, handler);
-                self.precise().stop_carried();
+        if self.precise().find_fast_bodies() {
+            let found = self.precise().find_pairs_of_fast_bodies();
+            self.add_precise_pairs(found, handler);
+            if self.precise().clamp_to_toi(&step) {
+                let found = self.precise().find_pairs_of_fast_bodies();
+                self.add_precise_pairs(found, handler);
+                self.precise().clamp_carried_motion();
             }
         }
         self.report.counters.passes = substeps;
         stopwatch.lap(|times| &mut times.apply_impulses_time);
-        self.write_precise(handler);
-        self.tell_flown(handler);
-        self.let_sleep(&step);
+        self.store_bodies(handler);
+        self.report_sensor_passthroughs(handler);
+        self.update_sleep(&step);
         stopwatch.lap(|times| &mut times.update_positions_time);
         true
     }
 
-    /// Passes an update in which nothing can happen, if it is one.
-    fn pass_dormant(&mut self, dt: f32, substeps: u32, handler: &mut Handler<'_>) -> bool {
+    /// Skips an update in which no state can change; returns whether it did.
+    fn try_skip_step(&mut self, dt: f32, substeps: u32, handler: &mut Handler<'_>) -> bool {
         let Objects { springs, controllers, .. } = &self.objects;
         if handler.get().is_some() || !springs.list().is_empty() || !controllers.list().is_empty() {
             return false;
         }
-        let terms = Terms {
+        let settings = StepSettings {
             dt,
             substeps,
             gravity: self.settings.gravity,
             may_sleep: self.settings.is_sleep_enabled,
             friction: self.settings.friction_type,
-            most_contacts: self.most_precise_contacts(),
+            max_contacts: self.max_manifold_contacts(),
         };
         let precise = self.precise();
-        if !precise.pass_dormant(&terms) {
+        if !precise.try_skip_step(&settings) {
             return false;
         }
         let (touching, asleep) = (precise.touching_count(), precise.asleep_count());
@@ -109,30 +110,30 @@ impl PhysicsSimulator {
         true
     }
 
-    /// Contacts of two convex pieces, at most: a negative number to look for is no limit.
-    fn most_precise_contacts(&self) -> u32 {
+    /// Maximum number of contacts of two convex pieces; a negative number of contacts to detect is no limit.
+    fn max_manifold_contacts(&self) -> u32 {
         let to_detect = u32::try_from(self.settings.max_contacts_to_detect).unwrap_or(2);
         let to_resolve = u32::try_from(self.settings.max_contacts_to_resolve).unwrap_or(2);
         to_detect.min(to_resolve).min(2)
     }
 
-    /// Takes over what was edited, where the precise set is chosen.
-    pub(super) fn sync_precise(&mut self) {
+    /// Imports edited objects into the precise set, if it is chosen.
+    pub(super) fn import_edits(&mut self) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             if std::mem::take(&mut objects.has_new_members) {
-                precise.note_members();
+                precise.mark_membership_changed();
             }
             if std::mem::take(&mut objects.has_new_structure) {
-                precise.note_change();
+                precise.mark_stale();
             }
             if std::mem::take(&mut objects.has_edited_joints) {
-                precise.note_joints();
+                precise.invalidate_joints();
             }
             if std::mem::take(&mut objects.has_edited_drives) {
-                precise.note_edited_drives(objects);
+                precise.wake_for_edited_drives(objects);
             }
-            precise.sync(objects);
+            precise.import_edits(objects);
         }
     }
 
@@ -143,7 +144,7 @@ impl PhysicsSimulator {
         }
     }
 
-    fn let_sleep(&mut self, step: &Step) {
+    fn update_sleep(&mut self, step: &StepContext) {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             precise.fall_asleep(objects, step);
@@ -151,16 +152,16 @@ impl PhysicsSimulator {
         }
     }
 
-    fn read_precise(&mut self, step: &Step) {
+    fn load_bodies_and_joints(&mut self, step: &StepContext) {
         let PhysicsSimulator { objects, pipeline, report, settings, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             precise.read_bodies(objects, settings.gravity, step, report);
-            precise.read_joints(objects, step);
+            precise.import_joints(objects, step);
             report.counters.contacts_solved = precise.contacts_solved();
         }
     }
 
-    /// Joints that are too far from what they keep break before they act.
+    /// Breaks joints whose error is beyond their breakpoint, before they act.
     fn break_precise_joints(&mut self, handler: &mut Handler<'_>) {
         if !self.precise().may_break_joints() {
             return;
@@ -168,98 +169,98 @@ impl PhysicsSimulator {
         let mut has_told = false;
         for position in 0..self.joint_list().len() {
             let PhysicsSimulator { objects, pipeline, .. } = self;
-            let (Some(precise), Some((joint, held))) = (&pipeline.precise, objects.joints.at_mut(position))
+            let (Some(precise), Some((joint, kept_joint))) =
+                (&pipeline.precise, objects.joints.at_mut(position))
             else {
                 continue;
             };
-            if held.breakpoint() == f32::MAX || !held.enabled() {
+            if kept_joint.breakpoint() == f32::MAX || !kept_joint.enabled() {
                 continue;
             }
-            let Some(error) = precise.joint_error((joint, &*held), &objects.bodies) else { continue };
-            held.note(error);
-            if held.breaks() {
+            let Some(error) = precise.joint_error((joint, &*kept_joint), &objects.bodies) else { continue };
+            kept_joint.set_error(error);
+            if kept_joint.breaks() {
                 objects.has_edited_joints = true;
                 self.report.push(Event::JointBroke { joint });
-                self.tell(handler, |handler, context| handler.on_joint_broke(context, joint));
+                self.call_handler(handler, |handler, context| handler.on_joint_broke(context, joint));
                 has_told = true;
             }
         }
         if has_told {
-            self.sync_precise();
+            self.import_edits();
         }
     }
 
-    /// What has held the joints is told.
-    fn write_precise_joints(&mut self, handler: &mut Handler<'_>) {
+    /// Stores the forces of joints, and reports those that broke.
+    fn store_joint_forces(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let Some(precise) = &mut pipeline.precise else { return };
         let broken = report.events.len();
-        precise.write_joints(objects, report);
+        precise.export_joints(objects, report);
         if handler.get().is_none() {
             return;
         }
         for at in broken..self.report.events.len() {
             if let Event::JointBroke { joint } = self.report.events[at] {
-                self.tell(handler, |handler, context| handler.on_joint_broke(context, joint));
+                self.call_handler(handler, |handler, context| handler.on_joint_broke(context, joint));
             }
         }
         let mut at = 0;
         while handler.wants(|handler| handler.handles_joint_updates())
-            && let Some(joint) = self.precise().acting_joint(at)
+            && let Some(joint) = self.precise().joint_at(at)
         {
-            self.tell(handler, |handler, context| handler.on_joint_updated(context, joint));
+            self.call_handler(handler, |handler, context| handler.on_joint_updated(context, joint));
             at += 1;
         }
     }
 
-    /// New pairs, as far as filters and the handler let them.
-    fn accept_precise_pairs(&mut self, found: usize, handler: &mut Handler<'_>) {
+    /// Adds new pairs that filters and the handler accept.
+    fn add_precise_pairs(&mut self, found: usize, handler: &mut Handler<'_>) {
         let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
-        let is_in_space = self.precise().is_in_space();
+        let is_in_space = self.precise().has_depth();
         for at in 0..found {
-            let (a, b) = self.precise().candidate(at);
+            let (a, b) = self.precise().candidate_geoms(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
                 (Some(a), Some(b)) if is_in_space => filter.may_collide(a, b),
                 (Some(a), Some(b)) => filter.may_touch(a, b),
                 _ => {
-                    let precise = self
-                        .pipeline
-                        .precise
-                        .as_mut()
-                        .filter(|precise| precise.meets_fixture((a, b), &self.objects) == Some(true));
-                    precise.into_iter().for_each(|precise| precise.accept(at));
+                    let precise =
+                        self.pipeline.precise.as_mut().filter(|precise| {
+                            precise.may_meet_world_geom((a, b), &self.objects) == Some(true)
+                        });
+                    precise.into_iter().for_each(|precise| precise.add_candidate_pair(at));
                     false
                 }
             };
             if may_collide && (!asks_about_new || self.approves_pair(handler, a, b)) {
-                self.precise().accept(at);
+                self.precise().add_candidate_pair(at);
             }
         }
     }
 
-    /// Whether nothing has parted two that touch: callbacks dispose and edit.
+    /// Whether two touching geoms may still touch: callbacks dispose and edit.
     fn may_touch(&self, a: GeomId, b: GeomId) -> bool {
         let Objects { geoms, bodies, .. } = &self.objects;
-        let is_in_space = self.pipeline.precise.as_ref().is_some_and(|precise| precise.is_in_space());
-        let may_stay = if is_in_space { is_valid_pair } else { may_go_on_touching };
+        let is_in_space = self.pipeline.precise.as_ref().is_some_and(|precise| precise.has_depth());
+        let may_stay = if is_in_space { is_valid_pair } else { may_keep_touching };
         geoms.get(a).is_some() && geoms.get(b).is_some() && may_stay((a, b), geoms, bodies)
     }
 
-    /// Asks the handler about every pair; those that it refuses push nothing in this update.
+    /// Asks the handler about every pair; refused pairs exert no impulse in this update.
     fn filter_precise_pairs(&mut self, handler: &mut Handler<'_>) {
         for pair in 0..self.precise().pair_count() {
             let (a, b) = self.precise().geoms_of(pair);
             if !self.accepts_pair(handler, a, b) {
-                self.precise().refuse(pair);
+                self.precise().disable_contact(pair);
             }
         }
     }
 
-    /// What began and ceased to touch is told; a handler is asked about everything that touches and has a side that is told,
-    /// in the order of creation numbers, and may refuse it.
-    fn tell_precise(&mut self, handler: &mut Handler<'_>) {
-        let changes = self.precise().take_changes();
+    /// Reports contacts that began or ended. The handler is asked about all touching pairs with callbacks on a side, in
+    /// the order of creation numbers, and may refuse each.
+    fn report_contact_events(&mut self, handler: &mut Handler<'_>) {
+        let changes = self.precise().drain_touch_events();
         self.report.counters.pairs_touching = self.precise().touching_count();
         if handler.get().is_none() {
             for &((a, b), _) in changes.iter().filter(|(_, begins)| *begins) {
@@ -275,13 +276,13 @@ impl PhysicsSimulator {
             }
             return;
         }
-        self.ask_about_touches(handler, &changes);
+        self.call_collision_handlers(handler, &changes);
         for ((a, b), _) in changes.into_iter().filter(|(_, begins)| !begins) {
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Separation { this, other });
-                // A geom that is gone has no side that is told.
+                // A geom that does not exist any more has no callback.
                 if self.objects.geoms.get(this).is_some() {
-                    self.tell_side(handler, this, |handler, context| {
+                    self.call_handler_of_side(handler, this, |handler, context| {
                         handler.on_separation(context, this, other)
                     });
                 }
@@ -289,54 +290,54 @@ impl PhysicsSimulator {
         }
     }
 
-    fn ask_about_touches(&mut self, handler: &mut Handler<'_>, changes: &[((GeomId, GeomId), bool)]) {
+    fn call_collision_handlers(&mut self, handler: &mut Handler<'_>, changes: &[((GeomId, GeomId), bool)]) {
         let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
-        let touching = self.precise().take_touching(changes);
+        let touching = self.precise().touching_pairs(changes);
         for group in touching.chunk_by(|a, b| a.0 == b.0) {
             contacts.clear();
             for &(_, pair) in group {
                 contacts.extend(
                     self.precise()
-                        .touching(pair as usize)
+                        .arbiter_of_pair(pair as usize)
                         .into_iter()
                         .flat_map(|touching| touching.contacts()),
                 );
             }
-            let Some(first) = self.precise().touching(group[0].1 as usize) else { continue };
+            let Some(first) = self.precise().arbiter_of_pair(group[0].1 as usize) else { continue };
             let (a, b) = first.geoms;
             if !self.may_touch(a, b) {
-                group.iter().for_each(|&(_, pair)| self.precise().refuse(pair as usize));
+                group.iter().for_each(|&(_, pair)| self.precise().disable_contact(pair as usize));
                 continue;
             }
             let begins = changes.iter().any(|&(geoms, begins)| begins && geoms == (a, b));
-            let mut surface = SetSurface::default();
-            let is_accepted = self.ask_about_touch((a, b), begins, &mut contacts, &mut surface, handler)
-                && self.ask_about_touch((b, a), begins, &mut contacts, &mut surface, handler);
+            let mut surface = SurfaceOverride::default();
+            let is_accepted = self.call_on_collision((a, b), begins, &mut contacts, &mut surface, handler)
+                && self.call_on_collision((b, a), begins, &mut contacts, &mut surface, handler);
             for &(_, pair) in group {
                 if is_accepted {
-                    self.precise().keep_contacts(pair as usize, &contacts);
-                    self.precise().set_surface(pair as usize, surface);
+                    self.precise().retain_contacts(pair as usize, &contacts);
+                    self.precise().override_surface(pair as usize, surface);
                 } else {
-                    self.precise().refuse(pair as usize);
+                    self.precise().disable_contact(pair as usize);
                 }
             }
         }
-        self.precise().keep_touching(touching);
+        self.precise().return_touching_buffer(touching);
         self.pipeline.new_contacts = contacts;
     }
 
-    /// Asks one side. Contacts that are taken off the list push nothing in this update.
-    fn ask_about_touch(
+    /// Calls the handler for one side. Contacts that it removes from the list exert no impulse in this update.
+    fn call_on_collision(
         &mut self,
         (this, other): (GeomId, GeomId),
         begins: bool,
         contacts: &mut Vec<Contact>,
-        surface: &mut SetSurface,
+        surface: &mut SurfaceOverride,
         handler: &mut Handler<'_>,
     ) -> bool {
         let count = contacts.len() as u32;
         let is_accepted = self
-            .tell_side(handler, this, |handler, context| {
+            .call_handler_of_side(handler, this, |handler, context| {
                 handler.on_collision(&mut context.with_surface(surface), this, other, contacts)
             })
             .unwrap_or(true);
@@ -346,49 +347,51 @@ impl PhysicsSimulator {
         is_accepted && !contacts.is_empty()
     }
 
-    /// Bodies are where the step has brought them. Their geoms follow when somebody looks at them: nothing here does.
-    fn write_precise(&mut self, handler: &mut Handler<'_>) {
+    /// Stores the poses and velocities of the step in the bodies. Their geoms are updated when they are next read.
+    fn store_bodies(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let Some(precise) = &mut pipeline.precise else { return };
         precise.write_bodies(objects, report);
-        let told = report.events.len();
-        precise.follow();
-        if precise.is_in_space() {
-            self.tell(handler, |handler, context| handler.on_space_moved(context));
+        let event_count = report.events.len();
+        precise.refit_aabbs();
+        if precise.has_depth() {
+            self.call_handler(handler, |handler, context| handler.on_depth_moved(context));
         }
-        self.write_precise_joints(handler);
+        self.store_joint_forces(handler);
         if handler.get().is_some() {
-            self.tell_bodies_moved(told - self.report.counters.bodies_moved..told, handler);
+            self.report_moved_bodies(event_count - self.report.counters.bodies_moved..event_count, handler);
         }
     }
 
-    /// Tells of sensors through which something has flown between two looks.
-    fn tell_flown(&mut self, handler: &mut Handler<'_>) {
+    /// Reports sensors that a fast body crossed within the step.
+    fn report_sensor_passthroughs(&mut self, handler: &mut Handler<'_>) {
         let mut at = 0;
-        while let Some((a, b)) = self.precise().flown(at) {
+        while let Some((a, b)) = self.precise().sensor_passthrough(at) {
             at += 1;
             if !self.may_touch(a, b) {
                 continue;
             }
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Collision { this, other, contacts: 0, vetoed: false });
-                self.tell_side(handler, this, |handler, context| {
+                self.call_handler_of_side(handler, this, |handler, context| {
                     handler.on_collision(context, this, other, &mut Vec::new())
                 });
             }
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Separation { this, other });
-                self.tell_side(handler, this, |handler, context| handler.on_separation(context, this, other));
+                self.call_handler_of_side(handler, this, |handler, context| {
+                    handler.on_separation(context, this, other)
+                });
             }
         }
     }
 
-    fn tell_bodies_moved(&mut self, events: std::ops::Range<usize>, handler: &mut Handler<'_>) {
+    fn report_moved_bodies(&mut self, events: std::ops::Range<usize>, handler: &mut Handler<'_>) {
         for at in events {
             if let Event::BodyUpdated { body } = self.report.events[at]
                 && self.objects.bodies.get(body).is_some_and(|entry| entry.body.enabled())
             {
-                self.tell(handler, |handler, context| handler.on_body_updated(context, body));
+                self.call_handler(handler, |handler, context| handler.on_body_updated(context, body));
             }
         }
     }
@@ -408,8 +411,9 @@ mod tests {
         body
     }
 
-    /// Four fast boxes fly along a row of sleeping ones: the most pairs, and the most bounds renewed in a step.
-    fn most_beside(sleepers: usize) -> (usize, usize) {
+    /// Four fast boxes fly along a row of sleeping ones. Returns the maximum numbers of pairs and of new fat AABBs in a
+    /// step.
+    fn max_pairs_and_aabbs(sleepers: usize) -> (usize, usize) {
         let mut simulator = PhysicsSimulator::new(Vector2::zeros()).unwrap();
         simulator.set_methods(Methods::PRECISE).unwrap();
         for i in 0..sleepers {
@@ -430,8 +434,8 @@ mod tests {
     }
 
     #[test]
-    fn fast_bodies_have_as_few_pairs_and_new_bounds_beside_many_sleepers_as_beside_few() {
-        let (few, many) = (most_beside(60), most_beside(2000));
+    fn broad_phase_cost_of_fast_bodies_does_not_grow_with_sleeping_bodies() {
+        let (few, many) = (max_pairs_and_aabbs(60), max_pairs_and_aabbs(2000));
         assert!(many.0 <= few.0 + 2 && many.1 <= few.1, "{few:?} and {many:?}");
         assert!(many.1 <= 4, "{many:?}: no more than there are fast bodies");
     }

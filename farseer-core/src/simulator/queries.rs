@@ -1,4 +1,4 @@
-//! Queries of a simulator: as those of [`Objects`](crate::Objects), of fewer geoms where the precise set knows which.
+//! Queries of a simulator: those of [`Objects`](crate::Objects), restricted to nearby geoms with the precise set.
 
 use std::borrow::Cow;
 
@@ -8,8 +8,8 @@ use crate::math::Vector2;
 use crate::objects::RayCastHit;
 use crate::shape::Aabb;
 
-/// What lies at a point, on a ray or in a box. The answers are those of [`Objects`](crate::Objects) to the last bit. With
-/// the precise set its grid says where to look, so that the time does not grow with the number of geoms.
+/// Geoms at a point, on a ray or in a box. The results are those of [`Objects`](crate::Objects) to the last bit. With
+/// the precise set its hash grid is searched, so that the time does not grow with the number of geoms.
 impl PhysicsSimulator {
     /// [`Objects::collide`](crate::Objects::collide)
     pub fn collide(&self, point: Vector2) -> Option<GeomId> {
@@ -36,7 +36,7 @@ impl PhysicsSimulator {
         self.objects.query_aabb_among(&self.geoms_near(aabb), aabb)
     }
 
-    /// The geoms that may reach into a box, in list order: all, if nothing better is known.
+    /// The geoms that may reach into a box, in list order: all geoms if there is no grid.
     fn geoms_near(&self, aabb: &Aabb) -> Cow<'_, [GeomId]> {
         let precise = self.pipeline.precise.as_ref();
         let near = precise.and_then(|precise| precise.geoms_near(aabb, &self.objects));

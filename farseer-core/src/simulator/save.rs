@@ -1,11 +1,12 @@
 //! Saving and loading the whole simulator.
 //!
-//! Everything that can influence a later bit is saved: queues, the order of sorted lists, arbiters with their
-//! impulses and the pool they go back to, creation numbers. Distance grids are saved as the outline they are made
-//! from. So is everything that is still to be told: what was disposed, moved or refused since the last update. What was
-//! loaded continues with the same bits, events and callbacks; what contradicts itself is refused. The
-//! [events](PhysicsSimulator::events), counters and times of the last update are not saved: the next one overwrites
-//! them and reads none of them.
+//! All state that can influence a later bit is saved: queues, the order of sorted lists, arbiters with their impulses
+//! and the pool to which they return, creation numbers. Distance grids are saved as their outlines. Pending events are
+//! saved, too: objects disposed or moved and arguments rejected since the last update.
+//!
+//! A loaded simulator continues with the same bits, events and callbacks; a save that contradicts itself is refused.
+//! The [events](PhysicsSimulator::events), counters and times of the last update are not saved: the next one overwrites
+//! them and does not depend on them.
 
 use serde::{Deserialize, Deserializer, de::Error as _};
 
@@ -25,9 +26,9 @@ impl<'de> Deserialize<'de> for PhysicsSimulator {
     }
 }
 
-/// What is saved of a simulator.
+/// The saved parts of a simulator.
 #[derive(Deserialize)]
-struct Parts {
+struct SavedParts {
     settings: Settings,
     #[serde(with = "SavedObjects")]
     objects: Objects,
@@ -35,8 +36,8 @@ struct Parts {
     pipeline: Pipeline,
 }
 
-/// A simulator that was read and checked, and whose distance grids are still to be made: to load with other [`Limits`]
-/// than the default ones, or as a part of something else.
+/// A simulator that was read and checked, and whose distance grids are still to be sampled: for loading with other
+/// [`Limits`] than the default ones, or as a part of another saved object.
 ///
 /// ```
 /// use farseer_core::{Limits, PhysicsSimulator, SavedSimulator};
@@ -51,7 +52,7 @@ pub struct SavedSimulator(PhysicsSimulator);
 
 impl<'de> Deserialize<'de> for SavedSimulator {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Parts { settings, objects, contacts, pipeline } = Parts::deserialize(deserializer)?;
+        let SavedParts { settings, objects, contacts, pipeline } = SavedParts::deserialize(deserializer)?;
         let simulator = PhysicsSimulator { settings, objects, contacts, pipeline, report: Report::default() };
         simulator.check().map_err(D::Error::custom)?;
         Ok(SavedSimulator(simulator))
@@ -62,21 +63,21 @@ impl SavedSimulator {
     /// Makes the simulator, which has these limits from then on.
     ///
     /// # Errors
-    /// [`Error::LimitExceeded`] if its distance grids are more work than is allowed; a grid that cannot be made.
+    /// [`Error::LimitExceeded`] if the work of its distance grids exceeds the limits; a grid that cannot be made.
     pub fn load(self, limits: Limits) -> Result<PhysicsSimulator> {
         let mut simulator = self.0;
         simulator.set_limits(limits);
-        simulator.objects.make_grids()?;
-        // Of a depth axis the engine above has to tell first.
-        if let Some(precise) = simulator.pipeline.precise.as_mut().filter(|precise| !precise.is_in_space()) {
-            precise.list_loaded(&mut simulator.objects);
+        simulator.objects.sample_grids()?;
+        // An engine with depth must set its depth data first.
+        if let Some(precise) = simulator.pipeline.precise.as_mut().filter(|precise| !precise.has_depth()) {
+            precise.rebuild_from_loaded(&mut simulator.objects);
         }
         Ok(simulator)
     }
 }
 
 impl PhysicsSimulator {
-    /// Refuses what no sequence of calls could have made, and what would make a later call fail.
+    /// Refuses a simulator that no sequence of calls could have made, or with which a later call would fail.
     fn check(&self) -> Result<()> {
         let damaged = |reason| Err(Error::DamagedSave { reason });
         let settings = &self.settings;

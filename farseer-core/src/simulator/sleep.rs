@@ -1,13 +1,14 @@
-//! What hangs together and sleeps, and why something does not.
+//! Islands, sleep, and reasons why bodies are awake.
 
 use super::PhysicsSimulator;
 use crate::body::BodyId;
-use crate::precise::{Island, IslandResidual, WhyAwake};
+use crate::precise::{AwakeReason, Island, IslandResidual};
 
-/// Sleep. Only with the [precise set](crate::Methods::Precise), which says when things fall asleep and wake.
+/// Sleeping and islands. Only with the [precise set](crate::Methods::Precise), where the conditions of sleep are
+/// documented.
 impl PhysicsSimulator {
-    /// Whether a body sleeps: it is at rest, with everything that it hangs together with, and costs nothing until something
-    /// wakes it. False for stale ids.
+    /// Whether a body sleeps: it has come to rest together with its island, and costs no time until it is woken. False
+    /// for stale ids.
     ///
     /// ```
     /// use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};
@@ -31,42 +32,42 @@ impl PhysicsSimulator {
         self.pipeline.precise.as_ref().is_some_and(|precise| precise.is_asleep(body))
     }
 
-    /// Why a body is awake, as it was at the end of the last update; `None` for one that sleeps, and for stale ids.
-    pub fn why_awake(&self, body: BodyId) -> Option<WhyAwake> {
+    /// The reason why a body was awake at the end of the last update; `None` for a sleeping body, and for stale ids.
+    pub fn why_awake(&self, body: BodyId) -> Option<AwakeReason> {
         self.objects.body(body)?;
         let Some(precise) = self.pipeline.precise.as_ref().filter(|_| self.settings.is_sleep_enabled) else {
-            return Some(WhyAwake::NothingSleeps);
+            return Some(AwakeReason::SleepDisabled);
         };
         if precise.is_asleep(body) {
             return None;
         }
-        Some(precise.why_awake(body, &self.objects).unwrap_or(WhyAwake::NeverSleeps))
+        Some(precise.why_awake(body, &self.objects).unwrap_or(AwakeReason::NeverSleeps))
     }
 
-    /// The islands of bodies that can be pushed and hang together by contacts, joints or springs, as they were at the end of
-    /// the last update: first those that are awake, then those that sleep, each in the order of their first bodies. Found anew
-    /// with each call. None with the faithful set. What was loaded knows no joints, nor what its last update took, until the
-    /// next one.
+    /// The islands at the end of the last update: dynamic bodies connected by contacts, joints or springs. First those
+    /// that are awake, then sleeping ones, each in the order of their first bodies. Computed in each call. None with
+    /// the faithful set. In a loaded simulator joints, and the costs of the last update, are missing until the next
+    /// one.
     pub fn islands(&self) -> Vec<Island> {
         self.pipeline.precise.as_ref().map_or_else(Vec::new, |precise| precise.islands(&self.objects))
     }
 
-    /// What is left of an island's error after the last update: found anew from outlines, velocities and anchors with each
-    /// call, whatever the solver believes. Nothing of bodies that are not there any more; nothing with the faithful set.
+    /// The residual error of an island after the last update. Each call computes it from outlines, velocities and
+    /// anchors, independent of the solver. Bodies that do not exist any more do not count; zero with the faithful set.
     pub fn island_residual(&self, island: &Island) -> IslandResidual {
         let precise = self.pipeline.precise.as_ref();
         precise.map_or_else(Default::default, |precise| precise.residual(&island.bodies, &self.objects))
     }
 
-    /// How many pairs of convex pieces that touch are solved in each colour: no two of a colour push the same body, so that
-    /// they can be solved side by side, but for those of the 32nd, which found no other. Those of islands that are
-    /// [solved as a whole](Island::is_solved_whole) have none. None with the faithful set.
+    /// Number of touching pairs of convex pieces in each graph colour. No two pairs of a colour share a dynamic body,
+    /// so that they can be solved in parallel; the 32nd is the overflow colour. Pairs of islands with the [direct
+    /// solver](Island::is_solved_whole) have no colour. None with the faithful set.
     pub fn rows_per_colour(&self) -> Vec<usize> {
-        self.pipeline.precise.as_ref().map_or_else(Vec::new, |precise| precise.rows_per_colour())
+        self.pipeline.precise.as_ref().map_or_else(Vec::new, |precise| precise.constraints_per_color())
     }
 
-    /// Wakes a body in the next update, with all that fell asleep together with it. Nothing happens to one that is awake, or to
-    /// stale ids.
+    /// Wakes a body in the next update, with all bodies that fell asleep together with it. No effect on bodies that are
+    /// awake, and on stale ids.
     pub fn wake(&mut self, body: BodyId) {
         if let Some(precise) = &mut self.pipeline.precise {
             precise.wake(body);

@@ -1,65 +1,66 @@
-//! Joints, contacts and the constraints of other engines change velocities, pass by pass.
+//! Solver iterations of the faithful set: joints, contacts and the constraints of engines on top change velocities.
 
-use super::tell::Handler;
+use super::callbacks::Handler;
 use super::{EventHandler, PhysicsSimulator};
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
+use crate::contact_solver::{PreStepSettings, SolverBodies, SolverBody, SolverBodyIndex};
 use crate::report::Event;
-use crate::solve::{PreStepSettings, SolverBodies, SolverBody, SolverPlace};
 
-/// What an engine that is built on this one solves: after joints and contacts, in every pass, on the same velocities.
-/// [`PhysicsSimulator::solve_with`] asks for it.
-pub trait Constraints {
+/// Constraints of an engine on top. They are solved after joints and contacts, in every iteration, on the same
+/// velocities. [`PhysicsSimulator::solve_with`] takes them.
+pub trait ExternalConstraints {
     /// Whether there is nothing to solve.
     fn is_empty(&self) -> bool;
 
-    /// After the pre-step: finds its bodies, and lets the impulses of the last update act again.
-    fn warm_start(&mut self, bodies: &mut SolvedBodies<'_>);
+    /// Called after the pre-step: looks up the bodies, and applies the warm start.
+    fn warm_start(&mut self, bodies: &mut SolverBodiesView<'_>);
 
-    /// One pass.
-    fn solve(&mut self, bodies: &mut SolvedBodies<'_>);
+    /// One solver iteration.
+    fn solve(&mut self, bodies: &mut SolverBodiesView<'_>);
 }
 
-/// The velocities of an update while it solves. From the pre-step to the end of the passes they are the truth: what is set
-/// on a body itself meanwhile is lost.
+/// The velocities of an update while it solves. From the pre-step to the end of the iterations they replace those of
+/// the bodies: a velocity that is set on a body itself meanwhile is lost.
 #[derive(Debug)]
-pub struct SolvedBodies<'a> {
+pub struct SolverBodiesView<'a> {
     solved: &'a mut SolverBodies,
     bodies: &'a Bodies,
 }
 
-impl SolvedBodies<'_> {
-    /// The place of a body in this update. One that touches nothing and that no joint holds is taken in. `None` for a
+impl SolverBodiesView<'_> {
+    /// The index of a body in this update. A body without contacts and joints is added to the solver. `None` for a
     /// stale id.
-    pub fn place(&mut self, body: BodyId) -> Option<SolverPlace> {
-        self.solved.place(body, self.bodies)
+    pub fn place(&mut self, body: BodyId) -> Option<SolverBodyIndex> {
+        self.solved.index_of(body, self.bodies)
     }
 
-    /// The velocities of a body as they are now, and what it weighs. What lies at a place of another update means
-    /// nothing.
+    /// The present velocities and inverse masses of a body. An index of another update is invalid: the result is
+    /// unspecified.
     #[inline]
-    pub fn get(&self, place: SolverPlace) -> SolverBody {
+    pub fn get(&self, place: SolverBodyIndex) -> SolverBody {
         self.solved.body(place)
     }
 
-    /// Sets the velocities of a body, and answers whether they are finite; if not, the body keeps what it has and has
-    /// [failed](Self::fail). The inverses of mass and inertia stay what they are.
+    /// Sets the velocities of a body, and returns whether they are finite; if not, the body keeps its velocities and
+    /// [fails](Self::fail). The inverses of mass and inertia do not change.
     #[inline]
-    pub fn set(&mut self, place: SolverPlace, body: SolverBody) -> bool {
+    pub fn set(&mut self, place: SolverBodyIndex, body: SolverBody) -> bool {
         self.solved.set_body(place, &body)
     }
 
-    /// The velocities of a body would not have been finite. At the end it gets back those with which the update began to
-    /// solve; a dynamic one is disabled, and it is reported as [`Event::NotFinite`].
-    pub fn fail(&mut self, place: SolverPlace) {
-        self.solved.body_failed(place);
+    /// Marks a body as failed, because its velocities would not have been finite. At the end it gets back the
+    /// velocities with which the update began to solve; a dynamic one is disabled, and it is reported as
+    /// [`Event::NotFinite`].
+    pub fn fail(&mut self, place: SolverBodyIndex) {
+        self.solved.mark_failed(place);
     }
 }
 
 impl PhysicsSimulator {
-    /// Fifth stage: joints and contacts are prepared, and the impulses of the last update act again. `inverse_dt` is 1 / dt.
+    /// Fifth stage: joints and contacts are prepared, and the warm start is applied. `inverse_dt` is 1 / dt, in 1/s.
     ///
-    /// A number that is not finite changes nothing and is reported.
+    /// With a number that is not finite the call has no effect and is reported.
     #[doc(alias("Joint.PreStep"))]
     pub fn pre_step(&mut self, inverse_dt: f32) {
         if !self.accepts_step("inverse_dt", inverse_dt) || !self.has_stages() {
@@ -76,7 +77,7 @@ impl PhysicsSimulator {
         report.counters.contacts_solved = pipeline.contacts.row_count();
     }
 
-    /// Sixth stage, repeated: one pass over all joints, then one over all contacts.
+    /// Sixth stage, repeated: one iteration over all joints, then one over all contacts.
     #[doc(alias("Joint.Update"))]
     pub fn solve_iteration(&mut self, handler: Option<&mut dyn EventHandler>) {
         if self.has_stages() {
@@ -85,12 +86,12 @@ impl PhysicsSimulator {
     }
 
     /// Fifth and sixth stage with constraints of another engine: the [pre-step](Self::pre_step), and all
-    /// [passes](Self::solve_iteration), each with one over the constraints behind it. If there is nothing to solve, no
-    /// pass is made.
+    /// [iterations](Self::solve_iteration), each followed by one over the constraints. If there is nothing to solve,
+    /// there are no iterations.
     pub fn solve_with(
         &mut self,
         inverse_dt: f32,
-        constraints: &mut dyn Constraints,
+        constraints: &mut dyn ExternalConstraints,
         handler: Option<&mut dyn EventHandler>,
     ) {
         if self.has_stages() {
@@ -101,7 +102,7 @@ impl PhysicsSimulator {
     pub(super) fn solve(
         &mut self,
         inverse_dt: f32,
-        mut constraints: Option<&mut dyn Constraints>,
+        mut constraints: Option<&mut dyn ExternalConstraints>,
         handler: &mut Handler<'_>,
     ) {
         self.pre_step(inverse_dt);
@@ -111,7 +112,7 @@ impl PhysicsSimulator {
         let has_work = self.report.counters.contacts_solved > 0
             || !self.joint_list().is_empty()
             || constraints.as_ref().is_some_and(|constraints| !constraints.is_empty());
-        for _ in 0..if has_work { self.passes() } else { 0 } {
+        for _ in 0..if has_work { self.iteration_limit() } else { 0 } {
             self.solve_once(handler);
             if let Some(constraints) = &mut constraints {
                 constraints.solve(&mut self.solved_bodies());
@@ -119,14 +120,14 @@ impl PhysicsSimulator {
         }
     }
 
-    /// Passes of an update that has something to solve: the [iterations](Self::iterations), as far as the
+    /// Number of iterations of an update with something to solve: [iterations](Self::iterations), as far as the
     /// [limits](crate::Objects::limits) allow.
-    fn passes(&self) -> u32 {
+    fn iteration_limit(&self) -> u32 {
         u32::try_from(self.settings.iterations).unwrap_or(0).min(self.limits().iterations)
     }
 
-    fn solved_bodies(&mut self) -> SolvedBodies<'_> {
-        SolvedBodies { solved: &mut self.pipeline.bodies, bodies: &self.objects.bodies }
+    fn solved_bodies(&mut self) -> SolverBodiesView<'_> {
+        SolverBodiesView { solved: &mut self.pipeline.bodies, bodies: &self.objects.bodies }
     }
 
     fn solve_once(&mut self, handler: &mut Handler<'_>) {
@@ -135,25 +136,26 @@ impl PhysicsSimulator {
         self.report.counters.passes += 1;
     }
 
-    /// One pass over the joints in list order: those that are beyond their breakpoint break, and act once more.
+    /// One iteration over the joints in list order. Joints whose error is beyond their breakpoint break, and act once
+    /// more.
     fn solve_joints(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
-        pipeline.joints.begin_pass(&objects.joints, &objects.bodies, &mut pipeline.bodies);
+        pipeline.joints.begin_iteration(&objects.joints, &objects.bodies, &mut pipeline.bodies);
         for position in 0..self.pipeline.joints.count() {
             self.solve_joint(position, handler);
         }
-        self.pipeline.joints.end_pass();
+        self.pipeline.joints.end_iteration();
     }
 
     fn solve_joint(&mut self, position: usize, handler: &mut Handler<'_>) {
-        let Some((joint, held)) = self.objects.joints.at_mut(position) else { return };
-        if !held.enabled() {
+        let Some((joint, solved_joint)) = self.objects.joints.at_mut(position) else { return };
+        if !solved_joint.enabled() {
             return;
         }
-        if held.breaks() {
+        if solved_joint.breaks() {
             self.report.push(Event::JointBroke { joint });
-            self.put_velocities_down(handler);
-            self.tell(handler, |handler, context| handler.on_joint_broke(context, joint));
+            self.store_velocities_for_callback(handler);
+            self.call_handler(handler, |handler, context| handler.on_joint_broke(context, joint));
         }
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let has_acted = pipeline.joints.solve(
@@ -164,46 +166,47 @@ impl PhysicsSimulator {
             report,
         );
         if has_acted && handler.wants(|handler| handler.handles_joint_updates()) {
-            self.put_velocities_down(handler);
-            self.tell(handler, |handler, context| handler.on_joint_updated(context, joint));
+            self.store_velocities_for_callback(handler);
+            self.call_handler(handler, |handler, context| handler.on_joint_updated(context, joint));
         }
     }
 
-    /// Somebody is going to look in the middle of a pass, if there is a handler.
-    fn put_velocities_down(&mut self, handler: &mut Handler<'_>) {
+    /// Copies the solver's velocities to the bodies for a callback in the middle of an iteration, if there is a
+    /// handler.
+    fn store_velocities_for_callback(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         if handler.get().is_some() {
-            pipeline.joints.put_velocities_down(&mut objects.bodies, &pipeline.bodies);
+            pipeline.joints.store_velocities(&mut objects.bodies, &pipeline.bodies);
         }
     }
 
-    /// The velocities of the update become those of the bodies, and impulses are kept.
+    /// Copies the solver's velocities to the bodies and its impulses to the contacts.
     pub(super) fn finish_solving(&mut self) {
         self.pipeline.bodies.finish(&mut self.objects.bodies, &mut self.report);
         self.pipeline.contacts.finish(&mut self.contacts);
     }
 }
 
-/// Stage by stage: what [`SolvedBodies`] does, from the [pre-step](PhysicsSimulator::pre_step) to
+/// The methods of [`SolverBodiesView`] stage by stage, from the [pre-step](PhysicsSimulator::pre_step) to
 /// [`integrate`](PhysicsSimulator::integrate).
 impl PhysicsSimulator {
-    /// [`SolvedBodies::place`]; `None` outside of these stages, too.
-    pub fn solver_place(&mut self, body: BodyId) -> Option<SolverPlace> {
+    /// [`SolverBodiesView::place`]; `None` outside of these stages, too.
+    pub fn solver_place(&mut self, body: BodyId) -> Option<SolverBodyIndex> {
         self.solved_bodies().place(body)
     }
 
-    /// [`SolvedBodies::get`]
-    pub fn solver_body(&self, place: SolverPlace) -> SolverBody {
+    /// [`SolverBodiesView::get`]
+    pub fn solver_body(&self, place: SolverBodyIndex) -> SolverBody {
         self.pipeline.bodies.body(place)
     }
 
-    /// [`SolvedBodies::set`]
-    pub fn set_solver_body(&mut self, place: SolverPlace, body: SolverBody) -> bool {
+    /// [`SolverBodiesView::set`]
+    pub fn set_solver_body(&mut self, place: SolverBodyIndex, body: SolverBody) -> bool {
         self.solved_bodies().set(place, body)
     }
 
-    /// [`SolvedBodies::fail`]
-    pub fn solver_body_failed(&mut self, place: SolverPlace) {
+    /// [`SolverBodiesView::fail`]
+    pub fn solver_body_failed(&mut self, place: SolverBodyIndex) {
         self.solved_bodies().fail(place);
     }
 }

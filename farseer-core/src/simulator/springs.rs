@@ -1,13 +1,13 @@
-//! When springs act (behaviour chapter 11).
+//! Springs in an update (behaviour chapter 11).
 
 use super::PhysicsSimulator;
-use super::tell::Handler;
+use super::callbacks::Handler;
 use crate::report::Event;
-use crate::springs::{SpringId, SpringOutcome, Steps};
+use crate::springs::{SpringId, SpringOutcome, StepLengths};
 
 impl PhysicsSimulator {
-    /// Springs in list order: those that are beyond their breakpoint break, and act once more.
-    pub(super) fn update_springs(&mut self, step: Option<Steps>, handler: &mut Handler<'_>) {
+    /// Updates springs in list order. Springs whose error is beyond their breakpoint break, and act once more.
+    pub(super) fn update_springs(&mut self, step: Option<StepLengths>, handler: &mut Handler<'_>) {
         if let Some(precise) = &mut self.pipeline.precise {
             precise.begin_springs(&self.objects);
         }
@@ -17,30 +17,30 @@ impl PhysicsSimulator {
             {
                 if spring.breaks() {
                     self.report.push(Event::SpringBroke { spring: id });
-                    self.tell(handler, |handler, context| handler.on_spring_broke(context, id));
+                    self.call_handler(handler, |handler, context| handler.on_spring_broke(context, id));
                 }
                 self.update_spring(id, step, handler);
             }
         }
     }
 
-    fn update_spring(&mut self, spring: SpringId, step: Option<Steps>, handler: &mut Handler<'_>) {
+    fn update_spring(&mut self, spring: SpringId, step: Option<StepLengths>, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         let kept = match &pipeline.precise {
-            Some(precise) => precise.absent_in_space(objects.springs[spring].ends()),
+            Some(precise) => precise.inactive_depth_accelerations(objects.springs[spring].ends()),
             None => [None; 2],
         };
-        let space = pipeline.precise.as_mut().and_then(|precise| precise.space_mut());
-        let (outcome, pushes) = objects.springs[spring].find(&objects.bodies, space, step);
-        // Without length it has no direction to pull along. Rows need none.
-        let is_point = pipeline.precise.is_some() && objects.springs[spring].has_no_length_at_rest();
+        let space = pipeline.precise.as_mut().and_then(|precise| precise.depth_mut());
+        let (outcome, pushes) = objects.springs[spring].compute_forces(&objects.bodies, space, step);
+        // A linear spring without length has no direction for a force. As a constraint row it needs none.
+        let is_point = pipeline.precise.is_some() && objects.springs[spring].has_zero_rest_length();
         if let Some(pushes) = pushes.or(is_point.then_some([None; 2])) {
             let precise = pipeline.precise.as_mut();
-            if !precise.is_some_and(|precise| precise.takes_spring(spring, pushes, objects)) {
+            if !precise.is_some_and(|precise| precise.constrain_spring(spring, pushes, objects)) {
                 pushes.into_iter().flatten().for_each(|push| push.apply(&mut objects.bodies));
             }
         }
-        if let Some(space) = pipeline.precise.as_mut().and_then(|precise| precise.space_mut()) {
+        if let Some(space) = pipeline.precise.as_mut().and_then(|precise| precise.depth_mut()) {
             kept.into_iter().flatten().for_each(|(body, push)| space.set_acceleration(body, push));
         }
         match outcome {
@@ -48,7 +48,7 @@ impl PhysicsSimulator {
             SpringOutcome::NotFinite => self.report.push(Event::SpringNotFinite { spring }),
             SpringOutcome::Updated => {
                 if handler.wants(|handler| handler.handles_spring_updates()) {
-                    self.tell(handler, |handler, context| handler.on_spring_updated(context, spring));
+                    self.call_handler(handler, |handler, context| handler.on_spring_updated(context, spring));
                 }
             }
         }

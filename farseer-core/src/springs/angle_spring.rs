@@ -1,23 +1,23 @@
-//! Torques towards an angle between two bodies (behaviour chapter 11, section 4).
+//! Angle spring: torques toward a relative angle of two bodies (behaviour chapter 11, section 4).
 
 use serde::{Deserialize, Serialize};
 
 use crate::body::entry::Bodies;
-use crate::body::nobody::nobody;
+use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::checked_properties::checked_properties;
 use crate::error::Result;
 use crate::math::finite::finite;
 use crate::math::scalar;
-use crate::springs::load::{Load, may_act};
-use crate::springs::swing::inverse_inertia;
-use crate::springs::{Constants, Pull, Push, Spring, SpringKind};
+use crate::springs::discrete_spring::inverse_inertia;
+use crate::springs::spring_body::{SpringBody, may_act};
+use crate::springs::{Spring, SpringConstants, SpringEvaluation, SpringForce, SpringKind};
 
-/// Greatest target angle that can be set.
+/// Maximum absolute target angle that can be set, in radians. Farseer's value.
 const TARGET_ANGLE_LIMIT: f32 = 5.5;
 
-/// Turns two bodies towards an angle to each other. As in the original the damping works on the angular velocity of
-/// each body, not on the difference.
+/// Turns two bodies toward a relative angle. As in the original the damping uses the angular velocity of each body, not
+/// the difference.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct AngleSpring {
     pub(crate) body1: BodyId,
@@ -46,8 +46,8 @@ impl AngleSpring {
 
     pub(crate) fn without_bodies() -> Self {
         AngleSpring {
-            body1: nobody(),
-            body2: nobody(),
+            body1: missing_body_id(),
+            body2: missing_body_id(),
             target_angle: 0.0,
             max_torque: f32::MAX,
             torque_multiplier: 1.0,
@@ -66,53 +66,54 @@ impl AngleSpring {
         self.body2
     }
 
-    /// Wanted total rotation of the second body minus that of the first, in radians: at first the one they had when
-    /// the spring was made, or 0 if it was made without its bodies.
+    /// Target of the second body's total rotation minus that of the first, in radians: at first their angle when the
+    /// spring was made, or 0 if it was made without its bodies.
     #[doc(alias = "TargetAngle")]
     pub fn target_angle(&self) -> f32 {
         self.target_angle
     }
 
-    /// Sets [`target_angle`](Self::target_angle), brought into the range from -5.5 to 5.5.
+    /// Sets [`target_angle`](Self::target_angle), clamped to the range from -5.5 to 5.5 radians.
     ///
     /// # Errors
-    /// What is not finite.
+    /// A value that is not finite.
     pub fn set_target_angle(&mut self, value: f32) -> Result<()> {
         self.target_angle = finite("target_angle", value)?.clamp(-TARGET_ANGLE_LIMIT, TARGET_ANGLE_LIMIT);
         Ok(())
     }
 
     checked_properties! {
-        /// Greatest torque on a body; a negative one turns the wrong way. Default [`f32::MAX`].
+        /// Maximum torque on a body, in mass units · length units²/s²; a negative one acts in the wrong direction.
+        /// Default [`f32::MAX`].
         #[doc(alias = "MaxTorque")]
         max_torque, set_max_torque;
-        /// Factor of the torque before it is limited; its sign does not count. Default 1.
+        /// Factor of the torque before it is limited, dimensionless; its sign has no effect. Default 1.
         #[doc(alias = "TorqueMultiplier")]
         torque_multiplier, set_torque_multiplier;
     }
 
-    pub(crate) fn pull(&self, constants: Constants, bodies: &Bodies) -> Pull {
+    pub(crate) fn evaluate(&self, constants: SpringConstants, bodies: &Bodies) -> SpringEvaluation {
         let (Some(entry1), Some(entry2)) = (bodies.get(self.body1), bodies.get(self.body2)) else {
-            return Pull::None;
+            return SpringEvaluation::None;
         };
         let (body1, body2) = (&entry1.body, &entry2.body);
         if !may_act(body1, body2) {
-            return Pull::None;
+            return SpringEvaluation::None;
         }
         let error = body2.total_rotation() - (body1.total_rotation() + self.target_angle);
-        let constants = constants.tuned(|| inverse_inertia(body1) + inverse_inertia(body2));
+        let constants = constants.for_step(|| inverse_inertia(body1) + inverse_inertia(body2));
         let torque = constants.spring * error;
         let torque1 = self.torque_on(body1, torque, constants.damping);
         let torque2 = self.torque_on(body2, -torque, constants.damping);
 
-        let load1 = Load::of(body1).with_torque(torque1);
-        let before2 = if self.body1 == self.body2 { load1 } else { Load::of(body2) };
+        let load1 = SpringBody::of(body1).with_torque(torque1);
+        let before2 = if self.body1 == self.body2 { load1 } else { SpringBody::of(body2) };
         if !(error.is_finite() && load1.is_finite() && before2.with_torque(torque2).is_finite()) {
-            return Pull::NotFinite;
+            return SpringEvaluation::NotFinite;
         }
         let pushes = [(self.body1, torque1), (self.body2, torque2)]
-            .map(|(body, torque)| (torque != 0.0).then_some(Push::Torque { body, torque }));
-        Pull::Done { error, has_acted: torque1 != 0.0 || torque2 != 0.0, pushes }
+            .map(|(body, torque)| (torque != 0.0).then_some(SpringForce::Torque { body, torque }));
+        SpringEvaluation::Done { error, has_acted: torque1 != 0.0 || torque2 != 0.0, forces: pushes }
     }
 
     /// The torque on one of the bodies; 0 on one that is immovable.

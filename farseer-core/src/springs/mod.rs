@@ -1,28 +1,28 @@
-//! Springs push and turn bodies by forces (behaviour chapter 11).
+//! Springs: forces and torques between bodies (behaviour chapter 11).
 //!
-//! Forces are mass times length per square second, torques force times length, angles radians.
+//! Forces are in mass units · length units/s², torques in force times length, angles in radians.
 
-// What is made of a kind is always the whole spring.
+// Constructors of a kind return the whole spring.
 #![expect(clippy::new_ret_no_self)]
 
 mod angle_spring;
+mod discrete_spring;
 mod fixed_angle_spring;
 mod fixed_linear_spring;
 mod linear_spring;
-mod load;
-mod push;
+mod spring_body;
+mod spring_force;
 mod spring_type;
-mod swing;
 
 use serde::{Deserialize, Serialize};
 
 pub use angle_spring::AngleSpring;
+pub(crate) use discrete_spring::StepLengths;
 pub use fixed_angle_spring::FixedAngleSpring;
 pub use fixed_linear_spring::FixedLinearSpring;
 pub use linear_spring::LinearSpring;
-pub(crate) use push::Push;
+pub(crate) use spring_force::SpringForce;
 pub use spring_type::SpringType;
-pub(crate) use swing::Steps;
 
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
@@ -31,22 +31,25 @@ use crate::error::Result;
 use crate::math::Vector2;
 use crate::math::finite::finite;
 use crate::math::vector2::length;
-use crate::precise::space::Space;
+use crate::precise::depth::DepthState;
 
 crate::storage::arena::define_id! {
-    /// Names a [`Spring`] of a simulator: the one that made it, its clones and what is loaded from its saves.
+    /// Id of a [`Spring`], valid in the simulator that made it, in its clones and in simulators loaded from its saves.
     SpringId
 }
 
-/// A linear spring shorter than this has no direction.
-const SHORTEST: f32 = 0.00001;
+/// Minimum length of a linear spring, in length units: a shorter one has no direction and exerts no force. Farseer's
+/// value.
+const MIN_SPRING_LENGTH: f32 = 0.00001;
 
-/// What all springs have in common, and the spring of a certain kind.
+/// A spring: the settings that all kinds share, and the spring of its kind.
 ///
 /// Springs are made by [`SpringFactory`](crate::SpringFactory), or without bodies by
-/// [`create_empty_spring`](crate::PhysicsSimulator::create_empty_spring). A spring in the simulation goes when one of
-/// its bodies is disposed; another one when it is added. Between two bodies of which one is disabled it keeps pulling at
-/// both: the force piles up in the disabled one and acts at once when that is enabled again, as in the original.
+/// [`create_empty_spring`](crate::PhysicsSimulator::create_empty_spring). A spring in the simulation is removed when
+/// one of its bodies is disposed; a spring that was not added yet is removed when it is added.
+///
+/// Between two bodies of which one is disabled a spring still acts on both. The force accumulates in the disabled body
+/// and acts at once when that is enabled again, as in the original.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Spring {
     breakpoint: f32,
@@ -62,46 +65,46 @@ pub struct Spring {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum SpringKind {
-    /// Torques towards an angle between two bodies.
+    /// Torques toward a relative angle of two bodies.
     Angle(AngleSpring),
-    /// A torque towards an angle of a body.
+    /// A torque toward an angle of a body.
     FixedAngle(FixedAngleSpring),
-    /// A force towards a point of the world.
+    /// A force toward a point of the world.
     FixedLinear(FixedLinearSpring),
     /// Forces between points of two bodies.
     Linear(LinearSpring),
 }
 
-/// What came of the update of a spring.
+/// Result of the update of a spring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SpringOutcome {
-    /// There was nothing to do.
+    /// The spring exerted no force or torque.
     Idle,
     /// A force or torque was applied.
     Updated,
-    /// What a body had to bear would not have been finite; nothing has changed.
+    /// The force on a body would not have been finite; no state has changed.
     NotFinite,
 }
 
-/// Stiffness and damping.
+/// Stiffness and damping of a spring.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Constants {
+pub(crate) struct SpringConstants {
     spring: f32,
     damping: f32,
-    /// The step that they are [tuned](Self::tuned) to; `None` for the faithful set.
-    step: Option<Steps>,
+    /// The step for which they are [corrected](Self::for_step); `None` for the faithful set.
+    step: Option<StepLengths>,
 }
 
-/// Result of a kind of spring in an update.
+/// Error and forces of a kind of spring in an update.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Pull {
-    /// The error stays what it was.
+pub(crate) enum SpringEvaluation {
+    /// The spring does not act; its error keeps its value.
     None,
     Done {
         error: f32,
         has_acted: bool,
         /// Force or torque on each body.
-        pushes: [Option<Push>; 2],
+        forces: [Option<SpringForce>; 2],
     },
     NotFinite,
 }
@@ -128,20 +131,20 @@ impl Spring {
     }
 
     checked_properties! {
-        /// Greatest error the spring bears, whatever its sign; in the update after one beyond it the spring breaks:
-        /// it acts once more, is disabled, and [`Event::SpringBroke`](crate::Event::SpringBroke) is reported. Default
-        /// [`f32::MAX`].
+        /// Maximum absolute error, in length units or radians. In the update after one with a greater error the spring
+        /// breaks: it acts once more, is disabled, and [`Event::SpringBroke`](crate::Event::SpringBroke) is reported.
+        /// Default [`f32::MAX`].
         #[doc(alias = "Breakpoint")]
         breakpoint, set_breakpoint;
-        /// Force per velocity, or torque per angular velocity, against the movement.
+        /// Damping: force per velocity in mass units/s, or torque per angular velocity in mass units · length units²/s.
         #[doc(alias = "DampingConstant")]
         damping_constant, set_damping_constant;
-        /// Force per length, or torque per angle, against the error.
+        /// Stiffness: force per length in mass units/s², or torque per angle in mass units · length units²/s².
         #[doc(alias = "SpringConstant")]
         spring_constant, set_spring_constant;
     }
 
-    /// Error of the last update in which the spring acted: an angle in radians or a length.
+    /// Error of the last update in which the spring acted, in radians or length units.
     #[doc(alias = "SpringError")]
     pub fn spring_error(&self) -> f32 {
         self.spring_error
@@ -170,8 +173,8 @@ impl Spring {
         self.tag = value;
     }
 
-    /// The first body, or the only one. The id names nothing until the first one of a spring that was made without bodies
-    /// is set: `simulator.body(spring.body1())` is `None` then.
+    /// The first body, or the only one. For a spring that was made without bodies the id is invalid until it is set:
+    /// `simulator.body(spring.body1())` is `None` then.
     pub fn body1(&self) -> BodyId {
         match &self.kind {
             SpringKind::Angle(spring) => spring.body1,
@@ -181,8 +184,7 @@ impl Spring {
         }
     }
 
-    /// The second body, if the spring is one between two bodies. Until it is set the id names nothing, as that of
-    /// [`body1`](Self::body1).
+    /// The second body, if the spring has two. Until it is set the id is invalid, as that of [`body1`](Self::body1).
     pub fn body2(&self) -> Option<BodyId> {
         match &self.kind {
             SpringKind::Angle(spring) => Some(spring.body2),
@@ -196,8 +198,8 @@ impl Spring {
         [Some(self.body1()), self.body2()]
     }
 
-    /// Whether it pulls two points together until they are one.
-    pub(crate) fn has_no_length_at_rest(&self) -> bool {
+    /// Whether the rest length is 0, so that the spring pulls two points together.
+    pub(crate) fn has_zero_rest_length(&self) -> bool {
         match &self.kind {
             SpringKind::Linear(spring) => spring.rest_length() == 0.0,
             SpringKind::FixedLinear(spring) => spring.rest_length() == 0.0,
@@ -223,7 +225,7 @@ impl Spring {
         }
     }
 
-    /// Does nothing to a spring of one body.
+    /// Sets the second body; no effect on a spring of one body.
     pub(crate) fn set_body2(&mut self, body: BodyId) {
         match &mut self.kind {
             SpringKind::Angle(spring) => spring.body2 = body,
@@ -232,8 +234,8 @@ impl Spring {
         }
     }
 
-    /// The breaking test, with the error of the update before. Answers whether the spring broke just now; it is
-    /// disabled then. As in the original the update that finds it broken still acts.
+    /// Tests the breakpoint with the error of the update before, and returns whether the spring broke just now; then it
+    /// is disabled. As in the original the update that finds it broken still acts.
     pub(crate) fn breaks(&mut self) -> bool {
         let breaks = self.enabled && self.spring_error.abs() > self.breakpoint;
         if breaks {
@@ -242,25 +244,27 @@ impl Spring {
         breaks
     }
 
-    /// Finds force or torque, if the bodies let it act, tuned to the length of a step, if there is one; a linear spring also acts along
-    /// the depth axis, if there is one. Answers the pushes on the bodies, which are still to be applied; `None` if it has not been active.
-    pub(crate) fn find(
+    /// Computes force or torque, if the bodies let the spring act. With `step` they are corrected for its length; in an
+    /// engine with depth a linear spring also acts along the depth axis. Returns the forces on the bodies, which the
+    /// caller applies; `None` if the spring is not active.
+    pub(crate) fn compute_forces(
         &mut self,
         bodies: &Bodies,
-        space: Option<&mut Space>,
-        step: Option<Steps>,
-    ) -> (SpringOutcome, Option<[Option<Push>; 2]>) {
-        let constants = Constants { spring: self.spring_constant, damping: self.damping_constant, step };
+        space: Option<&mut DepthState>,
+        step: Option<StepLengths>,
+    ) -> (SpringOutcome, Option<[Option<SpringForce>; 2]>) {
+        let constants =
+            SpringConstants { spring: self.spring_constant, damping: self.damping_constant, step };
         let pull = match &self.kind {
-            SpringKind::Angle(spring) => spring.pull(constants, bodies),
-            SpringKind::FixedAngle(spring) => spring.pull(constants, bodies),
-            SpringKind::FixedLinear(spring) => spring.pull(constants, bodies, space),
-            SpringKind::Linear(spring) => spring.pull(constants, bodies, space),
+            SpringKind::Angle(spring) => spring.evaluate(constants, bodies),
+            SpringKind::FixedAngle(spring) => spring.evaluate(constants, bodies),
+            SpringKind::FixedLinear(spring) => spring.evaluate(constants, bodies, space),
+            SpringKind::Linear(spring) => spring.evaluate(constants, bodies, space),
         };
         match pull {
-            Pull::None => (SpringOutcome::Idle, None),
-            Pull::NotFinite => (SpringOutcome::NotFinite, None),
-            Pull::Done { error, has_acted, pushes } => {
+            SpringEvaluation::None => (SpringOutcome::Idle, None),
+            SpringEvaluation::NotFinite => (SpringOutcome::NotFinite, None),
+            SpringEvaluation::Done { error, has_acted, forces: pushes } => {
                 self.spring_error = error;
                 (if has_acted { SpringOutcome::Updated } else { SpringOutcome::Idle }, Some(pushes))
             }
@@ -280,22 +284,23 @@ impl Spring {
     }
 }
 
-/// How long a difference is that also has a part along the depth axis. Without one it is that of the plane to the last bit.
+/// Length of a difference with a component along the depth axis. If that is 0 it is the length in the plane to the last
+/// bit.
 #[inline]
 fn length_with_depth(difference: Vector2, behind: f32) -> f32 {
     let in_plane = length(difference);
     if behind == 0.0 { in_plane } else { (in_plane * in_plane + behind * behind).sqrt() }
 }
 
-/// Product of velocity and difference that also have parts along the depth axis.
+/// Scalar product of velocity and difference, both with components along the depth axis.
 #[inline]
-fn along_with_depth(in_plane: f32, receding: f32, behind: f32) -> f32 {
+fn dot_with_depth(in_plane: f32, receding: f32, behind: f32) -> f32 {
     if behind == 0.0 { in_plane } else { in_plane + receding * behind }
 }
 
-/// Force of a linear spring along its direction, from the product of velocity and difference.
+/// Force of a linear spring along its direction, from the scalar product of velocity and difference.
 #[inline]
-fn strength_along(constants: Constants, error: f32, along: f32, distance: f32) -> f32 {
+fn strength_along(constants: SpringConstants, error: f32, along: f32, distance: f32) -> f32 {
     let stiffness = constants.spring * error;
     let damping = constants.damping * along / distance;
     -(stiffness + damping)

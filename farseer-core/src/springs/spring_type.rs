@@ -1,4 +1,4 @@
-//! From a spring to the spring of its kind.
+//! Typed access to a spring of a kind.
 
 use crate::springs::{AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringKind};
 
@@ -11,7 +11,8 @@ mod sealed {
     }
 }
 
-/// A kind of spring, for typed access such as `simulator.spring_as::<LinearSpring>(spring)`. No other types can be.
+/// A kind of spring, for typed access such as `simulator.spring_as::<LinearSpring>(spring)`. No other types can
+/// implement it.
 pub trait SpringType: sealed::Sealed + Sized {
     /// The name of the kind.
     const NAME: &'static str;

@@ -1,24 +1,24 @@
-//! Storage with ids that notice when they have gone stale.
+//! Generational arena: storage with ids that become stale.
 
 use std::marker::PhantomData;
 
-use crate::storage::order::joined;
+use crate::storage::order::packed_key;
 use crate::storage::reusing_clone::reusing_clone;
 use serde::{Deserialize, Serialize};
 
-/// A place in an [`Arena`] and the generation of what lies there.
+/// Id of a value in an [`Arena`]: slot index and generation.
 pub(crate) trait Id: Copy + std::fmt::Debug {
     fn new(index: u32, generation: u32) -> Self;
     fn index(self) -> usize;
     fn generation(self) -> u32;
 
-    /// A number that has the order of ids.
+    /// A number by which ids are ordered.
     fn rank(self) -> u128 {
-        joined([self.index() as u32, self.generation()])
+        packed_key([self.index() as u32, self.generation()])
     }
 }
 
-/// What indexing by the id of something that is gone comes to.
+/// Panics: the result of indexing with the id of an object that does not exist any more.
 #[cold]
 #[inline(never)]
 pub(crate) fn stale(id: impl Id) -> ! {
@@ -35,19 +35,19 @@ macro_rules! define_id {
         }
 
         impl $name {
-            /// The slot the id names: small, and reused after disposal. For arrays kept beside the simulator.
+            /// The slot that the id names: small, and reused after disposal. For arrays kept beside the simulator.
             pub fn slot(self) -> usize {
                 self.index as usize
             }
 
-            /// The whole id as a number, for what can keep nothing but numbers: the slot in the lower 32 bits, how often
-            /// that was used before in the upper ones.
+            /// The whole id as a number, for formats that store only numbers: the slot in the lower 32 bits, the number
+            /// of earlier uses of the slot in the upper ones.
             pub fn to_bits(self) -> u64 {
                 u64::from(self.generation) << 32 | u64::from(self.index)
             }
 
-            /// The id whose [number](Self::to_bits) this is. Any other number makes an id that names nothing, or
-            /// something else.
+            /// The id with this [number](Self::to_bits). Any other number makes an id that names no object, or another
+            /// one.
             pub fn from_bits(bits: u64) -> Self {
                 $name { index: bits as u32, generation: (bits >> 32) as u32 }
             }
@@ -71,8 +71,8 @@ macro_rules! define_id {
 }
 pub(crate) use define_id;
 
-/// Slots that are reused; every reuse raises the slot's generation, so that an old id finds nothing. Takes ids of one
-/// kind only.
+/// Slots that are reused; every reuse raises the slot's generation, so that an old id finds no value. An arena accepts
+/// ids of one type only.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Arena<T, I> {
     slots: Vec<Slot<T>>,
@@ -112,7 +112,7 @@ impl<T, I: Id> Arena<T, I> {
     pub(crate) fn remove(&mut self, id: I) -> Option<T> {
         let slot = self.slots.get_mut(id.index()).filter(|slot| slot.generation == id.generation())?;
         let value = slot.value.take()?;
-        // A slot whose generations are used up stays empty for good: an old id must never find something else.
+        // A slot whose generations are used up stays empty: an old id must never find another value.
         if let Some(next) = slot.generation.checked_add(1) {
             slot.generation = next;
             self.free.push(id.index() as u32);
@@ -120,9 +120,9 @@ impl<T, I: Id> Arena<T, I> {
         Some(value)
     }
 
-    /// Undoes the last [`insert`](Self::insert) that was not undone yet, as if it had never been: its id will be given
-    /// out again. For what nobody knows yet.
-    pub(crate) fn take_back(&mut self, id: I) -> Option<T> {
+    /// Undoes the last [`insert`](Self::insert) that was not undone yet, as if it had never happened: its id will be
+    /// used again. For ids that nobody else has.
+    pub(crate) fn undo_insert(&mut self, id: I) -> Option<T> {
         let slot = self.slots.get_mut(id.index()).filter(|slot| slot.generation == id.generation())?;
         let value = slot.value.take()?;
         let was_appended = id.generation() == 0 && id.index() + 1 == self.slots.len();
@@ -134,7 +134,7 @@ impl<T, I: Id> Arena<T, I> {
         Some(value)
     }
 
-    /// Removes everything; all ids go stale.
+    /// Removes all values; all ids go stale.
     pub(crate) fn clear(&mut self) {
         for index in 0..self.slots.len() {
             let id = I::new(index as u32, self.slots[index].generation);
@@ -159,7 +159,7 @@ impl<T, I: Id> Arena<T, I> {
         self.get(id).is_some()
     }
 
-    /// Number of slots, used or not: the bound of every index.
+    /// Number of slots, used or not: greater than every index.
     pub(crate) fn slot_count(&self) -> usize {
         self.slots.len()
     }
@@ -170,8 +170,8 @@ impl<T, I: Id> Arena<T, I> {
         })
     }
 
-    /// Whether the free list names exactly the empty slots, once each, but for those that are used up: false only after
-    /// loading garbage.
+    /// Whether the free list contains exactly the empty slots, once each, without those that are used up. False only
+    /// after loading corrupt data.
     pub(crate) fn is_consistent(&self) -> bool {
         let mut empty: Vec<bool> = self.slots.iter().map(|slot| slot.value.is_none()).collect();
         let listed_once = self.free.iter().all(|&index| {

@@ -1,15 +1,15 @@
-//! Saves derived numbers as bit patterns.
+//! Serialisation of derived numbers as bit patterns.
 //!
-//! They may be infinite, which JSON cannot write, and must come back to the bit whatever the format's decimals do. Of
-//! NaN there is only one in a save: which sign and payload arithmetic gives it differs between processors, and between
-//! builds for the same one, and no arithmetic looks at either.
+//! They may be infinite, which JSON cannot write, and must be restored to the bit in every text format. All NaN are
+//! saved as the same one: sign and payload of a computed NaN differ between processors, and between builds for the same
+//! processor, and no arithmetic reads them.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 use crate::math::Vector2;
 use crate::shape::{Aabb, Vertices};
 
-/// A value that is nothing but numbers.
+/// A value that consists of numbers.
 pub(crate) trait Floats: Sized {
     fn to_floats(&self) -> Vec<f32>;
     /// `None` if the count is wrong.
@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_a_number_is_saved_to_the_bit() {
+    fn numbers_are_saved_bit_for_bit() {
         let numbers = [0.0, -0.0, 1.0, -1e-45, f32::INFINITY, f32::NEG_INFINITY];
         assert!(numbers.iter().all(|&number| saved_bits(number) == number.to_bits()));
     }

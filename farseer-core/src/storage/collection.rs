@@ -1,5 +1,5 @@
-//! Objects of one kind, the list of those that take part, and what waits to enter or leave it (behaviour chapter 04,
-//! section 2).
+//! Objects of one kind, the list of those that take part, and the queues of those that will enter or leave it
+//! (behaviour chapter 04, section 2).
 
 use serde::{Deserialize, Serialize};
 
@@ -8,34 +8,34 @@ use crate::storage::order::sort_numbered;
 use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
 
-/// Where an object stands in its life.
+/// Position of an object in its lifecycle.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Life {
-    /// It takes part.
+pub(crate) struct LifecycleState {
+    /// Whether it takes part.
     pub(crate) is_listed: bool,
-    /// It waits to enter the list.
+    /// Whether it waits to enter the list.
     is_queued: bool,
-    /// Its id goes stale with the next update.
+    /// Whether its id goes stale with the next update.
     pub(crate) is_disposed: bool,
 }
 
-/// An object and where it stands.
+/// An object with its lifecycle state.
 #[derive(Debug, Serialize, Deserialize)]
-struct Entry<T> {
+struct CollectionEntry<T> {
     value: T,
-    life: Life,
+    life: LifecycleState,
 }
 
-reusing_clone! { [T: Clone] Entry<T> { value, life } }
+reusing_clone! { [T: Clone] CollectionEntry<T> { value, life } }
 
 /// Objects of one kind that enter and leave their list with updates.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Collection<T, I> {
-    entries: Arena<Entry<T>, I>,
+    entries: Arena<CollectionEntry<T>, I>,
     list: Vec<I>,
     added: Vec<I>,
     removed: Vec<I>,
-    /// Their ids go stale with the next update.
+    /// Disposed objects: their ids go stale with the next update.
     disposed: Vec<I>,
 }
 
@@ -55,12 +55,12 @@ impl<T, I> Default for Collection<T, I> {
 
 impl<T, I: Id + Ord> Collection<T, I> {
     pub(crate) fn create(&mut self, value: T) -> I {
-        self.entries.insert(Entry { value, life: Life::default() })
+        self.entries.insert(CollectionEntry { value, life: LifecycleState::default() })
     }
 
-    /// Takes back what was made last, before it was added: nobody may know its id.
+    /// Removes the object that was created last, before it was added; its id must be unknown to others.
     pub(crate) fn discard(&mut self, id: I) -> Option<T> {
-        self.entries.take_back(id).map(|entry| entry.value)
+        self.entries.undo_insert(id).map(|entry| entry.value)
     }
 
     #[inline]
@@ -88,34 +88,34 @@ impl<T, I: Id + Ord> Collection<T, I> {
         self.entries.contains(id)
     }
 
-    /// All that live, in the list or not, in the order of their slots.
+    /// All existing objects, in the list or not, in the order of their slots.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (I, &T)> {
         self.entries.iter().map(|(id, entry)| (id, &entry.value))
     }
 
-    /// Number of slots, used or not: the bound of every index.
+    /// Number of slots, used or not: greater than every index.
     pub(crate) fn slot_count(&self) -> usize {
         self.entries.slot_count()
     }
 
-    /// Where an object stands, unless the id is stale.
+    /// Lifecycle state of an object, unless the id is stale.
     #[inline]
-    pub(crate) fn life(&self, id: I) -> Option<Life> {
+    pub(crate) fn lifecycle_state(&self, id: I) -> Option<LifecycleState> {
         self.entries.get(id).map(|entry| entry.life)
     }
 
-    /// Those that take part, in the order in which they were added.
+    /// The objects that take part, in the order in which they were added.
     pub(crate) fn list(&self) -> &[I] {
         &self.list
     }
 
-    /// Those that take part or will from the next update on.
+    /// The objects that take part, or will from the next update on.
     pub(crate) fn listed_or_queued(&self) -> impl Iterator<Item = &T> {
         let entries = self.entries.iter().map(|(_, entry)| entry);
         entries.filter(|entry| entry.life.is_listed || entry.life.is_queued).map(|entry| &entry.value)
     }
 
-    /// True for a stale id, too.
+    /// Whether an object is disposed; true also for a stale id.
     pub(crate) fn is_disposed(&self, id: I) -> bool {
         self.entries.get(id).is_none_or(|entry| entry.life.is_disposed)
     }
@@ -128,7 +128,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
         Some((id, &entry.value))
     }
 
-    /// What was disposed and is still there, in the order in which it was.
+    /// Disposed objects that still exist, in the order in which they were disposed.
     pub(crate) fn disposed(&self) -> &[I] {
         &self.disposed
     }
@@ -142,7 +142,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
     }
 }
 
-/// Entering and leaving.
+/// Entering and leaving the list.
 impl<T, I: Id + Ord> Collection<T, I> {
     pub(crate) fn add(&mut self, argument: &'static str, id: I) -> Result<()> {
         let entry = self.entries.get_mut(id).ok_or(Error::StaleId { argument })?;
@@ -166,8 +166,8 @@ impl<T, I: Id + Ord> Collection<T, I> {
         Ok(())
     }
 
-    /// Lets what was disposed and is still there be found in the list once more, or not any more.
-    pub(crate) fn show_disposed(&mut self, are_shown: bool) {
+    /// Lets disposed objects that still exist be found in the list again, or hides them.
+    pub(crate) fn set_disposed_visible(&mut self, are_shown: bool) {
         for &id in &self.disposed {
             if let Some(entry) = self.entries.get_mut(id) {
                 entry.life.is_disposed = !are_shown;
@@ -175,7 +175,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
         }
     }
 
-    /// Disposes the listed ones that a predicate names.
+    /// Disposes the listed objects for which the predicate is true.
     pub(crate) fn dispose_listed_where(&mut self, is_leaving: impl Fn(&T) -> bool) {
         for &id in &self.list {
             let Some(entry) = self.entries.get_mut(id) else { continue };
@@ -186,18 +186,18 @@ impl<T, I: Id + Ord> Collection<T, I> {
         }
     }
 
-    /// Whether [`process_added`](Self::process_added) has something to do.
+    /// Whether [`process_added`](Self::process_added) has objects to add.
     pub(crate) fn has_added(&self) -> bool {
         !self.added.is_empty()
     }
 
-    /// Whether something is to enter or to leave.
+    /// Whether objects are waiting to enter or leave.
     #[inline]
     pub(crate) fn has_queued(&self) -> bool {
         !(self.added.is_empty() && self.removed.is_empty() && self.disposed.is_empty())
     }
 
-    /// What was added enters the list; answers which.
+    /// Moves added objects into the list; returns them.
     pub(crate) fn process_added(&mut self) -> Vec<I> {
         let mut entered = std::mem::take(&mut self.added);
         entered.retain(|&id| {
@@ -209,7 +209,8 @@ impl<T, I: Id + Ord> Collection<T, I> {
         entered
     }
 
-    /// What was removed leaves the list. Answers what was to be removed, also what was not in the list.
+    /// Moves removed objects out of the list. Returns all that were to be removed, also those that were not in the
+    /// list.
     pub(crate) fn process_removed(&mut self) -> Vec<I> {
         let mut left = std::mem::take(&mut self.removed);
         left.retain(|&id| {
@@ -223,7 +224,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
         left
     }
 
-    /// What was disposed leaves the list, in list order; answers which.
+    /// Moves disposed objects out of the list, in list order; returns them.
     pub(crate) fn process_disposed(&mut self) -> Vec<I> {
         let mut left = Vec::new();
         if !self.disposed.is_empty() {
@@ -237,13 +238,13 @@ impl<T, I: Id + Ord> Collection<T, I> {
         left
     }
 
-    /// The ids of what was disposed go stale. No list names them any more. Answers what it was.
+    /// Frees disposed objects and makes their ids stale. No list contains them any more. Returns the objects.
     pub(crate) fn free_disposed(&mut self) -> Vec<T> {
         let disposed = std::mem::take(&mut self.disposed);
         disposed.into_iter().filter_map(|id| self.entries.remove(id)).map(|entry| entry.value).collect()
     }
 
-    /// Everything is gone, and all ids are stale.
+    /// Removes all objects; all ids go stale.
     pub(crate) fn clear(&mut self) {
         self.entries.clear();
         for list in [&mut self.list, &mut self.added, &mut self.removed, &mut self.disposed] {
@@ -251,20 +252,20 @@ impl<T, I: Id + Ord> Collection<T, I> {
         }
     }
 
-    /// Whether lists and flags agree: false only after loading garbage.
+    /// Whether lists and flags agree. False only after loading corrupt data.
     pub(crate) fn is_consistent(&self) -> bool {
-        // The queue may also name what is gone.
+        // The queue may contain stale ids.
         let is_there = |id: &I| self.entries.get(*id).is_some();
         let waiting: Vec<I> = self.added.iter().copied().filter(is_there).collect();
         self.entries.is_consistent()
-            && self.are_marked(&self.list, |life| life.is_listed)
-            && self.are_marked(&self.disposed, |life| life.is_disposed)
-            && self.are_marked(&waiting, |life| life.is_queued)
+            && self.is_exactly_marked(&self.list, |life| life.is_listed)
+            && self.is_exactly_marked(&self.disposed, |life| life.is_disposed)
+            && self.is_exactly_marked(&waiting, |life| life.is_queued)
     }
 
-    /// Whether these are what has a mark, each once.
+    /// Whether the list contains exactly the objects with a flag, each once.
     #[inline(never)]
-    fn are_marked(&self, list: &[I], mark: fn(&Life) -> bool) -> bool {
+    fn is_exactly_marked(&self, list: &[I], mark: fn(&LifecycleState) -> bool) -> bool {
         let is_marked = |&id: &I| self.entries.get(id).is_some_and(|entry| mark(&entry.life));
         let marked = self.entries.iter().filter(|(_, entry)| mark(&entry.life)).count();
         list.len() == marked && list.iter().all(is_marked) && has_no_duplicates(list)

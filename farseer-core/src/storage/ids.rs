@@ -1,13 +1,14 @@
-//! The ids of bodies and geoms, which name each other.
+//! The ids of bodies and geoms, which refer to each other.
 
 use super::arena::define_id;
 
 define_id! {
-    /// Names a [`Body`](crate::Body) of a simulator: the one that made it, its clones and what is loaded from its saves.
+    /// Id of a [`Body`](crate::Body), valid in the simulator that made it, in its clones and in simulators loaded from
+    /// its saves.
     BodyId
 }
 
 define_id! {
-    /// Names a geom of a simulator: the one that made it, its clones and what is loaded from its saves.
+    /// Id of a geom, valid in the simulator that made it, in its clones and in simulators loaded from its saves.
     GeomId
 }

@@ -1,21 +1,22 @@
-//! Sorting by numbers. Every kind of list that is sorted has a sort of its own compiled for it, of five kilobytes and more;
-//! all those share one that are sorted by numbers alone, and not so often that another list would matter. Public for engines
-//! built on this one.
+//! Sorting by integer keys.
+//!
+//! A generic sort is compiled for every type of list, with five kilobytes of code or more each. Lists with integer keys
+//! that are sorted seldom share the one sort of this module. Public for engines on top of this one.
 
-/// Puts a list in the order of numbers that its items have; what has the same number keeps its order.
+/// Sorts a list by a key of its items; the sort is stable.
 pub fn sort_by_number<T>(list: &mut [T], number: impl Fn(&T) -> u128) {
-    sort_within(&mut Vec::new(), list, number);
+    sort_by_number_in(&mut Vec::new(), list, number);
 }
 
-/// As [`sort_by_number`], for what may not allocate: within room that is kept. It is empty before and after.
-pub fn sort_within<T>(places: &mut Vec<(u128, u32)>, list: &mut [T], number: impl Fn(&T) -> u128) {
+/// As [`sort_by_number`], without allocation: `places` is scratch space, empty before and after.
+pub fn sort_by_number_in<T>(places: &mut Vec<(u128, u32)>, list: &mut [T], number: impl Fn(&T) -> u128) {
     if list.len() < 2 {
         return;
     }
     places.extend(list.iter().map(number).zip(0..));
     sort_numbered(places);
     for first in 0..list.len() {
-        // Around a ring of places of which each takes what is at the next one.
+        // Follows a cycle of the permutation: each item takes the place of the next one.
         let mut place = first;
         loop {
             let next = std::mem::replace(&mut places[place].1, place as u32) as usize;
@@ -29,20 +30,20 @@ pub fn sort_within<T>(places: &mut Vec<(u128, u32)>, list: &mut [T], number: imp
     places.clear();
 }
 
-/// Puts places in the order of numbers, and those of the same number in their own, where they are.
+/// Sorts pairs of key and original position in place: by key, and items of the same key by position.
 #[inline(never)]
 pub fn sort_numbered(places: &mut [(u128, u32)]) {
     places.sort_unstable();
 }
 
-/// Numbers in a row as one, which has the order of the row.
-pub fn joined<const N: usize>(numbers: [u32; N]) -> u128 {
+/// Packs integers into one key that is ordered as the sequence of them is.
+pub fn packed_key<const N: usize>(numbers: [u32; N]) -> u128 {
     const { assert!(N <= 4) };
     numbers.into_iter().fold(0, |joined, number| joined << 32 | u128::from(number))
 }
 
-/// A number that has the order of [`f32::total_cmp`].
-pub fn ordered(value: f32) -> u32 {
+/// An integer that is ordered as [`f32::total_cmp`] orders the value.
+pub fn total_order_key(value: f32) -> u32 {
     let bits = value.to_bits();
     if bits >> 31 == 0 { bits | 1 << 31 } else { !bits }
 }
@@ -52,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn equal_numbers_keep_their_order_and_others_get_theirs() {
+    fn sorting_is_stable() {
         let mut list: Vec<(u32, u32)> = (0..100).map(|at| (at * 37 % 10, at)).collect();
         let mut expected = list.clone();
         expected.sort_by_key(|&(number, _)| number);
@@ -61,7 +62,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_floats_have_the_total_order() {
+    fn total_order_keys_have_the_order_of_total_cmp() {
         let floats = [
             -f32::NAN,
             f32::NEG_INFINITY,
@@ -75,13 +76,13 @@ mod tests {
             f32::NAN,
         ];
         for (a, b) in floats.iter().flat_map(|a| floats.iter().map(move |b| (a, b))) {
-            assert_eq!(ordered(*a).cmp(&ordered(*b)), a.total_cmp(b), "{a} {b}");
+            assert_eq!(total_order_key(*a).cmp(&total_order_key(*b)), a.total_cmp(b), "{a} {b}");
         }
     }
 
     #[test]
-    fn joined_numbers_have_the_order_of_the_rows() {
-        assert!(joined([1, u32::MAX]) < joined([2, 0]));
-        assert!(joined([0, 0, 1, 0]) > joined([0, 0, 0, u32::MAX]));
+    fn packed_keys_have_the_order_of_their_sequences() {
+        assert!(packed_key([1, u32::MAX]) < packed_key([2, 0]));
+        assert!(packed_key([0, 0, 1, 0]) > packed_key([0, 0, 0, u32::MAX]));
     }
 }

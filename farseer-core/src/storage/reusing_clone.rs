@@ -1,7 +1,7 @@
-//! Clones into what is there already.
+//! Cloning into existing values.
 
-/// [`Clone`] field by field, `clone_from` too: what is overwritten keeps the room that its lists have. The derived one throws
-/// it away, and asks for as much again.
+/// Implements [`Clone`] field by field, with a `clone_from` that keeps the capacity of the overwritten lists. The
+/// derived `clone_from` frees and allocates them anew.
 macro_rules! reusing_clone {
     ($type:ident { $($field:ident),* $(,)? }) => {
         $crate::storage::reusing_clone::reusing_clone! { [] $type { $($field),* } }

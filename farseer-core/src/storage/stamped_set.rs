@@ -1,12 +1,12 @@
-//! A set of integers that is emptied in no time, and can count them.
+//! A set of integers that is cleared in constant time, with a count for each integer.
 
 use crate::storage::reusing_clone::reusing_clone;
 
-/// Open addressing; an entry counts only if its stamp is the current one. Never enumerated, so the order inside
-/// cannot be observed.
+/// Hash set with open addressing; an entry is valid only if its stamp is the current one. It is never enumerated, so
+/// the internal order cannot be observed.
 #[derive(Debug)]
 pub(crate) struct StampedSet {
-    /// Key, stamp, and what is counted of the key.
+    /// Key, stamp, and count of the key.
     entries: Vec<(i64, u32, u32)>,
     stamp: u32,
     used: usize,
@@ -16,7 +16,7 @@ reusing_clone! { StampedSet { entries, stamp, used } }
 
 impl Default for StampedSet {
     fn default() -> Self {
-        // Free places have stamp 0.
+        // Free entries have the stamp 0.
         StampedSet { entries: Vec::new(), stamp: 1, used: 0 }
     }
 }
@@ -31,7 +31,7 @@ impl StampedSet {
         }
     }
 
-    /// Puts a key in and answers whether it is new.
+    /// Adds a key and returns whether it is new.
     #[inline]
     pub(crate) fn insert(&mut self, key: i64) -> bool {
         if (self.used + 1) * 2 > self.entries.len() {
@@ -46,14 +46,14 @@ impl StampedSet {
         true
     }
 
-    /// What is counted of a key, from 0; it is put in if it is new.
+    /// The count of a key, which is added with the count 0 if it is new.
     pub(crate) fn count_mut(&mut self, key: i64) -> &mut u32 {
         self.insert(key);
         let place = self.find(key);
         &mut self.entries[place].2
     }
 
-    /// What is counted of a key; 0 if it is not in.
+    /// The count of a key; 0 if it is not in the set.
     pub(crate) fn count(&self, key: i64) -> u32 {
         if self.used == 0 {
             return 0;
@@ -62,7 +62,7 @@ impl StampedSet {
         if stamp == self.stamp { count } else { 0 }
     }
 
-    /// The place of a key, or the free place where it belongs.
+    /// Index of a key's entry, or of the free entry for it.
     #[inline]
     fn find(&self, key: i64) -> usize {
         let mask = self.entries.len() - 1;

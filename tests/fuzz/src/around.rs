@@ -1,42 +1,42 @@
-//! Games that play another one, with calls of their own amid its calls.
+//! Games that play another game and make calls of their own between its calls.
 
 use crate::game::{Call, Game};
 use crate::random::Random;
 
-/// A game around another one, whose simulator and random numbers are its own.
-pub trait Around: Sized + 'static {
-    /// The other one.
+/// A game around an inner game. It has no simulator and no random numbers of its own; it uses those of the inner game.
+pub trait GameWrapper: Sized + 'static {
+    /// Type of the inner game.
     type Inner: Game;
 
-    /// What it begins with.
+    /// Returns the inner game at its start.
     fn begin(random: Random) -> Self::Inner {
         Self::Inner::new(random)
     }
-    /// The game around one that has begun.
-    fn around(inner: Self::Inner) -> Self;
-    /// Everything it can do. The first makes a thing with body and geom.
+    /// Returns a game around an inner game that has begun.
+    fn wrap(inner: Self::Inner) -> Self;
+    /// Returns all calls of the game. The first call must make an object with a body and a geom.
     fn calls() -> &'static [Call<Self>];
-    /// The game that it is around.
+    /// Returns the inner game.
     fn inner(&self) -> &Self::Inner;
-    /// The same, to be played.
+    /// Returns the inner game, for calls that change it.
     fn inner_mut(&mut self) -> &mut Self::Inner;
 }
 
-impl<G: Around> Game for G {
+impl<G: GameWrapper> Game for G {
     type Simulator = <G::Inner as Game>::Simulator;
     const SCENES: usize = G::Inner::SCENES;
 
     fn new(random: Random) -> Self {
-        G::around(G::begin(random))
+        G::wrap(G::begin(random))
     }
     fn of(simulator: Self::Simulator, random: Random) -> Self {
-        G::around(G::Inner::of(simulator, random))
+        G::wrap(G::Inner::of(simulator, random))
     }
     fn scene(kind: usize) -> Self::Simulator {
         G::Inner::scene(kind)
     }
     fn calls() -> &'static [Call<Self>] {
-        <G as Around>::calls()
+        <G as GameWrapper>::calls()
     }
     fn random(&mut self) -> &mut Random {
         self.inner_mut().random()

@@ -1,4 +1,4 @@
-//! What must hold after every call of a game.
+//! Checks of invariants that hold after every call of a game.
 
 use std::cell::RefCell;
 
@@ -6,18 +6,18 @@ use crate::engine::Engine;
 use crate::game::{Game, Outcome, play};
 use crate::random::Random;
 
-/// Of so many calls in a hundred it is checked, because a snapshot takes longer than most calls.
-const OFTEN: u64 = 30;
+/// Probability that a call is checked, in percent. A snapshot takes longer than most calls.
+const CHECK_PERCENT: u64 = 30;
 
-/// A call that failed, or that only looked, leaves the snapshot as it was.
+/// Plays the game of a seed and checks: a call that failed or only queried leaves the snapshot unchanged.
 ///
 /// # Errors
-/// The first call that changed something.
+/// Names the first failed call or query that changed the snapshot.
 pub fn failed_calls_change_nothing<G: Game>(seed: u64) -> Result<(), String> {
     let mut random = Random::new(seed ^ 0x7777);
     let snapshot = RefCell::new(None);
     let before =
-        |game: &G| *snapshot.borrow_mut() = random.chance(OFTEN).then(|| game.simulator().snapshot());
+        |game: &G| *snapshot.borrow_mut() = random.chance(CHECK_PERCENT).then(|| game.simulator().snapshot());
     play(seed, before, |game, outcome| {
         let may_change = matches!(outcome, Outcome::Changed | Outcome::Updated);
         match snapshot.take() {
@@ -29,17 +29,18 @@ pub fn failed_calls_change_nothing<G: Game>(seed: u64) -> Result<(), String> {
     })
 }
 
-/// Every number that a simulator shows is finite after every update and some other calls.
+/// Plays the game of a seed and checks that every readable number of the simulator is finite, after every update and some other
+/// calls.
 ///
 /// # Errors
-/// The first number that is not.
+/// Names the first number that is not finite.
 pub fn numbers_are_finite<G: Game>(seed: u64) -> Result<(), String> {
     let mut random = Random::new(seed ^ 0x7777);
     play(
         seed,
         |_: &G| (),
         |game, outcome| {
-            if outcome == Outcome::Updated || random.chance(OFTEN) {
+            if outcome == Outcome::Updated || random.chance(CHECK_PERCENT) {
                 return game.simulator().check_numbers();
             }
             Ok(())
@@ -55,27 +56,27 @@ mod tests {
     use crate::game::{Call, Game, Outcome};
     use crate::random::Random;
 
-    /// Says that its only call has failed, though it made a body.
-    struct Liar {
+    /// A game for a test of the check. Its only call reports a failure, but makes a body.
+    struct FaultyGame {
         simulator: PhysicsSimulator,
         random: Random,
     }
 
-    impl Game for Liar {
+    impl Game for FaultyGame {
         type Simulator = PhysicsSimulator;
         const SCENES: usize = 1;
 
         fn new(random: Random) -> Self {
-            Liar::of(PhysicsSimulator::default(), random)
+            FaultyGame::of(PhysicsSimulator::default(), random)
         }
         fn of(simulator: PhysicsSimulator, random: Random) -> Self {
-            Liar { simulator, random }
+            FaultyGame { simulator, random }
         }
         fn scene(_: usize) -> PhysicsSimulator {
             PhysicsSimulator::default()
         }
         fn calls() -> &'static [Call<Self>] {
-            const MAKE: fn(&mut Liar) -> Outcome = |liar| {
+            const MAKE: fn(&mut FaultyGame) -> Outcome = |liar| {
                 liar.simulator.create_body(farseer_core::Body::new());
                 Outcome::Failed
             };
@@ -93,8 +94,8 @@ mod tests {
     }
 
     #[test]
-    fn a_failed_call_that_changed_something_is_found() {
-        let error = failed_calls_change_nothing::<Liar>(1).unwrap_err();
+    fn a_failed_call_that_changed_the_simulator_is_detected() {
+        let error = failed_calls_change_nothing::<FaultyGame>(1).unwrap_err();
         assert!(error.contains("create a body: it answered Failed and changed something"), "{error}");
     }
 }

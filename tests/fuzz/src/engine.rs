@@ -1,4 +1,4 @@
-//! What both simulators can do, as far as these programs ask for it.
+//! Operations of both simulators that the tests and programs of this crate use.
 
 use farseer_core::{BodyId, Limits, PhysicsSimulator};
 use serde::Serialize;
@@ -7,37 +7,38 @@ use twohalf::TwoHalfPhysicsSimulator;
 
 use crate::{depth, plane};
 
-/// A simulator that can be saved in every way and looked at from all sides.
+/// A simulator that can be saved, loaded and queried in all ways.
 pub trait Engine: Clone + Serialize + DeserializeOwned {
-    /// One without anything in it.
+    /// Returns a simulator without objects.
     fn empty() -> Self;
-    /// The whole of it as bytes.
+    /// Returns the snapshot of the complete simulator, as bytes.
     fn snapshot(&self) -> Vec<u8>;
-    /// Becomes that of a snapshot.
+    /// Restores the simulator from a snapshot.
     ///
     /// # Errors
-    /// The text of the refusal.
+    /// The text of the error, if the snapshot is refused.
     fn restore(&mut self, snapshot: &[u8]) -> Result<(), String>;
-    /// Lets so many seconds pass.
+    /// Makes an update of `dt` seconds.
     fn update(&mut self, dt: f32);
-    /// What it may cost, which no save says.
+    /// Returns the limits of the cost of the simulator. No save includes them.
     fn limits(&self) -> Limits;
-    /// Sets what it may cost.
+    /// Sets the limits of the cost of the simulator.
     fn set_limits(&mut self, limits: Limits);
-    /// Has no more passes per update than this.
+    /// Reduces the number of iterations per update to at most `most`.
     fn limit_iterations(&mut self, most: i32);
-    /// Number of geoms that live.
+    /// Returns the number of geoms in the simulator.
     fn geoms(&self) -> usize;
-    /// Pairs that the last update tested, and contacts that it found.
+    /// Returns the number of pairs that the last update tested, plus the number of contacts that it found.
     fn work(&self) -> usize;
-    /// What happened in the last update, as text.
+    /// Returns the events of the last update, as text.
     fn events(&self) -> String;
-    /// Position and velocity of every body.
+    /// Returns position and velocity of every body, one number after the other: length units, length units/s, radians,
+    /// radians/s.
     fn motion(&self) -> Vec<f32>;
-    /// Whether every number that can be looked at is finite.
+    /// Checks that every readable number is finite.
     ///
     /// # Errors
-    /// The first that is not, by name.
+    /// Names the first number that is not finite.
     fn check_numbers(&self) -> Result<(), String>;
 }
 

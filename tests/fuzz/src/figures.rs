@@ -1,20 +1,21 @@
-//! Random joint scenes of the precise set.
+//! Checks random joint scenes of the precise set.
 
 use crate::engine::Engine;
-use crate::recording::Moment;
+use crate::recording::StateHashes;
 use crate::twins::restored;
 use measure::joints::build::simulator;
 use measure::joints::counts::outcome;
 use measure::joints::engines::{OURS, SETTING};
 use measure::joints::random::{UPDATES, Variant, scene, variants};
 
-/// Updates between two restores.
+/// Number of updates between two restores.
 const PERIOD: u32 = 45;
 
-/// The scenes of a seed, one of each variant, do not blow up, win no energy, and go on after a restore as without.
+/// Checks the joint scenes of a seed, one of each variant. They do not blow up, do not gain energy, and continue after a
+/// restore as they would without.
 ///
 /// # Errors
-/// The first that does not hold, and the variant.
+/// Names the first of these properties that does not hold, and the variant.
 pub fn figures_hold(seed: u64) -> Result<(), String> {
     variants().try_for_each(|variant| {
         let at = |what: String| format!("{}: {what}", variant.name());
@@ -29,10 +30,10 @@ pub fn figures_hold(seed: u64) -> Result<(), String> {
     })
 }
 
-/// The scenes of a seed, one of each variant, go on after a restore as without.
+/// Checks that the joint scenes of a seed, one of each variant, continue after a restore as they would without.
 ///
 /// # Errors
-/// The first difference, and the variant.
+/// Names the first difference and the variant.
 pub fn figures_go_on_as_restored(seed: u64) -> Result<(), String> {
     variants().try_for_each(|variant| {
         goes_on_as_restored(seed, variant).map_err(|what| format!("{}: {what}", variant.name()))
@@ -49,7 +50,7 @@ fn goes_on_as_restored(seed: u64, variant: Variant) -> Result<(), String> {
         twin.update(dt);
         if update % PERIOD == 0 {
             plain.check_numbers()?;
-            if Moment::of(&plain) != Moment::of(&twin) {
+            if StateHashes::of(&plain) != StateHashes::of(&twin) {
                 return Err(format!("differs from its twin after {update} updates"));
             }
             twin = restored(&twin)?;

@@ -1,9 +1,9 @@
-//! Whether numbers are finite, and which is not.
+//! Check that numbers are finite.
 
-/// Notes the first number that is not finite, with its name.
+/// Checks that all of these numbers, which belong to the item `name`, are finite.
 ///
 /// # Errors
-/// That name and number.
+/// Name and value of the first number that is not finite.
 pub(crate) fn finite<'a>(name: &str, numbers: impl IntoIterator<Item = &'a f32>) -> Result<(), String> {
     match numbers.into_iter().find(|number| !number.is_finite()) {
         Some(number) => Err(format!("{name} is {number}")),

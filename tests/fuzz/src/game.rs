@@ -1,79 +1,80 @@
-//! A game that calls its simulator at random, by a table of calls.
+//! A game that makes random calls to its simulator, chosen from a table of calls.
 
 use crate::engine::Engine;
 use crate::random::Random;
 
-/// Calls at the beginning that make things, most of the time.
-const OPENING: u64 = 25;
-/// Most calls of a game, and fewest.
+/// Number of calls at the beginning of a game that mostly create objects.
+const OPENING_CALLS: u64 = 25;
+/// Least number of calls of a game, and the number that no game reaches.
 const CALLS: (usize, usize) = (30, 330);
-/// Most geoms of a game, and most work of all its updates. A crowd in one place has hundreds of thousands of contacts in
-/// every update; a game that has grown so large goes on with an empty simulator, and ids that are all stale.
-const MOST: Size = Size { geoms: 400, work: 100_000 };
-/// How many wild numbers in a hundred a game may use.
+/// Greatest number of geoms of a game, and greatest work of all its updates. A game that exceeds it continues with an empty
+/// simulator, and all its ids are stale then. A crowd in one place would have hundreds of thousands of contacts in every
+/// update.
+const MAX_SIZE: Size = Size { geoms: 400, work: 100_000 };
+/// Percentages of wild numbers among the random numbers of a game; each game has one of these.
 const WILDNESS: [u64; 4] = [0, 1, 5, 15];
 
-/// How large a game is.
+/// Size of a game: number of geoms, and work ([`Engine::work`]) of all updates.
 struct Size {
     geoms: usize,
     work: usize,
 }
 
-/// What a call says that it has done.
+/// Effect of a call on the simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// It may have changed the simulator.
+    /// The call may have changed the simulator.
     Changed,
-    /// It answered with an error: nothing may have changed.
+    /// The call returned an error, so the simulator must be unchanged.
     Failed,
-    /// It only looked, or did nothing.
-    Looked,
-    /// It was an update.
+    /// The call only queried, or had no effect.
+    Queried,
+    /// The call was an update.
     Updated,
 }
 
 impl Outcome {
-    /// That of a call that answers with a result.
+    /// Returns the outcome of a call that returned `result`: `Changed` or `Failed`.
     pub fn of<T, E>(result: Result<T, E>) -> Self {
         if result.is_ok() { Outcome::Changed } else { Outcome::Failed }
     }
 }
 
-/// An entry of a table of calls.
+/// An entry in the table of calls.
 #[derive(Debug)]
 pub struct Call<G> {
-    /// What to call it in reports.
+    /// Name of the call in reports.
     pub name: &'static str,
-    /// How often it is made, relative to the others.
+    /// Weight of the call, dimensionless: its probability relative to that of other calls.
     pub weight: usize,
-    /// Makes it.
+    /// Function that makes the call.
     pub make: fn(&mut G) -> Outcome,
 }
 
-/// A simulator with a pool of ids to call it with: living, stale and foreign ones.
+/// A game with a simulator and a pool of ids to call it with: ids of living objects, stale ids and foreign ids.
 pub trait Game: Sized + 'static {
-    /// The simulator that is called.
+    /// Type of the simulator that the game calls.
     type Simulator: Engine;
-    /// Number of its [scenes](crate::scenes).
+    /// Number of [scenes](crate::scenes) of the engine.
     const SCENES: usize;
 
-    /// A game that begins with next to nothing.
+    /// Returns a game with an almost empty simulator.
     fn new(random: Random) -> Self;
-    /// A game that goes on with a simulator.
+    /// Returns a game that continues with a given simulator.
     fn of(simulator: Self::Simulator, random: Random) -> Self;
-    /// One of the [scenes](crate::scenes).
+    /// Returns the simulator with the [scene](crate::scenes) of index `kind`.
     fn scene(kind: usize) -> Self::Simulator;
-    /// Everything it can do. The first makes a thing with body and geom.
+    /// Returns all calls of the game. The first call must make an object with a body and a geom.
     fn calls() -> &'static [Call<Self>];
-    /// Where its numbers come from.
+    /// Returns the source of the game's random numbers.
     fn random(&mut self) -> &mut Random;
-    /// Its simulator.
+    /// Returns the simulator of the game.
     fn simulator(&self) -> &Self::Simulator;
-    /// Its simulator, to be replaced.
+    /// Returns the simulator of the game, to be changed or replaced.
     fn simulator_mut(&mut self) -> &mut Self::Simulator;
 }
 
-/// The game of a seed, as it is played by [`play`].
+/// Returns the game of a seed and the number of calls that [`play`] makes in it.
 pub fn start<G: Game>(seed: u64) -> (G, usize) {
     let mut random = Random::new(seed.wrapping_mul(0x9876_5432_1fed_cbab));
     let wildness = random.pick(&WILDNESS);
@@ -81,10 +82,10 @@ pub fn start<G: Game>(seed: u64) -> (G, usize) {
     (G::new(random.with_wildness(wildness)), calls)
 }
 
-/// Plays the game of a seed: before every call `before` may look at it, after it `after`.
+/// Plays the game of a seed. Calls `before` before every call of the game, and `after` after it.
 ///
 /// # Errors
-/// What `after` answers with, and the call after which it did.
+/// The first error of `after`, and the call that came before it.
 pub fn play<G: Game>(
     seed: u64,
     mut before: impl FnMut(&G),
@@ -99,7 +100,7 @@ pub fn play<G: Game>(
         if outcome == Outcome::Updated {
             work += game.simulator().work();
         }
-        if work > MOST.work || game.simulator().geoms() > MOST.geoms {
+        if work > MAX_SIZE.work || game.simulator().geoms() > MAX_SIZE.geoms {
             work = 0;
             *game.simulator_mut() = G::Simulator::empty();
         }
@@ -108,12 +109,12 @@ pub fn play<G: Game>(
     Ok(())
 }
 
-/// The next call of a game that has made `number` of them.
+/// Draws the next call of a game that has made `number` calls.
 fn next_call<G: Game>(game: &mut G, number: u64) -> &'static Call<G> {
-    if number < OPENING && game.random().chance(60) { &G::calls()[0] } else { draw(game.random()) }
+    if number < OPENING_CALLS && game.random().chance(60) { &G::calls()[0] } else { draw(game.random()) }
 }
 
-/// One of a game's calls, by weight.
+/// Draws a call of a game at random, by weight.
 pub(crate) fn draw<G: Game>(random: &mut Random) -> &'static Call<G> {
     let calls = G::calls();
     let mut place = random.below(calls.iter().map(|call| call.weight).sum());

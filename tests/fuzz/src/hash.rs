@@ -1,6 +1,6 @@
-//! FNV-1a: a hash that is the same on every platform.
+//! The hash function FNV-1a (64 bits), which gives the same value on every platform.
 
-/// A hash that bytes are added to.
+/// A hash to which bytes can be appended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Hash(u64);
 
@@ -11,17 +11,17 @@ impl Default for Hash {
 }
 
 impl Hash {
-    /// The hash of some bytes.
+    /// Returns the hash of some bytes.
     pub fn of(bytes: &[u8]) -> Self {
         Hash::default().with(bytes)
     }
 
-    /// The hash of what was hashed so far, followed by these bytes.
+    /// Returns the hash of the bytes so far and these bytes.
     pub fn with(self, bytes: &[u8]) -> Self {
         Hash(bytes.iter().fold(self.0, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)))
     }
 
-    /// The hash as a number.
+    /// Returns the hash as a number.
     pub fn value(self) -> u64 {
         self.0
     }

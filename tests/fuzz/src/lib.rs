@@ -1,7 +1,6 @@
-//! Random play with both engines, and what must hold whatever is called.
+//! Random play with both engines, and the invariants that hold for all calls.
 //!
-//! The programs `fuzz` and `hashes` and the tests of this crate say what is asked of it. Every game follows from its
-//! seed alone.
+//! The programs `fuzz` and `hashes` and the tests of this crate check the invariants. Every game follows from its seed alone.
 
 #![forbid(unsafe_code)]
 

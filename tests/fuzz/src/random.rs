@@ -1,9 +1,9 @@
-//! Random numbers that are the same on every platform.
+//! Source of random numbers, which are the same on every platform.
 
 use farseer_core::math::Vector2;
 use twohalf::Vector3;
 
-/// Numbers that programs rarely meet and arithmetic stumbles over.
+/// Wild numbers: numbers at the limits of `f32` arithmetic, and other rare ones.
 const WILD: [f32; 26] = [
     0.0,
     -0.0,
@@ -33,10 +33,10 @@ const WILD: [f32; 26] = [
     2_147_483_648.0,
 ];
 
-/// Whole numbers of the same kind.
+/// Wild integers for counts.
 const WILD_COUNTS: [i32; 12] = [0, 1, 2, -1, 5, 10, 100, 1000, -5, 31, i32::MAX, i32::MIN];
 
-/// The generator splitmix64 (Steele, Lea and Flood, 2014), and what is drawn from it.
+/// Pseudorandom generator splitmix64 (Steele, Lea and Flood, 2014), which draws values of several kinds.
 #[derive(Debug, Clone)]
 pub struct Random {
     state: u64,
@@ -44,22 +44,22 @@ pub struct Random {
 }
 
 impl Random {
-    /// Equal seeds give equal numbers; none of them wild.
+    /// Returns a generator that never draws wild numbers. Equal seeds give equal numbers.
     pub fn new(seed: u64) -> Self {
         Random { state: seed, wild: 0 }
     }
 
-    /// The same with this many wild ones in a hundred [numbers](Self::number) and [counts](Self::count).
+    /// Returns this generator, with `percent` wild ones among its [numbers](Self::number) and [counts](Self::count).
     pub fn with_wildness(self, percent: u64) -> Self {
         Random { wild: percent, ..self }
     }
 
-    /// A generator of its own, as wild as this one.
+    /// Returns a new generator that is as wild as this one. Its seed is drawn from this one.
     pub fn split(&mut self) -> Self {
         Random::new(self.bits()).with_wildness(self.wild)
     }
 
-    /// 64 random bits.
+    /// Draws 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.state;
@@ -68,22 +68,22 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A number below `end`; 0 if that is 0.
+    /// Draws an integer in `0..end`; returns 0 if `end` is 0.
     pub fn below(&mut self, end: usize) -> usize {
         if end == 0 { 0 } else { (self.bits() % end as u64) as usize }
     }
 
-    /// True this many times in a hundred.
+    /// Returns true with a probability of `percent`.
     pub fn chance(&mut self, percent: u64) -> bool {
         self.bits() % 100 < percent
     }
 
-    /// True every other time.
+    /// Returns true with a probability of one half.
     pub fn toss(&mut self) -> bool {
         self.chance(50)
     }
 
-    /// One of a list.
+    /// Draws an item of a list.
     ///
     /// # Panics
     /// If the list is empty.
@@ -91,23 +91,23 @@ impl Random {
         list[self.below(list.len())]
     }
 
-    /// An ordinary number.
+    /// Draws an ordinary number in `low..high`.
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         let unit = (self.bits() >> 40) as f32 / (1u64 << 24) as f32;
         low + (high - low) * unit
     }
 
-    /// An ordinary number or a wild one.
+    /// Draws an ordinary number in `low..high`, or a wild number.
     pub fn number(&mut self, low: f32, high: f32) -> f32 {
         if self.chance(self.wild) { self.wild_number() } else { self.between(low, high) }
     }
 
-    /// A wild number; one in ten is any pattern of bits.
+    /// Draws a wild number. One in ten is a random pattern of 32 bits.
     pub fn wild_number(&mut self) -> f32 {
         if self.chance(10) { f32::from_bits(self.bits() as u32) } else { self.pick(&WILD) }
     }
 
-    /// A whole number from `low` to `high`, or a wild one.
+    /// Draws an integer in `low..=high`, or a wild one.
     pub fn count(&mut self, low: i32, high: i32) -> i32 {
         if self.chance(self.wild) {
             self.pick(&WILD_COUNTS)
@@ -116,12 +116,12 @@ impl Random {
         }
     }
 
-    /// A vector whose components are at most `reach`, or wild.
+    /// Draws a vector whose components are in `-reach..reach`, or wild.
     pub fn vector(&mut self, reach: f32) -> Vector2 {
         Vector2::new(self.number(-reach, reach), self.number(-reach, reach))
     }
 
-    /// The same in three dimensions.
+    /// Draws a vector in three dimensions, whose components are in `-reach..reach`, or wild.
     pub fn vector3(&mut self, reach: f32) -> Vector3 {
         Vector3::new(self.number(-reach, reach), self.number(-reach, reach), self.number(-reach, reach))
     }
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn the_generator_is_splitmix64() {
-        // The first numbers of its reference implementation for the seed 1234567.
+        // The expected values are the first ones of the reference implementation for the seed 1234567.
         let mut random = Random::new(1_234_567);
         assert_eq!(random.bits(), 6_457_827_717_110_365_317);
         assert_eq!(random.bits(), 3_203_168_211_198_807_973);

@@ -1,4 +1,4 @@
-//! Scenes in JSON that were altered.
+//! Loads altered scenes in JSON.
 
 use std::{fs, io};
 
@@ -11,15 +11,16 @@ use serde_json::Value;
 use crate::random::Random;
 use crate::saves::trees;
 
-/// Steps of a scene that was accepted.
+/// Number of steps that an accepted scene makes.
 const STEPS: usize = 3;
-/// Compressed length in bytes of the longest scene that is tried; longer ones take too long to be tried by the thousand.
+/// Compressed length, in bytes, of the longest scene that is altered. Longer scenes take too long for thousands of seeds.
 const LONGEST: u64 = 2_000;
 
-/// The loader answers altered scenes with an error, or with a scene that is built and makes steps, or is refused then.
+/// Alters a scene and loads it. The loader must return an error, or a scene that can be built and makes steps, or that the
+/// simulator refuses when it is built.
 ///
 /// # Errors
-/// If there are no scenes to begin with.
+/// If no recorded scenes are found. A violation is a panic.
 pub fn altered_scene(seed: u64) -> Result<(), String> {
     let mut random = Random::new(seed);
     let text = original(&mut random).map_err(|error| format!("no scene to alter: {error}"))?;
@@ -39,7 +40,7 @@ fn make_steps(scene: &Scene) {
     }
 }
 
-/// The text of a short scene of the recorded ones.
+/// Returns the text of a random scene among the short ones of the recorded scenes.
 fn original(random: &mut Random) -> io::Result<String> {
     let mut names = Vec::new();
     for entry in fs::read_dir(golden::folder())? {
@@ -62,7 +63,7 @@ fn alter_tree(text: &str, random: &mut Random) -> String {
     tree.to_string()
 }
 
-/// Overwrites, cuts or repeats a few characters.
+/// Overwrites, removes or repeats a few characters of a text.
 fn alter_text(text: String, random: &mut Random) -> String {
     let mut bytes = text.into_bytes();
     for _ in 0..1 + random.below(4) {
@@ -78,7 +79,7 @@ fn alter_text(text: String, random: &mut Random) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// JSON that is no scene, or no JSON at all.
+/// Returns a random text that is no scene: other JSON, or no JSON at all.
 pub fn garbage(seed: u64) -> String {
     let mut random = Random::new(seed);
     if random.toss() {
@@ -88,7 +89,7 @@ pub fn garbage(seed: u64) -> String {
 }
 
 const CHARACTERS: &[u8] = b"{}[]\",:0-9e.\\ntf ";
-/// Fields of scenes, so that garbage gets beyond the first of them.
+/// Names of fields of scenes. Garbage uses them so that the loader reads on after the first field.
 const FIELDS: [&str; 8] = ["bodies", "geoms", "joints", "simulator", "dt", "steps", "trace", "script"];
 
 fn tree(random: &mut Random, depth: usize) -> Value {

@@ -1,4 +1,4 @@
-//! Scenes with a little of everything.
+//! Scenes with a few objects of each kind.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -12,7 +12,7 @@ use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 use crate::plane::{create_floor, create_thing};
 use crate::random::Random;
 
-/// All broad phases.
+/// All broad phases of the 2D engine.
 pub const BROAD_PHASES: [BroadPhaseCollider; 4] = [
     BroadPhaseCollider::SelectiveSweep,
     BroadPhaseCollider::SweepAndPrune,
@@ -20,13 +20,13 @@ pub const BROAD_PHASES: [BroadPhaseCollider; 4] = [
     BroadPhaseCollider::SPATIAL_HASH,
 ];
 
-/// What a simulator can be given where it is to be the same for long: all broad phases, and the precise set.
+/// Returns sets of methods whose saves must give the same results: the faithful set with each broad phase, and the precise set.
 pub fn methods() -> impl Iterator<Item = Methods> {
     let narrow = NarrowPhaseCollider::default();
     BROAD_PHASES.into_iter().map(move |broad| Methods::Faithful { broad, narrow }).chain([Methods::PRECISE])
 }
 
-/// Number of different scenes of an engine: one for each broad phase with each narrow phase.
+/// Number of different scenes of an engine: one for each combination of broad phase and narrow phase.
 pub const KINDS: usize = 2 * BROAD_PHASES.len();
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
@@ -40,10 +40,10 @@ fn world(kind: usize) -> Result<PhysicsSimulator> {
     Ok(simulator)
 }
 
-/// Things that fall on a floor and into water, with joints, springs and controllers of all kinds.
+/// Returns a simulator with bodies that fall on a floor and into water, with joints, springs and controllers of all kinds.
 ///
 /// # Errors
-/// None of these arguments is refused.
+/// Never: the simulator accepts all arguments that are used here.
 pub fn plane(kind: usize) -> Result<PhysicsSimulator> {
     let mut simulator = world(kind)?;
     let mut random = Random::new(kind as u64);
@@ -63,11 +63,11 @@ pub fn plane(kind: usize) -> Result<PhysicsSimulator> {
 /// Number of different scenes of the precise set.
 pub const PRECISE_KINDS: usize = 4;
 
-/// Things that fall on each other, on hills and on a lift with the precise set, and into water, with joints, springs and
-/// controllers of all kinds.
+/// Returns a simulator of the precise set. Bodies fall on each other, on hills, on a lift and into water, with joints, springs
+/// and controllers of all kinds.
 ///
 /// # Errors
-/// None of these arguments is refused.
+/// Never: the simulator accepts all arguments that are used here.
 pub fn precise(kind: usize) -> Result<PhysicsSimulator> {
     let mut simulator = world(0)?;
     simulator.set_methods(Methods::PRECISE)?;
@@ -92,7 +92,7 @@ pub fn precise(kind: usize) -> Result<PhysicsSimulator> {
     Ok(simulator)
 }
 
-/// A chain on both sides of the floor.
+/// Makes hills: a chain on each side of the floor.
 fn create_hills(simulator: &mut PhysicsSimulator) -> Result<()> {
     let ground = simulator.create_body(Body::new());
     simulator[ground].set_is_static(true);
@@ -151,10 +151,10 @@ fn add_controllers(simulator: &mut PhysicsSimulator, b: &[BodyId], geoms: &[Geom
     Ok(())
 }
 
-/// Balls and boxes that fall on platforms and the ground, with depth.
+/// Returns a 2.5D simulator with balls and boxes that fall on platforms and the ground.
 ///
 /// # Errors
-/// None of these arguments is refused.
+/// Never: the simulator accepts all arguments that are used here.
 pub fn depth(kind: usize) -> Result<TwoHalfPhysicsSimulator> {
     let mut random = Random::new(kind as u64);
     let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 60, world(kind)?)?;

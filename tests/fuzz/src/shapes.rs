@@ -1,16 +1,16 @@
-//! Random outlines and places of geoms.
+//! Random outlines, and random poses of geoms on bodies.
 
 use farseer_core::math::Vector2;
 use farseer_core::{GeomPlacement, Result, Vertices};
 
 use crate::random::Random;
 
-/// Outlines with more corners than this take long to make grids of, to try as separating axes, and to save after every
-/// call.
+/// Greatest number of edges of most outlines. With more edges distance grids, tests with separating axes and the saves after
+/// every call take too long.
 const MOST_EDGES: i32 = 100;
-/// What a grid's cells are made larger than, most of the time, for the same reason.
+/// Smallest cell of most distance grids, length units. Grids with smaller cells take too long.
 const FINEST_CELL: f32 = 0.3;
-/// Corners that lie on each other and in line are frequent among these.
+/// Coordinates, in length units, for outlines in which coincident and collinear corners are frequent.
 const COARSE: [f32; 5] = [0.0, 5.0, 10.0, -5.0, -10.0];
 
 type Make = fn(&mut Random) -> Result<Vertices>;
@@ -42,7 +42,8 @@ const OUTLINES: &[Make] = &[
     },
 ];
 
-/// Points of a chain: a walk to the right or the left, the points of an outline, or any points; closed now and then.
+/// Returns the points of a chain: a walk to the right or the left, the points of an outline, or any points. Some chains are
+/// closed.
 pub(crate) fn chain(random: &mut Random) -> Vec<Vector2> {
     let mut points = match random.below(3) {
         0 => walk(random),
@@ -67,17 +68,17 @@ fn walk(random: &mut Random) -> Vec<Vector2> {
     (0..12).map(step).collect()
 }
 
-/// A number of edges, not too many of them.
+/// Draws a number of edges in `low..=high`, or a wild one, but at most [`MOST_EDGES`].
 pub(crate) fn edges(random: &mut Random, low: i32, high: i32) -> i32 {
     random.count(low, high).min(MOST_EDGES)
 }
 
-/// Any outline; none if its arguments were refused.
+/// Returns a random outline. It has no points if its arguments were refused.
 pub(crate) fn outline(random: &mut Random) -> Vertices {
     random.pick(OUTLINES)(random).unwrap_or_default()
 }
 
-/// Any place on a body.
+/// Returns a random pose of a geom on a body, with a random cell size of the distance grid.
 pub(crate) fn placement(random: &mut Random) -> GeomPlacement {
     let mut placement = GeomPlacement::default();
     if random.chance(30) {
@@ -98,7 +99,7 @@ fn cell_size(random: &mut Random) -> f32 {
     if is_fine && random.chance(95) { 0.0 } else { size }
 }
 
-/// Any length of a step in seconds; a hundredth most of the time.
+/// Draws the length of a step in s. It is 0.01 in most cases, and may be wild, zero or negative.
 pub(crate) fn step(random: &mut Random) -> f32 {
     match random.below(12) {
         0 => random.wild_number(),

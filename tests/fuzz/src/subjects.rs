@@ -1,30 +1,30 @@
-//! What the program `fuzz` tries.
+//! Subjects of the program `fuzz`: properties that it tests.
 
 use crate::checks::{failed_calls_change_nothing, numbers_are_finite};
 use crate::churn::{DepthChurn, PlaneChurn};
 use crate::figures::figures_hold;
 use crate::game::Game;
-use crate::saves::{Fate, altered_json, altered_snapshot};
+use crate::saves::{SaveOutcome, altered_json, altered_snapshot};
 use crate::scene_texts::altered_scene;
 use crate::scenes::methods;
 use crate::small::small_scene_holds;
-use crate::soak::stays_as_it_is;
+use crate::soak::does_not_grow;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
 use crate::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
 
-/// Something that is tried for one seed after the other.
+/// A property that `fuzz` tests for one seed after the other.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject {
-    /// How the program calls it.
+    /// Name of the property on the command line.
     pub name: &'static str,
-    /// What it tries.
+    /// Description of the property in the help text.
     pub about: &'static str,
-    /// Tries it for a seed.
+    /// Function that checks the property for a seed. The error says how it is violated.
     pub check: fn(u64) -> Result<(), String>,
 }
 
-/// All of them.
+/// All properties that `fuzz` can test.
 pub const SUBJECTS: &[Subject] = &[
     Subject { name: "plane", about: "random calls of the 2D engine, and its twins", check: game::<Plane> },
     Subject { name: "depth", about: "random calls of the 2.5D engine, and its twins", check: game::<Depth> },
@@ -95,7 +95,7 @@ pub const SUBJECTS: &[Subject] = &[
     },
 ];
 
-fn ignore(_: Fate) {}
+fn ignore(_: SaveOutcome) {}
 
 fn game<G: Game>(seed: u64) -> Result<(), String> {
     failed_calls_change_nothing::<G>(seed)?;
@@ -103,16 +103,16 @@ fn game<G: Game>(seed: u64) -> Result<(), String> {
     twins_stay_equal::<G>(seed)
 }
 
-/// Updates of a long run.
+/// Number of updates of a long run.
 const SOAK: usize = 1_000_000;
 
 fn soak(seed: u64) -> Result<(), String> {
     let methods = methods().nth(seed as usize % methods().count()).ok_or("there are none")?;
     let mut churn = PlaneChurn::new(methods).map_err(|error| error.to_string())?;
-    stays_as_it_is(&mut churn, SOAK)
+    does_not_grow(&mut churn, SOAK)
 }
 
 fn soak_in_depth(seed: u64) -> Result<(), String> {
     let mut churn = DepthChurn::new(seed).map_err(|error| error.to_string())?;
-    stays_as_it_is(&mut churn, SOAK)
+    does_not_grow(&mut churn, SOAK)
 }

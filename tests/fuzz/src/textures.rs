@@ -1,18 +1,19 @@
-//! Outlines of random pictures.
+//! Tests the outlines of random pictures.
 
 use farseer_core::Vertices;
 use farseer_core::shape::PolygonCreationAssistance;
 
 use crate::random::Random;
 
-/// Sides of pictures in pixels, at most.
+/// Greatest width and height of a picture, pixels.
 const WIDEST: usize = 24;
 const SOLID: u32 = 0xff00_0000;
 
-/// Every function that makes outlines of a picture answers, with outlines or an error. Those of an outline are finite.
+/// Checks that every function which makes outlines of a picture returns outlines or an error, and that the coordinates of the
+/// outlines are finite.
 ///
 /// # Errors
-/// An outline that is not finite.
+/// Names the outline that has a coordinate which is not finite.
 pub fn outlines_of_a_picture(seed: u64) -> Result<(), String> {
     let mut random = Random::new(seed);
     let (width, height) = (1 + random.below(WIDEST), 1 + random.below(WIDEST));
@@ -46,13 +47,13 @@ type Paint = fn(&mut Random, usize, usize) -> Vec<u32>;
 
 const PICTURES: &[Paint] = &[noise, noise, boxes, lines];
 
-/// Solid pixels at random, few or many.
+/// Returns a picture in which random pixels are solid, few or many.
 fn noise(random: &mut Random, width: usize, height: usize) -> Vec<u32> {
     let share = random.bits() % 100;
     (0..width * height).map(|_| if random.chance(share) { SOLID } else { 0 }).collect()
 }
 
-/// Solid boxes and holes, over each other.
+/// Returns a picture of solid boxes and holes that overlap.
 fn boxes(random: &mut Random, width: usize, height: usize) -> Vec<u32> {
     let mut picture = vec![0; width * height];
     for _ in 0..1 + random.below(6) {
@@ -66,7 +67,7 @@ fn boxes(random: &mut Random, width: usize, height: usize) -> Vec<u32> {
     picture
 }
 
-/// Paths one pixel wide, of any opacity.
+/// Returns a picture of paths that are one pixel wide, with random opacity.
 fn lines(random: &mut Random, width: usize, height: usize) -> Vec<u32> {
     let mut picture = vec![0; width * height];
     let mut at = random.below(picture.len());

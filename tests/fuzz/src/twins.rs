@@ -1,19 +1,20 @@
-//! The same game, played with simulators that are saved and loaded in between.
+//! Plays a game several times with simulators that are saved and loaded in between, and compares these twins.
 
 use serde_json::Value;
 
 use crate::engine::Engine;
 use crate::game::{Game, Outcome, play};
 use crate::random::Random;
-use crate::recording::Moment;
+use crate::recording::StateHashes;
 
-/// How often in a hundred updates a twin is exchanged for its copy.
-const OFTEN: u64 = 20;
+/// Probability, in percent, that a twin is replaced by its copy after an update.
+const CHECK_PERCENT: u64 = 20;
 
-/// Makes a simulator that must go on as the given one does; may use what was exchanged for a copy last, some updates ago.
+/// A function that returns a copy of the given simulator, which must continue like it. The second argument is an older copy
+/// that the function may overwrite.
 type Copy<E> = fn(&E, E) -> Result<E, String>;
 
-/// Every way there is to make one.
+/// Returns all functions that copy a simulator, with their names.
 fn twins<E: Engine>() -> [(&'static str, Copy<E>); 4] {
     [
         ("restored", |simulator, _| restored(simulator)),
@@ -26,7 +27,7 @@ fn twins<E: Engine>() -> [(&'static str, Copy<E>); 4] {
     ]
 }
 
-/// From its own snapshot.
+/// Returns a simulator that was restored from the snapshot of the given one.
 pub(crate) fn restored<E: Engine>(simulator: &E) -> Result<E, String> {
     let mut copy = E::empty();
     copy.restore(&simulator.snapshot())
@@ -34,7 +35,7 @@ pub(crate) fn restored<E: Engine>(simulator: &E) -> Result<E, String> {
     same_bytes(simulator, copy)
 }
 
-/// From its own JSON.
+/// Returns a simulator that was loaded from the JSON of the given one.
 pub(crate) fn through_json<E: Engine>(simulator: &E) -> Result<E, String> {
     let refused = |refusal: serde_json::Error| format!("its own JSON is refused: {refusal}");
     let text = serde_json::to_string(simulator).map_err(refused)?;
@@ -49,19 +50,19 @@ fn same_bytes<E: Engine>(simulator: &E, copy: E) -> Result<E, String> {
     Err(format!("the copy is saved otherwise{}", place_of_difference(&before, &after)))
 }
 
-/// The first place at which two states differ, as an end of a sentence.
+/// Returns the first position at which two states differ, as the end of a sentence.
 fn place_of_difference(one: &Value, other: &Value) -> String {
     first_difference(one, other).map_or_else(String::new, |place| format!(", at {place}"))
 }
 
-/// A game and its twins have equal snapshots and events after each update.
+/// Plays the game of a seed and its twins. Checks that they have equal snapshots and events after each update.
 ///
 /// # Errors
-/// The first difference.
+/// Names the first difference and its place in the state.
 pub fn twins_stay_equal<G: Game>(seed: u64) -> Result<(), String> {
-    let plain = seen::<G, _>(seed, None, |_, simulator| Moment::of(simulator))?;
+    let plain = seen::<G, _>(seed, None, |_, simulator| StateHashes::of(simulator))?;
     twins().into_iter().try_for_each(|(name, copy)| {
-        let twin = seen::<G, _>(seed, Some(copy), |_, simulator| Moment::of(simulator))
+        let twin = seen::<G, _>(seed, Some(copy), |_, simulator| StateHashes::of(simulator))
             .map_err(|what| format!("{name}: {what}"))?;
         let Err((update, what)) = equal(&plain, &twin) else { return Ok(()) };
         let state = |copy| seen::<G, _>(seed, copy, |number, simulator| state_at(update, number, simulator));
@@ -74,7 +75,7 @@ fn state_at(update: usize, number: usize, simulator: &impl Engine) -> Value {
     if number == update { serde_json::to_value(simulator).unwrap_or_default() } else { Value::Null }
 }
 
-/// The path to the first number or text of two states that differs, with both.
+/// Returns the path to the first number or text at which two states differ, with both values. `None` if the states are equal.
 fn first_difference(one: &Value, other: &Value) -> Option<String> {
     match (one, other) {
         (Value::Object(one), Value::Object(other)) if one.len() == other.len() => {
@@ -86,7 +87,7 @@ fn first_difference(one: &Value, other: &Value) -> Option<String> {
             let mut items = one.iter().zip(other).enumerate();
             items.find_map(|(at, (one, other))| Some(format!("[{at}]{}", first_difference(one, other)?)))
         }
-        // As text, so that two zeros differ.
+        // Values are compared as text, so that 0 and -0 differ.
         _ => {
             let [one, other] = [one, other].map(Value::to_string);
             (one != other).then(|| format!(": {one} and {other}"))
@@ -94,7 +95,7 @@ fn first_difference(one: &Value, other: &Value) -> Option<String> {
     }
 }
 
-/// The answers of `see` to a game after each update.
+/// Plays the game of a seed and returns the results of `see` after each update.
 fn seen<G: Game, T>(
     seed: u64,
     copy: Option<Copy<G::Simulator>>,
@@ -108,7 +109,7 @@ fn seen<G: Game, T>(
         }
         all.push(see(all.len(), game.simulator()));
         match copy {
-            Some(copy) if random.chance(OFTEN) => exchange(game, copy, &mut older),
+            Some(copy) if random.chance(CHECK_PERCENT) => exchange(game, copy, &mut older),
             _ => Ok(()),
         }
     };
@@ -124,13 +125,14 @@ fn exchange<G: Game>(game: &mut G, copy: Copy<G::Simulator>, older: &mut G::Simu
     Ok(())
 }
 
-fn equal(plain: &[Moment], twin: &[Moment]) -> Result<(), (usize, String)> {
+fn equal(plain: &[StateHashes], twin: &[StateHashes]) -> Result<(), (usize, String)> {
     let Some(update) = (0..plain.len().max(twin.len())).find(|&update| plain.get(update) != twin.get(update))
     else {
         return Ok(());
     };
-    let differs =
-        |part: fn(&Moment) -> crate::hash::Hash| plain.get(update).map(part) != twin.get(update).map(part);
+    let differs = |part: fn(&StateHashes) -> crate::hash::Hash| {
+        plain.get(update).map(part) != twin.get(update).map(part)
+    };
     let parts = [
         ("motion", differs(|moment| moment.motion)),
         ("events", differs(|moment| moment.events)),

@@ -1,7 +1,7 @@
-//! What it costs that things come and go, with the precise set: crates in heaps, and something small beside them.
+//! Measures the cost of adding and removing bodies with the precise set: crates in heaps, and a small body beside them.
 //!
-//! `cargo bench -p measure --bench coming_and_going` prints by how much an update is longer in which a body comes, goes, or is
-//! exchanged, than one in which nothing happens: by the medians of both.
+//! `cargo bench -p measure --bench coming_and_going` prints how much longer an update takes in which a body is added, removed
+//! or exchanged than an update without edits, in µs. It compares medians.
 
 use std::collections::VecDeque;
 use std::time::Instant;
@@ -11,10 +11,10 @@ use farseer_core::{BodyId, Methods, PhysicsSimulator};
 
 const DT: f32 = 1.0 / 60.0;
 const ROUNDS: usize = 41;
-/// Crates of a heap, and heaps of a row.
+/// Number of crates of a heap. `ROW` is the number of heaps in a row.
 const HEAP: usize = 20;
 const ROW: usize = 32;
-/// Bodies that are there to go.
+/// Number of small bodies that exist so that one can always be removed.
 const SPARE: usize = 8;
 
 struct World {
@@ -24,7 +24,7 @@ struct World {
 }
 
 impl World {
-    /// So many crates that have fallen into heaps.
+    /// Builds a world of `crates` crates that have fallen into heaps.
     fn new(crates: usize, sleeps: bool) -> Self {
         let mut simulator = simulator_with(320.0, Methods::PRECISE);
         simulator.set_sleep_enabled(sleeps);
@@ -36,7 +36,7 @@ impl World {
                 let shift = 3.0 * row + 0.3 * (at * heap % 7) as f32;
                 let place = place + v((column - 2.0) * 33.0 + shift, 70.0 - row * 34.0);
                 let (_, geom) = add_box(&mut simulator, (30.0, 30.0), place);
-                // What slides for ever does not fall asleep.
+                // Friction stops the crate: a body that slides for ever does not fall asleep.
                 simulator.geom_mut(geom).expect("it is there").set_friction_coefficient(0.5);
             }
         }
@@ -61,7 +61,7 @@ impl World {
         }
     }
 
-    /// Microseconds of what happens with an update after it.
+    /// Returns the time of an edit and the update after it, µs.
     fn time(&mut self, happens: impl FnOnce(&mut Self)) -> f64 {
         let start = Instant::now();
         happens(self);
@@ -75,7 +75,8 @@ fn median(mut times: Vec<f64>) -> f64 {
     times[times.len() / 2]
 }
 
-/// Microseconds more than nothing takes; what has happened is undone after each round.
+/// Returns the median time of an update without an edit, and the additional time of an update with one, µs. `undo` reverts the
+/// edit after each round.
 fn more(world: &mut World, happens: fn(&mut World), undo: fn(&mut World)) -> [f64; 2] {
     let (mut plain, mut with) = (Vec::new(), Vec::new());
     for _ in 0..ROUNDS {

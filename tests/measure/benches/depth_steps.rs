@@ -1,4 +1,4 @@
-//! Time per step of the 2.5D engine, averaged over the length of the scene.
+//! Measures the time per step of the 2.5D engine, as a mean over the first steps of a scene.
 //!
 //! `cargo bench -p measure --bench depth_steps`. Only the updates are measured, not the building of a scene.
 
@@ -12,25 +12,25 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 use twohalf::{DrawOrder, TwoHalfPhysicsSimulator};
 
-/// Objects of the scenes that are measured.
+/// Numbers of objects of the scenes `traffic`.
 const TRAFFIC: [usize; 5] = [20, 40, 200, 1000, 10_000];
 const PILES: [usize; 3] = [40, 200, 1000];
 const FLAT: [usize; 5] = [20, 40, 200, 1000, 10_000];
-/// Step of the pit in s.
+/// Length of a step of the pit, s.
 const PIT_DT: f32 = 0.01;
-/// Steps that are measured: the first ones of every scene, in which everything moves.
+/// Number of steps that are measured: the first ones of every scene, in which all objects move.
 const STEPS: usize = 300;
 
-/// The median over the samples is what is printed at the end: ms per step.
+/// Mean times per step of every sample, by scene. Their medians are printed at the end, in ms.
 static MEANS: Mutex<Vec<(String, Vec<Duration>)>> = Mutex::new(Vec::new());
 
-/// Objects moving around on a field with platforms.
+/// Measures steps of objects that move around on a field with platforms.
 #[divan::bench(args = TRAFFIC, sample_count = 5, sample_size = 1)]
 fn moving(bencher: Bencher<'_, '_>, count: usize) {
     measure(bencher, &traffic(count));
 }
 
-/// Finding in which order those are drawn.
+/// Measures the sorting of these objects: `DrawOrder` finds the order in which the objects of `moving` are drawn.
 #[divan::bench(args = TRAFFIC, sample_count = 5, sample_size = 1)]
 fn drawing_order(bencher: Bencher<'_, '_>, count: usize) {
     let make = || {
@@ -43,13 +43,13 @@ fn drawing_order(bencher: Bencher<'_, '_>, count: usize) {
     });
 }
 
-/// Objects falling into a heap.
+/// Measures steps of objects that fall into a heap.
 #[divan::bench(args = PILES, sample_count = 5, sample_size = 1)]
 fn piling(bencher: Bencher<'_, '_>, count: usize) {
     measure(bencher, &pile(count));
 }
 
-/// The same scene in 2D and in 2.5D with everything at one depth: circles that fall into a pit.
+/// Measures steps of circles that fall into a pit, in 2D. `pit_2_5d` has the same scene in 2.5D, with all circles at one depth.
 #[divan::bench(args = FLAT, sample_count = 5, sample_size = 1)]
 fn pit_2d(bencher: Bencher<'_, '_>, count: usize) {
     let core = pit(count);
@@ -70,7 +70,7 @@ fn pit(count: usize) -> PhysicsSimulator {
     run.simulator().clone()
 }
 
-/// The first steps of a scene; divan counts steps per second.
+/// Measures the first steps of a scene. `divan` prints steps per second.
 fn measure(bencher: Bencher<'_, '_>, scene: &DepthScene) {
     time(bencher, &scene.name, || build(scene).0, |simulator| simulator.update(scene.dt));
 }

@@ -1,7 +1,7 @@
-//! What it costs that a game listens: nobody, a handler of its own with a match, and a `Dispatch` with a function per geom.
+//! Measures the cost of event handlers: none, a handler with a `match`, and a `Dispatch` with a function per geom.
 //!
-//! `cargo bench -p measure --bench handlers` prints the time per step of a heap in which every box has a handler, and how much
-//! of it each way of listening is.
+//! `cargo bench -p measure --bench handlers` prints the time per step of a heap whose boxes all have a handler, and the part of
+//! it that each kind of handler takes.
 
 use std::time::Instant;
 
@@ -13,16 +13,16 @@ const BOXES: usize = 400;
 const UPDATES: usize = 200;
 const ROUNDS: usize = 15;
 
-/// What both do: count who was hit.
+/// State of both handlers: the number of hits of each of four kinds of geoms.
 #[derive(Default)]
 struct Game {
     hits: [u64; 4],
 }
 
-/// A game that finds out by itself whose event it is.
+/// Event handler that finds the receiver of an event without a `Dispatch`.
 struct Bare {
     game: Game,
-    /// Which of four kinds a geom is, by slot.
+    /// Kind of each geom, 0..=3, with its id; index: slot of the geom.
     kinds: Vec<Option<(GeomId, u8)>>,
 }
 
@@ -36,7 +36,7 @@ impl EventHandler for Bare {
     }
 }
 
-/// A heap that has come to rest and is kept awake.
+/// Returns a simulator with a heap of boxes at rest, which do not sleep, and the ids of their geoms.
 fn heap() -> (PhysicsSimulator, Vec<GeomId>) {
     let mut simulator = simulator_with(320.0, Methods::PRECISE);
     simulator.set_sleep_enabled(false);
@@ -77,7 +77,7 @@ fn main() {
     }
     assert_eq!(bare.game.hits, game.hits, "both were told the same");
     let calls = game.hits.iter().sum::<u64>() as f64 / (ROUNDS * UPDATES) as f64;
-    // Of what is measured beside others, the least is what it takes.
+    // The minimum over the rounds counts, because other load on the machine only adds time.
     let [silent, told, dispatched] = times.map(|times| times.into_iter().fold(f64::MAX, f64::min));
     println!("{BOXES} boxes, {calls:.0} calls per update");
     println!("nobody listens     {silent:8.2} us per update");

@@ -1,8 +1,9 @@
-//! A world in which everything is of another size, with the precise set: together its parts must cost what they cost alone.
+//! Measures a world of parts with very different sizes, with the precise set. The world must take no more time than all of its
+//! parts together, each measured alone.
 //!
-//! `cargo bench -p measure --bench mixed_world` prints the time per step of each part and of all, and their ratio. Nothing
-//! touches anything, so that the world has no more to do than its parts: what is more is the search for pairs, and whatever
-//! looks at everything.
+//! `cargo bench -p measure --bench mixed_world` prints the time per step of each part and of the world, and their ratio. No
+//! bodies touch, so the world has no more contacts than its parts. Any additional time is spent in the broad phase or in loops
+//! over all objects.
 
 use std::time::Instant;
 
@@ -12,10 +13,10 @@ use farseer_core::{BodyId, Methods, PhysicsSimulator};
 const DT: f32 = 1.0 / 60.0;
 const UPDATES: usize = 300;
 const ROUNDS: usize = 9;
-/// Bodies and tiles are in rows of so many, this far apart.
+/// Number of bodies or tiles in a row. `APART` is the distance between two of them, px.
 const ROW: usize = 50;
 const APART: f32 = 100.0;
-/// What flies past everything, in px/s, in a lane of its own between two rows.
+/// Speed in px/s of a bullet. It flies past all other bodies in a lane between two rows.
 const BULLET: f32 = 20_000.0;
 
 #[derive(Clone, Copy, Default)]
@@ -35,8 +36,8 @@ impl World {
     fn new(parts: Parts) -> Self {
         let mut simulator = simulator_with(0.0, Methods::PRECISE);
         let place = |number: usize| v((number % ROW) as f32 * APART, (number / ROW) as f32 * APART);
-        // Levels are built before what moves in them. Made by turns, each body would have a tile between itself and the next
-        // one in memory: 2,000 that fly would take 7 % longer for that alone.
+        // Tiles are built before the bodies that move among them. If bodies and tiles were created alternately, tiles would lie
+        // between the bodies in memory: 2,000 flying bodies would take 7 % longer for that alone.
         for number in (0..2000).filter(|_| parts.tiles) {
             add_floor(&mut simulator, (90.0, 20.0), place(number) + v(0.0, 0.4 * APART));
         }
@@ -56,7 +57,7 @@ impl World {
         world
     }
 
-    /// The bullet begins anew.
+    /// Moves the bullet back to its start.
     fn shoot(&mut self) {
         if let Some(bullet) = self.bullet {
             let bullet = &mut self.simulator[bullet];
@@ -66,7 +67,7 @@ impl World {
         }
     }
 
-    /// Microseconds per step, shooting again whenever the bullet has left.
+    /// Returns the time per step, µs. Whenever the bullet has left the world it starts again.
     fn time(mut self) -> f64 {
         (0..30).for_each(|_| self.simulator.update(DT));
         let start = Instant::now();
@@ -99,7 +100,7 @@ fn main() {
     for _ in 0..ROUNDS {
         worlds.iter().zip(&mut times).for_each(|((_, parts), times)| times.push(World::new(*parts).time()));
     }
-    // Of what is measured beside others, the least is what it takes.
+    // The minimum over the rounds counts, because other load on the machine only adds time.
     let least = |times: &Vec<f64>| times.iter().copied().fold(f64::MAX, f64::min);
     for ((name, _), times) in worlds.iter().zip(&times) {
         println!("{name:<20} {:9.2} us per step", least(times));

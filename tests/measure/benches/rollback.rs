@@ -1,6 +1,7 @@
-//! What it costs to go back: saving, restoring and cloning 1,000 bodies, in 2D with both sets and in 2.5D.
+//! Measures the cost of rollback: saving, restoring and cloning 1,000 bodies, in 2D with both sets of methods and in 2.5D.
 //!
-//! `cargo bench -p measure --bench rollback` prints a table: the median of many calls in µs, and the bytes of a snapshot.
+//! `cargo bench -p measure --bench rollback` prints a table: the median time of many calls in µs, and the size of a snapshot in
+//! bytes.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -12,15 +13,15 @@ use twohalf::TwoHalfPhysicsSimulator;
 
 const BODIES: usize = 1000;
 const DT: f32 = 1.0 / 60.0;
-/// Updates until a pile lies.
+/// Number of updates after which a pile is at rest.
 const UPDATES: usize = 900;
-/// Updates of what never comes to rest.
+/// Number of updates before the measurement of a scene that never comes to rest.
 const MOVING_UPDATES: usize = 60;
 const CALLS: usize = 101;
 const ROWS: [&str; 7] =
     ["contacts", "bytes of a snapshot", "`snapshot`", "`restore`", "`clone`", "`clone_from`", "`update`"];
 
-/// What rollback asks of either engine.
+/// Operations that rollback needs, for either engine.
 trait Engine: Clone {
     fn contacts(&self) -> usize;
     fn snapshot(&self) -> Vec<u8>;
@@ -58,7 +59,7 @@ impl Engine for TwoHalfPhysicsSimulator {
     }
 }
 
-/// Boxes and circles of about 16 px that fall into a pit.
+/// Returns a simulator with boxes and circles of about 16 px that fall into a pit.
 fn plane_pile(methods: Methods) -> PhysicsSimulator {
     let mut simulator = simulator_with(320.0, methods);
     add_floor(&mut simulator, (700.0, 100.0), v(0.0, 50.0));
@@ -81,7 +82,7 @@ fn depth(scene: &DepthScene) -> TwoHalfPhysicsSimulator {
     build(scene).0
 }
 
-/// Median time of a call, as text.
+/// Returns the median time of a call, in µs, as text.
 fn median(mut call: impl FnMut()) -> String {
     let mut times: Vec<f64> = (0..CALLS)
         .map(|_| {
@@ -94,7 +95,7 @@ fn median(mut call: impl FnMut()) -> String {
     format!("{:.1} µs", times[CALLS / 2])
 }
 
-/// What is said of a simulator after so many updates, row by row.
+/// Returns the column of a simulator in the table: one cell per row, measured after `updates` updates.
 fn column(mut simulator: impl Engine, updates: usize) -> [String; ROWS.len()] {
     (0..updates).for_each(|_| simulator.update());
     let snapshot = simulator.snapshot();

@@ -1,4 +1,4 @@
-//! Time per step of whole simulations, averaged over the recorded length of the scene.
+//! Measures the time per step of complete simulations, as a mean over the recorded length of the scene.
 //!
 //! `cargo bench -p measure`. Only the updates are measured, not the building of a scene.
 
@@ -11,10 +11,10 @@ use divan::counter::ItemsCount;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// The scenes that are measured.
+/// Names of the scenes.
 const SCENES: [&str; 4] = ["bench_circles_500", "bench_boxes_300", "pyramid_of_20", "1000_circles_in_a_pit"];
 
-/// The median over the samples is what is printed at the end: ms per step.
+/// Mean times per step of every sample, by scene. Their medians are printed at the end, in ms.
 static MEANS: Mutex<Vec<(&str, Vec<Duration>)>> = Mutex::new(Vec::new());
 
 fn scene(name: &str) -> Scene {
@@ -28,7 +28,7 @@ fn scene(name: &str) -> Scene {
     }
 }
 
-/// All steps of a scene; divan counts steps per second.
+/// Measures all steps of a scene. `divan` prints steps per second.
 #[divan::bench(args = SCENES, sample_count = 5, sample_size = 1)]
 fn steps(bencher: Bencher<'_, '_>, name: &'static str) {
     let scene = scene(name);

@@ -1,7 +1,7 @@
-//! What it costs that figures walk: a crowd of them and crates in a street, with and without.
+//! Measures the cost of walking characters: a crowd of them and crates in a street, with and without `walk`.
 //!
-//! `cargo bench -p measure --bench walking` prints the time per step of 200 figures that mill about among 200 crates, with
-//! [`walk`](twohalf::TwoHalfPhysicsSimulator::walk) and the update, each by itself.
+//! `cargo bench -p measure --bench walking` prints the time per step of 200 figures that mill about among 200 crates. It
+//! measures the calls of [`walk`](twohalf::TwoHalfPhysicsSimulator::walk) and the update separately.
 
 use std::time::{Duration, Instant};
 
@@ -13,9 +13,9 @@ const FIGURES: usize = 200;
 const CRATES: usize = 200;
 const UPDATES: usize = 300;
 const ROUNDS: usize = 9;
-/// Room of one thing in the street, px along X and along Z.
+/// Space of each object in the street, px along X and along Z.
 const ROOM: [f32; 2] = [70.0, 50.0];
-/// Things side by side in the street.
+/// Number of objects side by side, across the street.
 const LANES: usize = 10;
 
 fn street() -> (TwoHalfPhysicsSimulator, Vec<(BodyId, CharacterController)>) {
@@ -35,7 +35,7 @@ fn street() -> (TwoHalfPhysicsSimulator, Vec<(BodyId, CharacterController)>) {
     (simulator, figures)
 }
 
-/// Times of all walks and of all updates.
+/// Returns the total times of all calls of `walk` and of all updates.
 fn run() -> [Duration; 2] {
     let (mut simulator, mut figures) = street();
     let mut times = [Duration::ZERO; 2];

@@ -1,9 +1,9 @@
-//! Which methods are exact enough for a scene of a user's, and which of these cost least.
+//! Recommends a method for a user's scene: the cheapest one whose errors are within a tolerance.
 //!
-//! [`advise`] runs the scene with each of [`CHOICES`], by turns, so that what the machine does besides meets all of them, and
-//! beside two careful runs of the precise set that say how it really goes. What is off means something to a game: see
-//! [`Findings`]. Neither set moves a chaotic scene along the path of the other: paths are compared only for as long as
-//! the two careful runs are on one.
+//! [`advise`] runs the scene with each of [`CHOICES`] by turns, so that other load on the machine slows all of them alike.
+//! Two careful runs of the precise set, with 4 and 5 updates per step and 16 and 12 substeps per update, give the expected
+//! course of the scene. Errors are quantities that matter to a game: see [`Findings`]. In a chaotic scene no two methods
+//! follow the same path. Paths are therefore compared only until the two careful runs part.
 //!
 //! ```
 //! use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};
@@ -39,25 +39,26 @@ use crate::method::Setting;
 use crate::sweep::{Outcome, Point, Run, Start, Subject, Sweep, Trial};
 use crate::watch::Watch;
 use crate::world::{BodyState, World};
-use farseer_core::{BodyId, GeomId, IslandChoice, Methods, NarrowPhaseCollider, PhysicsSimulator};
-use findings::Finder;
+use farseer_core::{BodyId, GeomId, Methods, NarrowPhaseCollider, PhysicsSimulator, SolverChoice};
+use findings::FindingsWatch;
 use reference::Reference;
 use std::cell::RefCell;
 use std::fmt::Display;
 use std::rc::Rc;
 
-/// What is asked.
+/// Settings of a run of [`advise`]: duration, step and tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asked {
-    /// Simulated time in s: long enough for what is to fall, swing or come to rest.
+    /// Simulated time in s: long enough for bodies to fall, swing or come to rest.
     pub seconds: f64,
     /// The game's time step in s.
     pub dt: f32,
-    /// Iterations of the faithful set that the game has.
+    /// Number of iterations per step of the faithful set in the user's game.
     pub iterations: u32,
-    /// Size of things in the game's unit of length: 32 for games in px, 1 for games in metres.
+    /// Typical size of an object in the game's unit of length: 32 for games in px, 1 for games in metres.
     pub length_unit: f32,
-    /// What nobody sees: a length. 1 px, by default, where a unit is 32 px.
+    /// Greatest error that no player sees, in the game's unit of length. Default: 1 (1 px), for games in which an object has
+    /// 32 px.
     pub tolerance: f64,
 }
 
@@ -68,7 +69,7 @@ impl Default for Asked {
 }
 
 impl Asked {
-    /// Refuses what nothing can be run with.
+    /// Returns an error with the reason if a setting is not finite, not greater than 0, or gives too few or too many steps.
     fn check(&self) -> Result<(), String> {
         let Asked { seconds, dt, length_unit, tolerance, .. } = *self;
         let numbers = [
@@ -90,37 +91,38 @@ impl Asked {
         Ok(())
     }
 
-    /// The precise set for this scene.
+    /// Returns the precise set with the length unit of this scene.
     pub(crate) fn precise(&self) -> Methods {
         Methods::Precise { length_unit: self.length_unit }
     }
 }
 
-/// Steps of a run: enough to tell rest from motion, and not hours.
+/// Least number of steps of a run of [`advise`]: enough to distinguish rest from motion.
 const LEAST: f64 = 20.0;
+/// Greatest number of steps of a run of [`advise`], a bound on its duration.
 const MOST: f64 = 100_000.0;
 
-/// A way to run a scene.
+/// A method with which [`advise`] runs the scene: set of methods, solver and effort per step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choice {
-    /// What a reader calls it, with its [setting](Verdict::setting).
+    /// Name of the method for readers. Choices with the same name differ in the [setting](Verdict::setting).
     pub name: &'static str,
-    /// Whether it is the precise set, with what is chosen of its islands.
-    pub islands: Option<IslandChoice>,
-    /// Iterations or substeps; of the faithful set, 0 for those that the game has.
+    /// Island solver of the precise set; `None` for the faithful set.
+    pub islands: Option<SolverChoice>,
+    /// Number of iterations (faithful set) or substeps (precise set) per update. In the faithful set, 0 means the number in
+    /// the user's game.
     pub passes: u32,
-    /// Into how many updates a step of the game is divided.
+    /// Number of updates into which a time step of the game is divided, >= 1.
     pub parts: u16,
 }
 
 const FAITHFUL: Choice = Choice { name: "Faithful", islands: None, passes: 0, parts: 1 };
-const PRECISE: Choice =
-    Choice { name: "Precise", islands: Some(IslandChoice::ByItself), passes: 4, parts: 1 };
+const PRECISE: Choice = Choice { name: "Precise", islands: Some(SolverChoice::Auto), passes: 4, parts: 1 };
 
 const PASSES: Choice =
-    Choice { name: "Precise, passes alone", islands: Some(IslandChoice::Passes), ..PRECISE };
+    Choice { name: "Precise, iterative solver alone", islands: Some(SolverChoice::Iterative), ..PRECISE };
 
-/// What is tried.
+/// All methods that [`advise`] runs, in the order of its table.
 pub const CHOICES: [Choice; 7] = [
     FAITHFUL,
     Choice { passes: 20, ..FAITHFUL },
@@ -132,7 +134,7 @@ pub const CHOICES: [Choice; 7] = [
 ];
 
 impl Choice {
-    /// The time step and passes in a scene.
+    /// Returns the time step in s of an update, and the iterations or substeps per update, of this choice.
     fn setting(&self, asked: &Asked) -> Setting {
         let passes = if self.passes == 0 { asked.iterations } else { self.passes };
         Setting::fixed(asked.dt / f32::from(self.parts), passes)
@@ -143,55 +145,55 @@ impl Choice {
     }
 }
 
-/// What came of a choice.
+/// Result of one choice in a run of [`advise`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
-    /// Which it is.
+    /// The method that was run.
     pub choice: Choice,
-    /// Its time step and passes.
+    /// Time step in s and iterations or substeps of the run.
     pub setting: Setting,
-    /// What is off.
+    /// Errors of the run in comparison with the careful runs (see [`advise`]).
     pub findings: Findings,
-    /// Why the run is of no use, if it is: what fell or was no number.
+    /// Whether the run succeeded, or the reason of its failure, such as a body that falls or a number that is not finite.
     pub outcome: Outcome,
-    /// CPU time of the steps for each second of simulated time.
+    /// CPU time of the steps per second of simulated time, in µs/s.
     pub microseconds_per_simulated_second: f64,
 }
 
 impl Verdict {
-    /// Whether everything that is off is within what is asked.
+    /// Returns whether the run did not fail and every error is within its tolerance.
     pub fn is_exact_enough(&self, asked: &Asked) -> bool {
         self.outcome == Outcome::Fine && self.findings.worst(asked).1 <= 1.0
     }
 }
 
-/// What [`advise`] answers.
+/// Result of [`advise`]: a verdict for each choice, and how predictable the scene is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Advice {
-    /// What was asked.
+    /// Settings with which [`advise`] was called.
     pub asked: Asked,
-    /// Bodies that can move; those that come to rest, in the same places in both careful runs; and for how many seconds
-    /// these are on one path.
+    /// Number of dynamic bodies in the scene.
     pub movable: usize,
-    /// See [`movable`](Self::movable).
+    /// Number of dynamic bodies that come to rest in the same places in both careful runs (see [`advise`]).
     pub resting: usize,
-    /// See [`movable`](Self::movable).
+    /// Simulated time in s after which the paths of the two careful runs (see [`advise`]) part.
     pub predictable: f64,
-    /// In the order of [`CHOICES`].
+    /// One verdict for each choice that was run, in the order of [`CHOICES`].
     pub verdicts: Vec<Verdict>,
-    /// What cannot be run, and why.
+    /// Choices that cannot be run in this scene, each with the reason.
     pub absent: Vec<(Choice, String)>,
-    /// For a chart: what is off, in parts of what is exact enough, over time.
+    /// Points of the chart: the worst error, as a multiple of its tolerance, and the CPU time in µs per simulated second.
     pub points: Vec<Point>,
 }
 
-/// Times that differ by less than this factor are alike.
+/// Greatest ratio of two CPU times that count as equal, dimensionless. Value chosen; its sensitivity is not measured.
 const CHANCE: f64 = 1.1;
 /// Name of the scene in charts.
 const SCENE: &str = "your_scene";
 
 impl Advice {
-    /// The cheapest that is exact enough; of those that hardly take more, the most exact one.
+    /// Returns the cheapest verdict that is exact enough. Among verdicts that need at most 1.1 times its CPU time, it
+    /// returns the one with the least error. `None` if no verdict is exact enough.
     pub fn recommended(&self) -> Option<&Verdict> {
         let fine = || self.verdicts.iter().filter(|verdict| verdict.is_exact_enough(&self.asked));
         let time = |verdict: &Verdict| verdict.microseconds_per_simulated_second;
@@ -200,32 +202,36 @@ impl Advice {
         fine().filter(|verdict| time(verdict) <= CHANCE * least).min_by(|a, b| worst(a).total_cmp(&worst(b)))
     }
 
-    /// What a chart says of it.
+    /// Returns the title, axis labels and tolerance of the chart.
     pub fn subject(&self) -> Subject {
         Subject {
             name: SCENE,
-            about: "What is off most, in parts of what would be exact enough, over the time it takes.",
+            about: "Greatest error, as a multiple of its tolerance, over CPU time.",
             sizes: vec![0],
-            error: "greatest error / what is exact enough",
+            error: "greatest error / tolerance",
             unit: "",
             tolerance: 1.0,
         }
     }
 
-    /// The lines of a chart, with the settings that a game begins with: its own, and 4 substeps.
+    /// Returns the lines of the chart by name, each with its recommended setting: the game's own iterations, or 4 substeps.
     pub fn methods(&self) -> [(&'static str, Setting); 3] {
         [FAITHFUL, PRECISE, PASSES].map(|choice| (choice.name, choice.setting(&self.asked)))
     }
 }
 
-/// Runs a scene with each choice there is, and says what it takes, how far it is off, and which is the cheapest that is exact
-/// enough. `build` makes the scene anew, always the same, for these methods, or for others that may be changed to them. What a
-/// game does between updates is not in it.
+/// Runs a scene with each of [`CHOICES`], and returns the cost and the errors of each, and the cheapest that is exact
+/// enough.
+///
+/// `build` creates the same scene anew at each call. Its argument is the set of methods; if the simulator has the other set,
+/// it is changed afterwards. Work of the game between updates is not part of a run.
 ///
 /// # Errors
 ///
-/// A number of what is asked that is not finite, or not greater than 0; steps that are too few or too many; what `build` says
-/// of the precise set; a careful run in which something is no number or leaves.
+/// - A setting is not finite or not greater than 0.
+/// - The number of steps is too small or too great.
+/// - `build` fails for the precise set.
+/// - In a careful run the state of a body is not finite, or a body leaves the scene.
 pub fn advise<E: Display>(
     asked: &Asked,
     build: impl Fn(Methods) -> Result<PhysicsSimulator, E>,
@@ -253,7 +259,7 @@ pub fn advise<E: Display>(
         tried.iter().filter_map(|tried| verdict(asked, tried, &sweep.points)).collect();
     let by_itself = verdicts.iter().find(|verdict| verdict.choice == PRECISE).cloned();
     if verdicts.pop_if(|last| by_itself.is_some_and(|other| is_the_same(last, &other))).is_some() {
-        absent.push((PASSES, "the same as Precise: nothing is solved as a whole".to_owned()));
+        absent.push((PASSES, "the same as Precise: the direct solver takes no island".to_owned()));
         sweep.points.retain(|point| point.method != PASSES.name);
     }
     Ok(Advice {
@@ -267,15 +273,15 @@ pub fn advise<E: Display>(
     })
 }
 
-/// Whether two runs were one, to the bit.
+/// Returns whether verdict `one` is of the iterative solver alone and has the same errors and outcome as `other`.
 fn is_the_same(one: &Verdict, other: &Verdict) -> bool {
     one.choice == PASSES && (&one.findings, one.outcome) == (&other.findings, other.outcome)
 }
 
-/// What a run has found, shared with who watches it.
+/// Errors of a run, shared between the verdict and the watch that measures them.
 type Shared = Rc<RefCell<Findings>>;
 
-/// Makes the scene for a choice.
+/// Builds the scene with the methods, iterations and island solver of `choice`.
 fn built<E: Display>(
     asked: &Asked,
     choice: &Choice,
@@ -289,11 +295,12 @@ fn built<E: Display>(
     }
     let passes = choice.setting(asked).passes;
     simulator.set_iterations(i32::try_from(passes).map_err(|_| format!("{passes} iterations"))?);
-    simulator.set_island_choice(choice.islands.unwrap_or_default());
+    simulator.set_solver_choice(choice.islands.unwrap_or_default());
     Ok(simulator)
 }
 
-/// Changes to the other set. What was made under the precise one has no distance grids yet.
+/// Changes the simulator to `methods`. Creates missing distance grids, since geoms that were made in the precise set have
+/// none.
 fn change(simulator: &mut PhysicsSimulator, methods: Methods) -> farseer_core::Result<()> {
     simulator.set_methods(methods)?;
     let has_grid = |&geom: &GeomId| simulator.geom(geom).is_some_and(|geom| geom.distance_grid().is_some());
@@ -315,7 +322,7 @@ fn trial<'a>(
         let bodies: Vec<BodyId> = simulator.bodies().collect();
         let simulator = Rc::new(RefCell::new(simulator));
         let watch: Box<dyn Watch> =
-            Box::new(Finder::new(*asked, reference.clone(), simulator.clone(), found.clone()));
+            Box::new(FindingsWatch::new(*asked, reference.clone(), simulator.clone(), found.clone()));
         Ok(Run { world: Box::new(Stepped { simulator, bodies }), watches: vec![(SCENE, watch)] })
     });
     let setting = choice.setting(asked);
@@ -334,7 +341,7 @@ fn verdict(asked: &Asked, (choice, found): &(Choice, Shared), points: &[Point]) 
     })
 }
 
-/// A simulator that its watch looks into, too.
+/// A world whose simulator is shared with the watch of the run, which reads more than body states.
 struct Stepped {
     simulator: Rc<RefCell<PhysicsSimulator>>,
     bodies: Vec<BodyId>,

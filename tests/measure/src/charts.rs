@@ -1,7 +1,8 @@
-//! The scenes of the chart: what is built, for how long it runs, and what counts as error.
+//! Scenes of the chart: bodies, duration and measure of error of each.
 //!
-//! Where size does not matter a scene has its one size. Tolerances are what a game would accept; each says why.
-//! No scene is judged by the path that things take in chaos: only by closed forms, invariants and rest.
+//! A scene whose number of bodies has no influence has one size. A tolerance is an error that a game would accept; each
+//! scene states the reason. Errors are distances from closed forms, from invariants and from rest, never from a chaotic
+//! path.
 
 mod bounce;
 mod build;
@@ -22,35 +23,36 @@ use super::sweep::Subject;
 use super::watch::Watch;
 use conformance::scene::Scene;
 
-/// A scene of the chart, with what is measured in it.
+/// A scene of the chart, with the quantity that is measured as its error.
 pub struct ChartScene<S = Scene> {
-    /// Such as `box_stack_height`.
+    /// Name of the scene, such as `box_stack_height`.
     pub name: &'static str,
-    /// One sentence.
+    /// Description of the scene in one sentence.
     pub about: &'static str,
-    /// Numbers of bodies, rounded up to whole rows where there are rows; 0 alone where size does not matter.
+    /// Numbers of bodies with which the scene is run, rounded up to full rows where there are rows; 0 alone where size does
+    /// not matter.
     pub sizes: &'static [usize],
-    /// Makes the scene of a size.
+    /// Builds the scene; the argument is the number of bodies.
     pub build: fn(usize) -> S,
-    /// Simulated time in s.
+    /// Simulated time of a run in s.
     pub seconds: f64,
-    /// Makes what watches the scene.
+    /// Creates the watch that measures the error in the scene.
     pub watch: fn(&S) -> Box<dyn Watch>,
-    /// What the error is, for the axis.
+    /// Name of the measured error, for the axis of the chart.
     pub error: &'static str,
-    /// Its unit.
+    /// Unit of the error; empty for a count.
     pub unit: &'static str,
-    /// The error a game would accept.
+    /// Greatest error that a game would accept: a length, a percentage or a number, in the unit that the field `unit` names.
     pub tolerance: f64,
-    /// Whether the broad phases are compared too.
+    /// Whether the scene is also run with methods that differ in the broad phase alone.
     pub broad_phases_matter: bool,
-    /// Whether other engines are charted too. Not where the error is the distance to a law that is that of our
-    /// integrator alone: what steps in another way is none the worse for not following it.
+    /// Whether other engines are charted too. They are not if the error is the distance from the discrete law of our
+    /// integrator: other integrators need not follow that law.
     pub peers_too: bool,
 }
 
 impl<S> ChartScene<S> {
-    /// What a chart says of it.
+    /// Returns the title, axis labels, sizes and tolerance of the chart of this scene.
     pub fn subject(&self) -> Subject {
         Subject {
             name: self.name,
@@ -65,10 +67,10 @@ impl<S> ChartScene<S> {
 
 copied!(ChartScene);
 
-/// The sizes of a scene that has only one.
+/// Sizes of a scene whose number of bodies does not matter.
 const ONE_SIZE: &[usize] = &[0];
 
-/// All scenes of the chart: the one place to add one.
+/// Returns all 2D scenes of the chart, in order. New scenes are added here.
 pub fn chart_scenes() -> Vec<ChartScene> {
     let kinds = [
         flight::scenes(),

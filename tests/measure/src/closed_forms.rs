@@ -1,8 +1,8 @@
-//! What happens by law: in closed form, or integrated finely where there is none. Lengths px, y down, times s, angles
-//! rad, masses kg.
+//! Laws of motion as references for measurements: in closed form, or integrated with small steps where there is none.
+//! Lengths are px, y points down, times are s, angles rad, masses kg.
 
-/// Place of a body thrown from `start` at `velocity` under `gravity` (px/s², down), after a time. Its drag is a
-/// force of `rate * mass` times the velocity; the rate is per s.
+/// Returns the position in px of a body after `time` s that was thrown from `start` (px) at `velocity` (px/s). `gravity`
+/// points down, in px/s². The drag force is `rate * mass` times the velocity; `rate` is in 1/s, >= 0.
 pub fn thrown(start: [f64; 2], velocity: [f64; 2], gravity: f64, rate: f64, time: f64) -> [f64; 2] {
     if rate == 0.0 {
         return [start[0] + velocity[0] * time, start[1] + velocity[1] * time + gravity * time * time / 2.0];
@@ -14,22 +14,22 @@ pub fn thrown(start: [f64; 2], velocity: [f64; 2], gravity: f64, rate: f64, time
     })
 }
 
-/// The same throw by the discrete law of the original (behaviour chapter 02): the drag of the old velocity
-/// first, then the place by the new velocity.
+/// State of a body thrown with drag, by the discrete law of the original engine (behaviour chapter 02). Each step applies the
+/// drag of the old velocity first, then moves the position by the new velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteppedThrow {
-    /// Place in px.
+    /// Position of the centre of mass in px, y down.
     pub position: [f64; 2],
-    /// In px/s.
+    /// Velocity in px/s, y down.
     pub velocity: [f64; 2],
-    /// In px/s², down.
+    /// Gravity in px/s², downwards.
     pub gravity: f64,
-    /// Drag per mass and velocity, per s.
+    /// Drag force divided by mass and velocity, in 1/s, >= 0.
     pub rate: f64,
 }
 
 impl SteppedThrow {
-    /// Moves by a step in s.
+    /// Advances position and velocity by a step of `dt` s.
     pub fn step(&mut self, dt: f64) {
         let gravity = [0.0, self.gravity];
         for (axis, gravity) in gravity.into_iter().enumerate() {
@@ -39,62 +39,66 @@ impl SteppedThrow {
     }
 }
 
-/// Height of the `bounces`-th apex of what fell from `height` and bounces with a restitution.
+/// Returns the height in px of apex number `bounces` of a body that fell from `height` (px); `restitution` is 0..=1.
 pub fn apex(height: f64, restitution: f64, bounces: i32) -> f64 {
     height * restitution.powi(2 * bounces)
 }
 
-/// How far something slides down an incline until it stops; infinite where it does not.
+/// Returns the distance in px that a body slides down an incline until it stops; infinite if it does not stop. `speed` in
+/// px/s, `gravity` in px/s², `angle` in rad, `friction` coefficient.
 pub fn stopping_distance(speed: f64, gravity: f64, angle: f64, friction: f64) -> f64 {
     let deceleration = gravity * (friction * angle.cos() - angle.sin());
     if deceleration > 0.0 { speed * speed / (2.0 * deceleration) } else { f64::INFINITY }
 }
 
-/// Acceleration down an incline of what rolls without slipping.
+/// Returns the acceleration in px/s² down an incline of a body that rolls without slipping. `gravity` in px/s², `angle` in
+/// rad, `mass` in kg, `radius` in px, `inertia` about the centre in kg px².
 pub fn rolling_acceleration(gravity: f64, angle: f64, mass: f64, radius: f64, inertia: f64) -> f64 {
     gravity * angle.sin() / (1.0 + inertia / (mass * radius * radius))
 }
 
-/// A rigid regular polygon that rolls down a slope from corner to corner, and neither slips nor hops. While it turns
-/// about the corner it stands on, it keeps its energy. When the next corner lands, without a bounce, the ground takes
-/// the part of the motion that cannot go on about that corner: angular momentum about it stays. It knows only the way
-/// down; [`RollingPolygon::push`] says whether it would hop.
+/// A rigid regular polygon that rolls down a slope from corner to corner, and neither slips nor hops.
+///
+/// While the polygon turns about the corner on which it stands, its energy is constant. When the next corner lands, without
+/// a bounce, the angular momentum about that corner is conserved and the ground absorbs the remaining energy. Only rolling
+/// downhill is modelled; [`RollingPolygon::push`] shows whether a real polygon would hop or slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingPolygon {
-    /// How many corners it has.
+    /// Number of corners of the polygon.
     pub corners: u32,
-    /// From the centre to a corner, in px.
+    /// Distance from the centre to a corner, in px.
     pub radius: f64,
-    /// In kg.
+    /// Mass of the polygon in kg.
     pub mass: f64,
-    /// About the centre, in kg px².
+    /// Moment of inertia about the centre in kg px².
     pub inertia: f64,
-    /// In px/s².
+    /// Gravity in px/s², downwards.
     pub gravity: f64,
-    /// Of the ground, down in the way it rolls, in rad.
+    /// Inclination of the ground in rad, positive downhill in the direction of rolling.
     pub slope: f64,
-    /// Where the corner it stands on is, down the slope, in px.
+    /// Position along the slope, positive downhill, of the corner on which the polygon stands, in px.
     pub foot: f64,
-    /// How far the centre has turned ahead of that corner, from the normal of the slope, in rad.
+    /// Angle in rad from the normal of the slope to the line from the standing corner to the centre, positive downhill.
     pub lean: f64,
-    /// In rad/s, ahead.
+    /// Angular velocity in rad/s, positive downhill.
     pub rate: f64,
 }
 
 impl RollingPolygon {
-    /// How far down the slope the centre is, in px.
+    /// Returns the position of the centre along the slope, positive downhill, in px.
     pub fn way(&self) -> f64 {
         self.foot + self.radius * self.lean.sin()
     }
 
-    /// Kinetic energy and that of height, in kg px²/s².
+    /// Returns the sum of kinetic and potential energy in kg px²/s².
     pub fn energy(&self) -> f64 {
         let height = self.radius * self.lean.cos() * self.slope.cos() - self.way() * self.slope.sin();
         self.inertia_about_corner() * self.rate.powi(2) / 2.0 + self.mass * self.gravity * height
     }
 
-    /// The force of the ground on the corner, in kg px/s²: down the slope, and away from the ground. It hops when the
-    /// second is not positive, and slips when the first is larger than friction gives of the second.
+    /// Returns the force of the ground on the standing corner in kg px/s²: component down the slope, and component along the
+    /// normal away from the ground. The polygon hops if the normal component is not positive. It slips if the other one
+    /// exceeds the friction coefficient times the normal component.
     pub fn push(&self) -> [f64; 2] {
         let (sine, cosine) = self.lean.sin_cos();
         let (turning, pulling) = (self.acceleration(), self.rate * self.rate);
@@ -103,9 +107,9 @@ impl RollingPolygon {
         [0, 1].map(|axis| self.mass * (self.radius * acceleration[axis] - gravity[axis]))
     }
 
-    /// Rolls on for a time in s.
+    /// Advances the motion by `time` s.
     pub fn roll(&mut self, time: f64) {
-        // The error of a turn goes with the square of the step: a millionth at this one.
+        // Time step in s. The error of a turn is proportional to the square of the step: a millionth at this one.
         const STEP: f64 = 1e-4;
         let steps = (time / STEP).ceil();
         (0..steps as u64).for_each(|_| self.step(time / steps));
@@ -124,7 +128,7 @@ impl RollingPolygon {
         *self = self.turned((1.0 - share) * dt);
     }
 
-    /// Turned about the corner, by the leapfrog method.
+    /// Returns the polygon after it has turned about the standing corner for `dt` s, by the leapfrog method.
     fn turned(mut self, dt: f64) -> Self {
         self.rate += self.acceleration() * dt / 2.0;
         self.lean += self.rate * dt;
@@ -132,7 +136,8 @@ impl RollingPolygon {
         self
     }
 
-    /// The next corner becomes that on which it stands.
+    /// Makes the next corner the standing one, and sets the angular velocity after that impact; `half` is half of the angle
+    /// in rad between neighbouring corners.
     fn land(&mut self, half: f64) {
         let reach = self.mass * self.radius.powi(2);
         self.rate *= (self.inertia + reach * (2.0 * half).cos()) / self.inertia_about_corner();
@@ -140,7 +145,7 @@ impl RollingPolygon {
         self.lean -= 2.0 * half;
     }
 
-    /// Of the turn, in rad/s².
+    /// Returns the angular acceleration about the standing corner, in rad/s².
     fn acceleration(&self) -> f64 {
         self.mass * self.gravity * self.radius * (self.lean + self.slope).sin() / self.inertia_about_corner()
     }
@@ -150,22 +155,24 @@ impl RollingPolygon {
     }
 }
 
-/// Period of a pendulum that swings out to `amplitude`; its inertia is that about the centre of mass, which is
-/// `length` from the pivot. Exact: the complete elliptic integral by the arithmetic-geometric mean.
+/// Returns the period in s of a pendulum with amplitude `amplitude` in rad. `gravity` in px/s², `mass` in kg, `length` in px
+/// from the pivot to the centre of mass, `inertia` about the centre of mass in kg px². Exact: the complete elliptic integral
+/// by the arithmetic-geometric mean.
 pub fn pendulum_period(gravity: f64, mass: f64, length: f64, inertia: f64, amplitude: f64) -> f64 {
     let rate = (mass * gravity * length / (inertia + mass * length * length)).sqrt();
     std::f64::consts::TAU / rate / arithmetic_geometric_mean(1.0, (amplitude / 2.0).cos())
 }
 
 fn arithmetic_geometric_mean(mut a: f64, mut b: f64) -> f64 {
-    // The distance is squared in every round: so many are more than enough.
+    // Each round squares the relative distance of a and b: 40 rounds are more than enough.
     for _ in 0..40 {
         (a, b) = ((a + b) / 2.0, (a * b).sqrt());
     }
     a
 }
 
-/// Velocities of two discs without friction after a hit along the unit vector from the first to the second.
+/// Returns the velocities in px/s of two frictionless discs after a collision along `normal`, the unit vector from the first
+/// to the second disc. Each disc is given by its velocity in px/s and its mass in kg.
 pub fn after_hit(
     (velocity_a, mass_a): ([f64; 2], f64),
     (velocity_b, mass_b): ([f64; 2], f64),
@@ -180,8 +187,9 @@ pub fn after_hit(
     [change(velocity_a, -1.0 / mass_a), change(velocity_b, 1.0 / mass_b)]
 }
 
-/// Unit vector from a disc moving along x at first, whose path passes a resting one at a distance `offset`
-/// above it (y down: the resting one has the larger y), when they touch at a distance `reach` of the centres.
+/// Returns the unit vector from the moving to the resting disc at first touch; `reach` is the distance of the centres then,
+/// in px. The moving disc travels along x and passes `offset` px above the resting one (y down, so the resting one has the
+/// larger y).
 pub fn normal_of_oblique_hit(offset: f64, reach: f64) -> [f64; 2] {
     let sine = offset / reach;
     [(1.0 - sine * sine).sqrt(), sine]

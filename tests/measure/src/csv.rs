@@ -1,4 +1,4 @@
-//! Tables of comma-separated values, and points as one.
+//! Tables of comma-separated values, and points of a sweep as such a table.
 
 use super::method::{Dt, Setting};
 use super::sweep::{Outcome, Point, Subject};
@@ -7,10 +7,10 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize, Serializer};
 use std::fmt::Display;
 
-/// What is written of a run that went well.
+/// Word for the outcome of a successful run in the table.
 const FINE: &str = "fine";
 
-/// A line of the table.
+/// One line of the table of points.
 #[derive(Debug, Serialize, Deserialize)]
 struct Row {
     scene: String,
@@ -34,17 +34,17 @@ struct Row {
     turns: usize,
 }
 
-/// A table of points, a line each. Points of a scene that is not among the subjects are left out.
+/// Returns a table with one line for each point. Points of a scene that is not in `subjects` are omitted.
 pub fn csv(points: &[Point], subjects: &[Subject]) -> String {
     let known = |point: &Point| subjects.iter().find(|subject| subject.name == point.scene);
     table(points.iter().filter_map(|point| Some(row(point, known(point)?))))
 }
 
-/// The points of a table that [`csv()`] has written.
+/// Reads the points from a table that [`csv()`] has written.
 ///
 /// # Errors
 ///
-/// What is wrong with the table, and in which line.
+/// The first fault of the table, with its line number.
 pub fn points(text: &str) -> Result<Vec<Point>, String> {
     Ok(rows::<Row>(text)?.into_iter().map(point).collect())
 }
@@ -89,7 +89,7 @@ fn point(row: Row) -> Point {
     }
 }
 
-/// Rows as lines below the names of their fields, with quotes where they are needed.
+/// Returns a table: a line with the names of the fields, then one line for each row. Texts with commas are quoted.
 pub(super) fn table(rows: impl IntoIterator<Item = impl Serialize>) -> String {
     let mut writer = Writer::from_writer(Vec::new());
     for row in rows {
@@ -99,7 +99,8 @@ pub(super) fn table(rows: impl IntoIterator<Item = impl Serialize>) -> String {
     String::from_utf8(bytes).expect("rows are text")
 }
 
-/// The rows of a table. One of a head alone has been cut off; an empty one has none.
+/// Reads the rows of a table. An empty text has no rows; a table with a header alone is an error, since it must have been
+/// cut off.
 pub(super) fn rows<R: DeserializeOwned>(text: &str) -> Result<Vec<R>, String> {
     let rows: csv::Result<Vec<R>> = Reader::from_reader(text.as_bytes()).deserialize().collect();
     match rows {
@@ -109,7 +110,7 @@ pub(super) fn rows<R: DeserializeOwned>(text: &str) -> Result<Vec<R>, String> {
     }
 }
 
-/// As a reader writes it: 8 and not 8.0.
+/// Writes a number without a trailing `.0`: 8 and not 8.0.
 fn plain<S: Serializer>(value: &impl Display, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(value)
 }
@@ -128,7 +129,7 @@ fn three_places<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::
     }
 }
 
-/// Points have names that are known to the program. Those that are read stay for its time.
+/// Returns a `'static` copy of a text, which is never freed: names in points are `'static`.
 pub(super) fn kept(text: String) -> &'static str {
     Box::leak(text.into_boxed_str())
 }
@@ -184,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_table_of_points_is_refused() {
+    fn a_text_that_is_no_table_of_points_is_refused() {
         assert!(points("scene,bodies\n").is_err_and(|error| error.contains("line 1")));
         assert!(
             points("scene,bodies\ndrop,5\n").is_err_and(|error| error.contains("missing field `method`"))

@@ -1,13 +1,17 @@
-//! Speed against accuracy, and where methods fail: what the programs `accuracy_vs_speed` and `stability_map` measure, and
-//! what the tests pin of it. Draws nothing: that is for the crate `drawing`.
+//! Speed against accuracy, and limits of methods: the measurements of the programs `accuracy_vs_speed` and `stability_map`, and
+//! of the tests that pin them. Drawing is in the crate `drawing`.
 //!
-//! A way to simulate is an entry of [`method::methods`]. A scene of a chart is an entry of [`charts::chart_scenes`]: [`trials`]
-//! says with which settings it is run, [`sweep`] runs all against each other, [`csv`] writes down what came of it. What is
-//! driven until it fails is an entry of [`stability::families`], with maps of its own. [`depth`] has all that for the 2.5D
-//! engine, [`joints`] has scenes of joints beside the peers. Lengths are px, in the plane y points down, times are s, angles rad; where an engine needs metres, 32 px are one.
+//! - A method is an entry of [`method::methods`].
+//! - A scene of a chart is an entry of [`charts::chart_scenes`]. [`trials`] lists the settings of its runs, [`sweep`] runs
+//!   all trials against each other, [`csv`] writes the results.
+//! - A scene that gets harder until methods fail is an entry of [`stability::families`]. Its results are drawn as a map.
+//! - [`depth`] contains charts and maps for the 2.5D engine, [`joints`] compares scenes of joints with other engines.
+//!
+//! Lengths are px, times s, angles rad; y points down in scenes in the plane. In engines that need metres, 32 px are one
+//! metre.
 
-/// Makes what is generic over scenes but holds none `Copy`, and shows its name: what is derived would ask for scenes that can
-/// be copied.
+/// Implements `Copy` and `Debug` for types that are generic over scenes but hold none. `derive` would require that the
+/// scene type is `Copy`.
 macro_rules! copied {
     ($name:ident) => {
         impl<S> Clone for $name<S> {

@@ -1,4 +1,4 @@
-//! The ways to simulate: the lines of a chart, the columns of a map.
+//! Methods that are compared: an engine with its options. A method is a line of a chart and one or more columns of a map.
 
 use super::world::World;
 #[cfg(feature = "peers")]
@@ -6,38 +6,38 @@ use crate::engines::peers_2d::{box2d_methods, rapier_methods};
 use crate::engines::plane::our_methods;
 use conformance::scene::Scene;
 
-/// Whose engine it is.
+/// Origin of an engine: this workspace or another project.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Family {
-    /// Of this workspace.
+    /// An engine of this workspace.
     Ours,
-    /// Another project's.
+    /// An engine of another project.
     Peer,
 }
 
-/// How much is tried.
+/// Extent of a measurement: how many settings and sizes are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Effort {
-    /// A few settings and sizes: minutes.
+    /// Runs a few settings and sizes; takes minutes.
     Quick,
-    /// All of them.
+    /// Runs all settings and sizes.
     Full,
 }
 
-/// The time step of a run.
+/// Time step of a run: constant or jittering.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Dt {
-    /// Always the same, in s.
+    /// Constant time step in s.
     Fixed(f32),
-    /// A fixed pseudo-random sequence between half and one and a half of a mean in s.
+    /// Time steps that vary pseudo-randomly between 0.5 and 1.5 times `mean`, in the same sequence in every run.
     Jitter {
-        /// The mean.
+        /// Mean time step in s.
         mean: f32,
     },
 }
 
 impl Dt {
-    /// The steps in s, without end. The same whenever it is asked.
+    /// Returns the time steps in s as an endless sequence, which is the same at every call.
     pub fn steps(self) -> impl Iterator<Item = f32> {
         (0_u64..).map(move |index| match self {
             Dt::Fixed(dt) => dt,
@@ -45,7 +45,7 @@ impl Dt {
         })
     }
 
-    /// The mean step in s.
+    /// Returns the mean time step in s.
     pub fn mean(self) -> f32 {
         match self {
             Dt::Fixed(dt) => dt,
@@ -53,7 +53,7 @@ impl Dt {
         }
     }
 
-    /// What a reader calls it: `1/60`, `0.016`, `jitter 1/60`.
+    /// Returns a label of the time step for readers: `1/60`, `0.016`, `jitter 1/60`.
     pub fn label(self) -> String {
         let dt = self.mean();
         let rate = (1.0 / dt).round();
@@ -63,83 +63,85 @@ impl Dt {
     }
 }
 
-/// A number from 0 up to 1 that looks random: the finishing steps of the generator SplitMix64.
+/// Returns a pseudo-random number in 0..1 that depends on `index` alone, by the finishing steps of the generator SplitMix64.
 pub(crate) fn unit(index: u64) -> f32 {
     let mut bits = (index + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     bits ^= bits >> 31;
-    // As many bits as a float holds without rounding up to 1.
+    // 24 bits: a float holds them exactly, so that the result is never rounded up to 1.
     (bits >> 40) as f32 / (1_u64 << 24) as f32
 }
 
-/// One point of a line: the step and how hard the solver works in it.
+/// Time step and solver effort of a run: one point on the line of a method in a chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setting {
-    /// The time step.
+    /// Time step in s, fixed or jittering.
     pub dt: Dt,
-    /// Per step: iterations of our solvers, short steps within the step of the peers.
+    /// Number of solver iterations (our engines) or substeps (other engines) per time step.
     pub passes: u32,
 }
 
 impl Setting {
-    /// A setting with a fixed step in s.
+    /// Returns a setting with a fixed time step of `dt` s and `passes` iterations or substeps.
     pub const fn fixed(dt: f32, passes: u32) -> Self {
         Setting { dt: Dt::Fixed(dt), passes }
     }
 
-    /// A setting with a jittering step, its mean in s.
+    /// Returns a setting with jittering time steps of mean `mean` s, and `passes` iterations or substeps per step.
     pub const fn jitter(mean: f32, passes: u32) -> Self {
         Setting { dt: Dt::Jitter { mean }, passes }
     }
 
-    /// What a reader calls it: `1/60 s x 5`.
+    /// Returns a label of time step and effort for readers: `1/60 s x 5`.
     pub fn label(self) -> String {
         format!("{} s x {}", self.dt.label(), self.passes)
     }
 }
 
-/// A scene in an engine, or what of it the engine does not have.
+/// World of a scene in an engine; the error names a feature of the scene that the engine lacks.
 pub type Built = Result<Box<dyn World>, String>;
 
-/// A setting that a map has a column for.
+/// A setting that is a column of a stability map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mapped {
-    /// The setting.
+    /// Time step, and iterations or substeps per step.
     pub setting: Setting,
-    /// Whether it is among the few that the table of first failures shows.
+    /// Whether the column also appears in the short table of first failures.
     pub is_in_table: bool,
 }
 
-/// A way to simulate: one line of a chart, some columns of a map. Scenes are those in the plane unless it says otherwise.
+/// A method of simulation: one line of a chart, and one or more columns of a map. `S` is the type of its scenes; by default
+/// these are scenes in the plane.
 pub struct Method<S = Scene> {
-    /// Such as "Farseer, distance grid".
+    /// Name of the method, such as "Farseer, distance grid".
     pub name: &'static str,
-    /// Whose engine it is.
+    /// Origin of the method's engine: this workspace or another project.
     pub family: Family,
-    /// Whether it differs from another method in the broad phase alone: left out where that does not matter.
+    /// Whether the method differs from another one in the broad phase alone. Scenes in which the broad phase does not matter
+    /// omit it.
     pub is_broad_phase_variant: bool,
-    /// Whether what has come to rest sleeps in it, once that is [asked for](World::set_sleep_enabled).
+    /// Whether bodies at rest fall asleep, once sleep is [enabled](World::set_sleep_enabled).
     pub sleeps: bool,
-    /// What the engine's authors recommend or take by default, at the usual step.
+    /// Setting that the engine's authors recommend or use by default, at the usual time step.
     pub recommended: Setting,
-    /// The points of its line. [`recommended`](Self::recommended) is one of them.
+    /// Returns the settings with which charts run the method. [`recommended`](Self::recommended) is one of them.
     pub settings: fn(Effort) -> Vec<Setting>,
-    /// Its columns on a map.
+    /// Returns the settings with which stability maps run the method: one column of a map for each.
     pub mapped: fn(Effort) -> Vec<Mapped>,
-    /// Puts a scene into the engine. An error says what of the scene the engine does not have.
+    /// Builds a scene in the engine with a setting. The error names a feature of the scene that the engine lacks.
     pub build: fn(&S, Setting) -> Built,
 }
 
 copied!(Method);
 
-/// Columns of some settings, of which some are in the table of first failures.
+/// Returns a map column for each of `settings`. Settings that are also in `in_table` appear in the table of first failures.
 pub(crate) fn mapped(settings: impl IntoIterator<Item = Setting>, in_table: &[Setting]) -> Vec<Mapped> {
     let mapped = |setting| Mapped { setting, is_in_table: in_table.contains(&setting) };
     settings.into_iter().map(mapped).collect()
 }
 
-/// All methods: the one place to add one.
+/// Returns all methods in the order of charts and maps. New methods are added here.
 pub fn methods() -> Vec<Method> {
     #[allow(unused_mut)]
     let mut methods = our_methods();
@@ -151,7 +153,7 @@ pub fn methods() -> Vec<Method> {
     methods
 }
 
-/// Names and versions of the other engines among them, and of what they are reached through.
+/// Returns names and versions of the other engines and of the crates that bind them; empty without the feature `peers`.
 pub fn peer_versions() -> Vec<(&'static str, String)> {
     #[cfg(feature = "peers")]
     return crate::engines::peers_2d::peer_versions();
@@ -181,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_recommended_is_among_the_settings_and_names_differ() {
+    fn recommended_settings_are_in_the_list_and_names_are_unique() {
         let methods = methods();
         for (index, method) in methods.iter().enumerate() {
             for effort in [Effort::Quick, Effort::Full] {

@@ -1,4 +1,4 @@
-//! Where figures come from: versions, machine and date.
+//! Origin of figures: versions, machine and date.
 
 use super::csv::{kept, table};
 use csv::ReaderBuilder;
@@ -6,7 +6,8 @@ use std::fs;
 use std::thread::available_parallelism;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// What to print beside figures, as names and values: the date, the machine, and the versions of what was compared.
+/// Returns the origin of figures as names and values: date, machine, build, and versions of this workspace and of the
+/// engines in `peers`.
 pub fn origin(peers: impl IntoIterator<Item = (&'static str, String)>) -> Vec<(&'static str, String)> {
     let mut lines = vec![
         ("Date", date(SystemTime::now())),
@@ -18,16 +19,16 @@ pub fn origin(peers: impl IntoIterator<Item = (&'static str, String)>) -> Vec<(&
     lines
 }
 
-/// The same as a table of two columns, to be kept beside the figures.
+/// Returns an origin as a table of two columns (name, value), to be stored beside the figures.
 pub fn origin_csv(origin: &[(&'static str, String)]) -> String {
     table(origin)
 }
 
-/// What [`origin_csv`] has written.
+/// Reads an origin from a table that [`origin_csv`] has written.
 ///
 /// # Errors
 ///
-/// When it is no table of two columns.
+/// The text is not a table of two columns.
 pub fn read_origin(text: &str) -> Result<Vec<(&'static str, String)>, String> {
     let mut reader = ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
     let lines: csv::Result<Vec<(String, String)>> = reader.deserialize().collect();
@@ -39,7 +40,7 @@ fn build() -> &'static str {
     if cfg!(debug_assertions) { "with assertions, not for timing" } else { "release" }
 }
 
-/// Processor, number of threads, system.
+/// Returns processor model, number of threads, operating system and architecture of this machine.
 fn machine() -> String {
     let known = fs::read_to_string("/proc/cpuinfo").ok();
     let model =
@@ -49,15 +50,15 @@ fn machine() -> String {
     format!("{model}, {threads} threads, {} {}", std::env::consts::OS, std::env::consts::ARCH)
 }
 
-/// Year, month and day of a time, by Greenwich.
+/// Returns the date of `time` as year-month-day, in UTC.
 fn date(time: SystemTime) -> String {
     let seconds = time.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
     let (year, month, day) = civil(seconds as i64 / 86_400);
     format!("{year:04}-{month:02}-{day:02}")
 }
 
-/// The calendar date of a day counted from 1970-01-01. Years are taken to begin in March, so that the day that some
-/// of them lack is the last; 400 years are always 146,097 days.
+/// Returns year, month and day of a day counted from 1970-01-01. The calculation lets years begin in March, so that February
+/// 29 is the last day of a year; 400 years have 146,097 days.
 fn civil(day: i64) -> (i64, i64, i64) {
     let day = day + 719_468;
     let era = day.div_euclid(146_097);
@@ -81,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_beside_figures_is_read() {
+    fn the_origin_of_figures_is_read_back() {
         let origin = origin([("peer", "1.0, with flags".to_owned())]);
         assert_eq!(read_origin(&origin_csv(&origin)), Ok(origin));
     }

@@ -1,8 +1,8 @@
-//! How deep the shapes of a scene are in each other, whatever engine moves them.
+//! Penetration depth of the shapes of a scene in px, by the same geometry for every engine.
 //!
-//! Circles are discs: in the engine of this workspace they are polygons within the disc, and two of them that
-//! touch with their flat sides overlap here by what was cut off. Everything else is its convex polygons. The
-//! depth is how far the shapes would have to be moved to part them.
+//! A circle is a true disc here. Our 2D engine represents it by a polygon within the disc. Two such polygons that touch with
+//! flat sides therefore overlap here by the segments between polygon and disc. All other shapes are their convex polygons.
+//! The depth is the least translation in px that separates two shapes.
 
 pub(crate) mod depth;
 
@@ -12,23 +12,23 @@ use conformance::scene::{GeomShape, GeomSpec, NarrowPhase, Scene};
 use depth::{Form, Point, depth};
 use farseer_core::math::Vector2;
 
-/// The shapes of a scene.
+/// All shapes of a scene as convex pieces of its bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shapes {
     pieces: Vec<Piece>,
 }
 
-/// A convex piece of a body, in the body's coordinates.
+/// A convex piece of a body, in px, in the body's local coordinates about its centre of mass.
 #[derive(Debug, Clone, PartialEq)]
 struct Piece {
     body: usize,
     is_static: bool,
-    /// Pieces of one group other than 0 do not collide.
+    /// Collision group: pieces with the same number do not collide; 0 is no group.
     group: i32,
     form: Form,
 }
 
-/// A piece where it is now, and its extent along x.
+/// A piece in world coordinates, with its least and greatest x, in px.
 #[derive(Debug)]
 struct Placed<'a> {
     piece: &'a Piece,
@@ -38,12 +38,12 @@ struct Placed<'a> {
 }
 
 impl Shapes {
-    /// The shapes of a scene. Geoms that are copies of others are not supported.
+    /// Returns the shapes of a scene. Geoms that are copies of others are not supported.
     ///
     /// # Panics
     ///
-    /// When the scene cannot be built, has a copy of a geom, or an outline that is neither convex nor cut into
-    /// convex pieces.
+    /// The scene cannot be built, contains a copy of a geom, or has an outline that is neither convex nor cut into convex
+    /// pieces.
     pub fn of(scene: &Scene) -> Self {
         let is_disc = |geom: &GeomSpec| matches!(geom.shape, GeomShape::Circle { .. });
         let mut pieces: Vec<Piece> = scene.geoms.iter().filter_map(|geom| disc(scene, geom)).collect();
@@ -51,19 +51,19 @@ impl Shapes {
         outlines.geoms.retain(|geom| !is_disc(geom));
         for geom in &mut outlines.geoms {
             assert!(!matches!(geom.shape, GeomShape::Clone { .. }), "copies of geoms are not supported");
-            // They name geoms by numbers that hold no more.
+            // Entries of `ignore` are indices of geoms, which are wrong once discs are removed.
             geom.ignore.clear();
         }
         (outlines.joints, outlines.springs, outlines.controllers) = (Vec::new(), Vec::new(), Vec::new());
-        // Without distance grids, which cost time and are of no use here.
+        // Distance grids are not needed here and take time to create.
         outlines.simulator.narrow_phase = Some(NarrowPhase::Sat);
         let run = Run::build(&outlines).unwrap_or_else(|error| panic!("{error}"));
         pieces.extend(polygons(&run));
         Shapes { pieces }
     }
 
-    /// The depth of the two shapes that are deepest in each other, in px; 0 when all are apart, infinite when a
-    /// body's state is not finite. Shapes of one body, of static ones and of one collision group do not count.
+    /// Returns the depth in px of the deepest overlap of two shapes; 0 if all are separate, infinite if the state of a body
+    /// is not finite. Two shapes of one body, of static bodies or of one collision group are not tested.
     pub fn largest_overlap(&self, world: &dyn World) -> f64 {
         let states: Vec<BodyState> = (0..world.body_count()).map(|index| world.body(index)).collect();
         if !states.iter().all(BodyState::is_finite) {
@@ -92,13 +92,13 @@ impl Piece {
 
 impl<'a> Placed<'a> {
     fn new(piece: &'a Piece, state: &BodyState) -> Self {
-        let form = piece.form.placed(state.place(), state.angle);
+        let form = piece.form.placed(state.position_in_plane(), state.angle);
         let (left, right) = form.extent([1.0, 0.0]);
         Placed { piece, form, left, right }
     }
 }
 
-/// The disc of a circle.
+/// Returns the disc of a circle geom in coordinates of its body, in px; `None` for other geoms.
 fn disc(scene: &Scene, geom: &GeomSpec) -> Option<Piece> {
     let GeomShape::Circle { radius, .. } = geom.shape else { return None };
     let offset = point(geom.offset.unwrap_or_else(Vector2::zeros));
@@ -112,7 +112,8 @@ fn disc(scene: &Scene, geom: &GeomSpec) -> Option<Piece> {
     })
 }
 
-/// The outlines as the engine of this workspace makes them.
+/// Returns the outlines of all geoms as convex pieces in coordinates of their bodies, in px, with the vertices that our 2D
+/// engine uses.
 fn polygons(run: &Run<'_>) -> Vec<Piece> {
     let simulator = run.simulator();
     let piece = |&id| {

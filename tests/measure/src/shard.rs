@@ -1,9 +1,9 @@
-//! A sweep spread over machines: each makes a part of it, and writes down what came of that.
+//! A sweep that is divided among machines: each machine runs one shard of the trials and writes its results.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// One of several parts of a sweep.
+/// One part (shard) of a sweep that is divided into `of` parts of about equal cost, by its `number` from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     number: usize,
@@ -11,11 +11,12 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// The whole sweep.
+    /// The only shard of an undivided sweep.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
 
-    /// Whether each piece of work is in this part, by what each costs: every piece is in one part, and parts cost about the
-    /// same. The dearest piece that is left goes to the part that costs least so far.
+    /// Returns for each piece of work whether it belongs to this shard; `costs` are the estimated costs of all pieces, in
+    /// any unit. Every piece belongs to exactly one shard. Pieces are assigned in order of decreasing cost, each to the
+    /// shard with the least total cost so far.
     pub fn picks(self, costs: &[f64]) -> Vec<bool> {
         let mut dearest: Vec<usize> = (0..costs.len()).collect();
         dearest.sort_by(|&a, &b| costs[b].total_cmp(&costs[a]));
@@ -32,7 +33,7 @@ impl Shard {
 impl FromStr for Shard {
     type Err = String;
 
-    /// From `3/16`.
+    /// Parses a shard from text: `3/16` is number 3 of 16.
     fn from_str(text: &str) -> Result<Self, String> {
         let numbers =
             text.split_once('/').and_then(|(number, of)| Some((number.parse().ok()?, of.parse().ok()?)));
@@ -44,7 +45,7 @@ impl FromStr for Shard {
 }
 
 impl fmt::Display for Shard {
-    /// As it is in names of files: `3-of-16`.
+    /// Writes the shard as a part of a file name: `3-of-16`.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}-of-{}", self.number, self.of)
     }
@@ -55,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_piece_is_in_one_part() {
+    fn every_trial_is_in_exactly_one_shard() {
         let costs: Vec<f64> = (0..100).map(|index| f64::from(index * 7 % 13)).collect();
         for of in 1..=20 {
             let picks: Vec<_> = (1..=of).map(|number| Shard { number, of }.picks(&costs)).collect();
@@ -66,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_cost_about_the_same() {
+    fn shards_cost_about_the_same() {
         let costs: Vec<f64> = (0..100).map(|index| f64::from(1 + index % 9)).collect();
         let cost = |number| {
             let picks = Shard { number, of: 7 }.picks(&costs);
@@ -75,12 +76,12 @@ mod tests {
         let parts: Vec<f64> = (1..=7).map(cost).collect();
         let (least, most) =
             parts.iter().fold((f64::MAX, 0.0_f64), |(a, b), &cost| (a.min(cost), b.max(cost)));
-        // What was given last weighs no more than the cheapest piece that was left.
+        // Shards differ by at most the cost of the most expensive piece, which is 9.
         assert!(most - least <= 9.0, "{parts:?}");
     }
 
     #[test]
-    fn a_part_is_read_as_it_is_written_on_the_command_line() {
+    fn a_shard_is_parsed_from_the_command_line() {
         assert_eq!("3/16".parse(), Ok(Shard { number: 3, of: 16 }));
         for wrong in ["0/4", "5/4", "3", "3/0", "a/b", "-1/4", ""] {
             assert!(wrong.parse::<Shard>().is_err(), "{wrong}");

@@ -1,7 +1,7 @@
-//! Sleep: what a world costs in which all is at rest, who wakes when something lands or pushes, and when all rest again.
+//! Sleep: the cost of a world at rest, the bodies that wake when one lands or is pushed, and the time until all sleep again.
 //!
-//! [`heaps`] are many heaps far from each other, [`pushes`] a pyramid that is pushed at its foot. Every method that
-//! [lets things sleep](Method::sleeps) is run as recommended, with its own rule of when that is.
+//! [`heaps`] measures many heaps far from each other, [`pushes`] a pyramid that is pushed at its foot. Every method that
+//! [sleeps](Method::sleeps) is run with its recommended setting and its default rule of sleeping.
 
 pub mod heaps;
 pub mod pushes;
@@ -11,16 +11,16 @@ use super::scenes::movable;
 use super::world::World;
 use conformance::scene::Scene;
 
-/// For how long a scene may stay awake, in s of the simulation, before it is given up.
+/// Simulated time in s after which a run with awake bodies is ended.
 const PATIENCE: f64 = 60.0;
 
-/// A scene in an engine that lets things sleep.
+/// World of a scene in an engine, with sleep enabled, and the method that built it.
 struct Sleeper {
     method: &'static str,
     world: Box<dyn World>,
-    /// The bodies that can move.
+    /// Indices of the dynamic bodies.
     movable: Vec<usize>,
-    /// In s.
+    /// Time step in s.
     dt: f32,
 }
 
@@ -32,12 +32,13 @@ impl Sleeper {
         Ok(Sleeper { method: method.name, world, movable: movable(scene), dt })
     }
 
-    /// Those that sleep.
+    /// Returns the indices of the dynamic bodies that sleep.
     fn asleep(&self) -> impl Iterator<Item = usize> + '_ {
         self.movable.iter().copied().filter(|&index| self.world.is_asleep(index))
     }
 
-    /// Steps until all sleep, and gives the time it took in s; nothing if it is given up. All is looked at after each step.
+    /// Steps until all dynamic bodies sleep, and returns the simulated time in s; `None` if some are awake after 60 s. `see`
+    /// is called after each step with the time in s and this object.
     fn fall_asleep(&mut self, mut see: impl FnMut(f64, &Self)) -> Option<f64> {
         let dt = f64::from(self.dt);
         for step in 1..=(PATIENCE / dt).round() as u32 {
@@ -52,12 +53,12 @@ impl Sleeper {
     }
 }
 
-/// All methods that let things sleep.
+/// Returns those of `methods` whose bodies can sleep.
 pub fn sleepers(methods: Vec<Method>) -> Vec<Method> {
     methods.into_iter().filter(|method| method.sleeps).collect()
 }
 
-/// With as many decimals as are worth writing down.
+/// Rounds a value to three decimals, in any unit.
 fn rounded(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }

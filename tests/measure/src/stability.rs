@@ -1,12 +1,11 @@
-//! Where methods fail: families of scenes with a parameter that goes from easy to hard.
+//! Limits of methods: families of scenes with a parameter that goes from easy to hard, until methods fail.
 //!
-//! A family is one entry of [`families`]. [`sheet`] says which methods and settings it is run with, [`map`] runs them
-//! and keeps what came of it, [`table`] writes it down.
+//! Each entry of [`families`] is one family. [`sheet`] lists the methods and settings of a family, [`map`] runs them and
+//! keeps the outcomes, [`table`] writes the outcomes.
 //!
-//! Lengths are px, y points down, and 32 px are one metre; gravity is 320 px/s², which are 10 m/s². The floor's
-//! surface is y = 0. Friction is 0.5 and restitution 0 unless a family says otherwise. Scenes are named after those of
-//! Solver2D and of Box2D's benchmarks where they show the same thing; they are built from dimensions, and not equal in
-//! every detail.
+//! Lengths are px, y points down, and 32 px are one metre; gravity is 320 px/s² (10 m/s²). The surface of the floor is y =
+//! 0. Friction is 0.5 and restitution 0 unless a family states otherwise. Scenes are named after those of Solver2D and of
+//! Box2D's benchmarks that show the same effect; their dimensions differ in details.
 
 mod arches;
 mod cards;
@@ -33,59 +32,60 @@ use super::watch::Watch;
 use super::world::World;
 use conformance::scene::Scene;
 
-/// A step of a run that is about to be made.
+/// State of a run just before a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moment {
-    /// Steps made so far.
+    /// Number of steps so far.
     pub step: u32,
-    /// Simulated time so far in s.
+    /// Simulated time in s so far.
     pub time: f64,
-    /// The step of the setting in s.
+    /// Time step in s of the setting.
     pub dt: f32,
 }
 
-/// Scenes of one kind, from easy to hard.
+/// Scenes of one kind, whose parameter goes from easy to hard.
 pub struct StabilityFamily<S = Scene> {
-    /// Such as "Vertical Stack".
+    /// Name of the family, such as "Vertical Stack".
     pub name: &'static str,
-    /// What there is, and what must happen.
+    /// Description of the scene and of its condition of success.
     pub about: &'static str,
-    /// What is varied.
+    /// Name of the parameter that varies.
     pub parameter: &'static str,
-    /// Its unit; empty for a number of things.
+    /// Unit of the parameter; empty for a count.
     pub unit: &'static str,
-    /// Its values, from easy to hard.
+    /// Values of the parameter, from easy to hard.
     pub values: &'static [f64],
-    /// Some of them.
+    /// Subset of `values` that a quick measurement runs.
     pub quick_values: &'static [f64],
-    /// Makes the scene for a value. The step in s that it will be run with is given as well, for springs whose
-    /// stiffness is measured by it.
+    /// Builds the scene for a value of the parameter. The second argument is the time step in s of its run, for springs
+    /// whose stiffness depends on it.
     pub build: fn(f64, f32) -> S,
-    /// Length of a run in s for a value.
+    /// Simulated time of a run in s, as a function of the parameter's value.
     pub seconds: fn(f64) -> f64,
-    /// Makes whole steps of the length, in steps: the nearest number, or the next higher one.
+    /// Rounds the length of a run, as a fractional number of steps, to a whole number of steps: to the nearest or to the
+    /// next higher one.
     pub whole: fn(f64) -> f64,
-    /// What happens before a step; mostly nothing.
+    /// Changes the world before a step; in most families it does nothing. The first argument is the value of the parameter.
     pub act: fn(f64, &mut dyn World, Moment),
-    /// How long a step is, in s; mostly as the setting says.
+    /// Returns the length of a step in s for a value of the parameter; in most families the time step of the setting.
     pub dt: fn(f64, Moment) -> f32,
-    /// Makes what says how it went. It is asked after the last step.
+    /// Creates the watch that judges a run, for a value of the parameter. Its verdict is read after the last step.
     pub judge: fn(f64, &S) -> Box<dyn Watch>,
-    /// What the judge measures.
+    /// Name of the quantity that the watch of `judge` measures.
     pub quantity: &'static str,
-    /// Its unit.
+    /// Unit of the measured quantity.
     pub quantity_unit: &'static str,
-    /// Whether the broad phases are compared too.
+    /// Whether the family is also run with methods that differ in the broad phase alone.
     pub broad_phases_matter: bool,
 }
 
 copied!(StabilityFamily);
 
-/// What most families run for, in s.
+/// Simulated time in s of a run in most families.
 const SECONDS: f64 = 10.0;
 
 impl<S> StabilityFamily<S> {
-    /// What most families have in common. Not a family by itself.
+    /// Default values of the fields of a family; `build` must be replaced.
     pub(crate) const PLAIN: StabilityFamily<S> = StabilityFamily {
         name: "",
         about: "",
@@ -105,7 +105,7 @@ impl<S> StabilityFamily<S> {
     };
 }
 
-/// All families: the one place to add one.
+/// Returns all families in the order of maps and tables. New families are added here.
 pub fn families() -> Vec<StabilityFamily> {
     [
         &stacks::FAMILIES[..],

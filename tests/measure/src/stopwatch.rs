@@ -1,4 +1,4 @@
-//! CPU time.
+//! Stopwatch for CPU time.
 
 use std::time::Duration;
 #[cfg(not(unix))]
@@ -7,8 +7,8 @@ use std::time::Instant;
 #[cfg(unix)]
 use rustix::time::{ClockId, Timespec, clock_gettime};
 
-/// Measures the CPU time of this thread, which does not run while others have the processor; where it is not to
-/// be had, time as it passes.
+/// Measures the CPU time of this thread, so other threads on the same processor do not count. On systems other than Unix it
+/// measures wall time.
 #[derive(Debug, Clone, Copy)]
 pub struct Stopwatch {
     #[cfg(unix)]
@@ -18,7 +18,7 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Begins to measure.
+    /// Starts a measurement of CPU time, which [`Stopwatch::elapsed`] reads.
     pub fn start() -> Self {
         #[cfg(unix)]
         let start = clock_gettime(ClockId::ThreadCPUTime);
@@ -27,7 +27,7 @@ impl Stopwatch {
         Stopwatch { start }
     }
 
-    /// The time since the start.
+    /// Returns the CPU time since [`Stopwatch::start`].
     pub fn elapsed(self) -> Duration {
         #[cfg(unix)]
         let elapsed =

@@ -1,9 +1,9 @@
-//! Runs scenes with methods and settings against each other, and measures error and time.
+//! Runs scenes with methods and settings by turns, and measures error and time.
 //!
-//! Every point is run once with its watch, which gives the error, and then several times without it, which gives
-//! the time: CPU time of the thread, spent in steps alone. The points of a scene take turns, so that what the
-//! machine does besides meets all of them, and the median over the turns is kept. Short runs are repeated until
-//! enough is measured; long ones take fewer turns, very long ones one.
+//! Each trial is run once with its watch, which gives the error, and then several times without it, which gives the time.
+//! The time is the CPU time of the thread in steps alone. The trials of a scene take turns, so that other load on the
+//! machine slows all of them alike; the point has the median over the turns. Runs shorter than 5 ms are repeated within a
+//! turn. Long runs take three turns, very long runs one.
 
 use super::method::Setting;
 use super::shard::Shard;
@@ -14,113 +14,115 @@ use super::world::World;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
-/// Turns of each point, of one that takes long, and of one that takes so long that chance does not matter: odd, so that
-/// there is one in the middle.
+/// Number of turns of a trial whose run is short, long or very long (see [`LONG`]). The numbers are odd, so the median is
+/// one of the measured times.
 const TURNS: [usize; 3] = [7, 3, 1];
-/// Least time that is measured in a turn, if the run is not so slow to begin that [`PATIENCE`] ends first.
+/// Least CPU time measured in a turn; short runs are repeated until it is reached or [`PATIENCE`] is over.
 const LEAST: Duration = Duration::from_millis(5);
-/// Longest that a turn repeats short runs, building included.
+/// Longest CPU time of a turn that repeats short runs, the building of scenes included.
 const PATIENCE: Duration = Duration::from_millis(60);
-/// What is long, and very long, for a run.
+/// CPU times above which a run counts as long, and as very long.
 const LONG: [Duration; 2] = [Duration::from_millis(100), Duration::from_secs(2)];
 
-/// A scene in an engine, and who watches it.
+/// A scene in an engine before its first step, with the watches that measure its error.
 pub struct Run {
-    /// The scene, before its first step.
+    /// World of the scene, before its first step.
     pub world: Box<dyn World>,
-    /// Names of scenes, each with what watches for it: the trial's first, then those that differ from it in what counts
-    /// as error alone.
+    /// Watches with the names of their scenes: first the trial's own scene, then scenes that differ from it in the measure
+    /// of error alone.
     pub watches: Vec<(&'static str, Box<dyn Watch>)>,
 }
 
 impl Run {
-    /// Looks at how it is at a time in s. Whether it is worth going on: not when a body's state is not finite.
-    pub fn look(&mut self, time: f64) -> bool {
+    /// Lets all watches observe the state at `time` in s. Returns whether the run goes on: it ends if the state of a body is
+    /// not finite.
+    pub fn observe(&mut self, time: f64) -> bool {
         for (_, watch) in &mut self.watches {
-            watch.see(time, &*self.world);
+            watch.observe(time, &*self.world);
         }
         self.world.is_finite()
     }
 }
 
-/// Begins a run from the start; the error says what the engine lacks for it.
+/// Creates a run at time 0; the error names a feature that the engine lacks for the scene.
 pub type Start<'a> = Box<dyn Fn() -> Result<Run, String> + 'a>;
 
-/// What a chart says of a scene.
+/// Texts, sizes and tolerance of the chart of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Subject {
     /// Name of the scene.
     pub name: &'static str,
-    /// One sentence.
+    /// Description of the scene in one sentence.
     pub about: &'static str,
-    /// Numbers of bodies; 0 alone where size does not matter.
+    /// Numbers of bodies with which the scene is run; 0 alone where size does not matter.
     pub sizes: Vec<usize>,
-    /// What the error is.
+    /// Name of the measured error, for the axis of the chart.
     pub error: &'static str,
-    /// Its unit.
+    /// Unit of the error; empty for a count.
     pub unit: &'static str,
-    /// The error a game would accept.
+    /// Greatest error that a game would accept: a length, a percentage or a number, in the unit that the field `unit` names.
     pub tolerance: f64,
 }
 
 impl Subject {
-    /// The name as a reader writes it.
+    /// Returns the name of the scene with spaces instead of underscores, for readers.
     pub fn title(&self) -> String {
-        self.name.replace('_', " ").replace("newtons", "Newton's")
+        let words = self.name.replace('_', " ").replace("newtons", "Newton's");
+        words.replace("conveyor askew", "oblique conveyor")
     }
 
-    /// The same with those of the sizes alone that there are points of; nothing if there are none.
+    /// Returns this subject with those sizes alone that occur in `points`; `None` if there are none.
     pub fn with_points(mut self, points: &[Point]) -> Option<Self> {
         self.sizes.retain(|&size| points.iter().any(|point| point.scene == self.name && point.size == size));
         (!self.sizes.is_empty()).then_some(self)
     }
 }
 
-/// What is run to give a point.
+/// Input of a run: scene, size, method and setting. Its result is a [`Point`].
 pub struct Trial<'a> {
     /// Name of the scene.
     pub scene: &'static str,
-    /// Number of bodies; 0 where it does not matter.
+    /// Number of bodies; 0 where size does not matter.
     pub size: usize,
     /// Name of the method.
     pub method: &'static str,
-    /// The setting.
+    /// Time step, and iterations or substeps per step.
     pub setting: Setting,
     /// Simulated time of a run in s.
     pub seconds: f64,
-    /// Begins the run.
+    /// Creates the world and the watches of the run.
     pub start: Start<'a>,
 }
 
-/// How a run went.
+/// Success or failure of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// The error says how well.
+    /// The run succeeded; the error is in the field `error` of the point.
     Fine,
-    /// Not at all: what happened, in a word or two. Drawn as a cross.
+    /// The run failed, for the reason in the text, a word or two. Charts draw a cross.
     Failed(&'static str),
 }
 
-/// What a method with a setting made of a scene.
+/// Error and time of a scene with a method and a setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Name of the scene.
     pub scene: &'static str,
-    /// Number of bodies; 0 where it does not matter.
+    /// Number of bodies; 0 where size does not matter.
     pub size: usize,
     /// Name of the method.
     pub method: &'static str,
-    /// The setting.
+    /// Time step, and iterations or substeps per step.
     pub setting: Setting,
-    /// In the unit of the scene; not finite if the run failed.
+    /// Error of the run in the unit of the scene ([`Subject::unit`]), >= 0; infinite if the run failed.
     pub error: f64,
-    /// How it went.
+    /// Success or failure of the run.
     pub outcome: Outcome,
-    /// CPU time of the steps for each second of simulated time; not a number if the run panicked.
+    /// CPU time of the steps per second of simulated time, in µs/s; NaN if the run panicked.
     pub microseconds_per_simulated_second: f64,
-    /// Steps of a run: fewer than the scene has if it was given up.
+    /// Number of steps of a run; fewer than the length of the scene requires if the run ended early.
     pub steps: u32,
-    /// Turns that the time is the median of.
+    /// Number of turns over which the median of the time is taken.
     pub turns: usize,
 }
 
@@ -129,40 +131,41 @@ impl Point {
         self.scene == scene && self.size == size && self.method == method && self.setting == setting
     }
 
-    /// What tells it from all others.
+    /// Returns a name that no other point has: scene, size, method and setting.
     fn name(&self) -> String {
         format!("{} {}, {}, {}", self.scene, self.size, self.method, self.setting.label())
     }
 
-    /// Whether the run was as good as a tolerance asks.
+    /// Returns whether the run succeeded with an error of at most `tolerance`, in the unit of the scene's error
+    /// ([`Subject::unit`]).
     pub fn meets(&self, tolerance: f64) -> bool {
         self.outcome == Outcome::Fine && self.error <= tolerance
     }
 }
 
-/// A method that has not got what a scene needs.
+/// A method that cannot run a scene, since its engine lacks a feature.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Absent {
     /// Name of the scene.
     pub scene: &'static str,
     /// Name of the method.
     pub method: &'static str,
-    /// What it lacks.
+    /// Name of the feature that the engine lacks.
     pub reason: String,
 }
 
-/// What came of all trials.
+/// Results of all trials of a sweep.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sweep {
-    /// A point of every trial that could be made.
+    /// One point for each trial that could be run.
     pub points: Vec<Point>,
-    /// The others: one entry for a scene and a method.
+    /// One entry for each scene and method that could not be run.
     pub absent: Vec<Absent>,
 }
 
 impl Sweep {
-    /// Makes trials: those of one scene and size, which must follow each other, by turns. `told` is called when a trial is
-    /// begun, with what is done of all in the unit of [`Trial::cost`].
+    /// Runs trials and appends the points. Trials of one scene and size must follow each other; they run by turns. `told` is
+    /// called when a trial begins, with the estimated cost in s of all trials done so far ([`Trial::cost`]).
     pub fn run(&mut self, trials: &[Trial<'_>], told: &mut dyn FnMut(&Trial<'_>, f64)) {
         let mut done = 0.0;
         for rivals in trials.chunk_by(Trial::is_rival) {
@@ -171,7 +174,8 @@ impl Sweep {
         }
     }
 
-    /// Takes points that were measured before; what engines lack for the trials is found again.
+    /// Creates a sweep from points measured earlier. Scenes and methods that cannot be run are determined anew from
+    /// `trials`.
     pub fn of_points(points: Vec<Point>, trials: &[Trial<'_>]) -> Self {
         let mut sweep = Sweep { points, absent: Vec::new() };
         for rivals in trials.chunk_by(|a, b| a.scene == b.scene && a.method == b.method) {
@@ -182,11 +186,11 @@ impl Sweep {
         sweep
     }
 
-    /// Puts together the points of all parts of a sweep.
+    /// Creates a sweep from the points of all its shards.
     ///
     /// # Errors
     ///
-    /// Which point is there twice, and which trial has none although the engine has all it needs.
+    /// A point occurs twice, or a trial has no point although the engine has all features for it.
     pub fn merged(points: Vec<Point>, trials: &[Trial<'_>]) -> Result<Self, String> {
         for (index, point) in points.iter().enumerate() {
             if points[..index]
@@ -216,7 +220,7 @@ impl Sweep {
                 Ok(entry) => entries.push(entry),
                 Err(reason) => self.note_absent(trial, reason),
             }
-            // The other half is the turns.
+            // Half of the cost is the run with the watch, the other half the turns.
             done += trial.cost() / 2.0;
         }
         for _ in 0..TURNS[0] {
@@ -237,13 +241,13 @@ impl Sweep {
 }
 
 impl<'a> Trial<'a> {
-    /// Whether two are of one scene and size, and so are compared.
+    /// Returns whether two trials have the same scene and size, so that they are compared.
     fn is_rival(&self, other: &Trial<'_>) -> bool {
         self.scene == other.scene && self.size == other.size
     }
 
-    /// Those trials of a sweep that are in a part of it. All that are compared with each other are in one part: what may be
-    /// quoted are ratios of one run.
+    /// Returns the trials that belong to `shard`. All trials that are compared with each other belong to the same shard,
+    /// since only times from one machine may be compared.
     pub fn of_shard(trials: Vec<Trial<'a>>, shard: Shard) -> Vec<Trial<'a>> {
         let costs = trials.chunk_by(Trial::is_rival).map(|rivals| rivals.iter().map(Trial::cost).sum());
         let picks = shard.picks(&costs.collect::<Vec<f64>>());
@@ -252,8 +256,8 @@ impl<'a> Trial<'a> {
         trials.into_iter().zip(is_picked).filter(|(_, pick)| *pick).map(|(trial, _)| trial).collect()
     }
 
-    /// About how long it takes, in s on the machine this was written on: what all take, and what bodies and passes add to
-    /// each step.
+    /// Returns the estimated cost in s on the machine where the formula was fitted: a constant, and a cost per step that
+    /// grows with bodies and iterations.
     pub fn cost(&self) -> f64 {
         let steps = self.seconds / f64::from(self.setting.dt.mean());
         let bodies = self.size.max(2) as f64;
@@ -261,16 +265,16 @@ impl<'a> Trial<'a> {
         0.06 + 2.0 * steps * step
     }
 
-    /// Makes one run that is not timed: for each scene that it is of its name, the error and the outcome.
+    /// Runs the trial once without timing. Returns scene name, error and outcome for each of its watches.
     ///
     /// # Errors
     ///
-    /// Capability that the engine lacks for the scene.
+    /// The name of the feature that the engine lacks for the scene.
     pub fn measured(&self) -> Result<Vec<(&'static str, f64, Outcome)>, String> {
         Ok(Entry::watched(self)?.measured)
     }
 
-    /// The steps of a run in s: so many that together they come nearest to the scene's length.
+    /// Returns the time steps of a run in s; the sum is as near as possible to the length of the scene.
     fn steps(&self) -> impl Iterator<Item = f32> {
         let mut time = 0.0;
         let seconds = self.seconds;
@@ -282,7 +286,7 @@ impl<'a> Trial<'a> {
     }
 }
 
-/// The name of a scene, the error and the outcome.
+/// Name of a scene, error in the unit of that scene, and outcome.
 type Measured = (&'static str, f64, Outcome);
 
 fn measured(scene: &'static str, watch: &dyn Watch) -> Measured {
@@ -293,20 +297,20 @@ fn measured(scene: &'static str, watch: &dyn Watch) -> Measured {
     }
 }
 
-/// A trial that is being measured.
+/// A trial with its measurements so far.
 struct Entry<'a> {
     trial: &'a Trial<'a>,
-    /// What was measured.
+    /// One measurement for each watch of the trial.
     measured: Vec<Measured>,
     steps: u32,
-    /// Simulated time of a run in s.
+    /// Simulated time in s of the run.
     simulated: f64,
-    /// CPU time of a run, one for each turn.
+    /// CPU time of a run, one entry for each turn.
     times: Vec<Duration>,
 }
 
 impl<'a> Entry<'a> {
-    /// Makes the run that gives the error. An engine that panics has failed; the others go on.
+    /// Runs the trial with its watches. If the engine panics, the outcome is a failure and other trials go on.
     fn watched(trial: &'a Trial<'a>) -> Result<Self, String> {
         let mut entry = Entry {
             trial,
@@ -322,7 +326,7 @@ impl<'a> Entry<'a> {
 
     fn watch(&mut self) -> Result<(), String> {
         let mut run = (self.trial.start)()?;
-        let mut goes_on = run.look(0.0);
+        let mut goes_on = run.observe(0.0);
         for dt in self.trial.steps() {
             if !goes_on {
                 break;
@@ -330,13 +334,13 @@ impl<'a> Entry<'a> {
             run.world.step(dt);
             self.simulated += f64::from(dt);
             self.steps += 1;
-            goes_on = run.look(self.simulated);
+            goes_on = run.observe(self.simulated);
         }
         self.measured = run.watches.iter().map(|(name, watch)| measured(name, &**watch)).collect();
         Ok(())
     }
 
-    /// Whether more is to be measured: not of a run that panicked.
+    /// Returns whether the trial needs more turns; a trial that panicked needs none.
     fn needs_turns(&self) -> bool {
         let first = self.times.first().copied().unwrap_or_default();
         let turns = TURNS[LONG.iter().filter(|&&long| first > long).count()];
@@ -344,12 +348,12 @@ impl<'a> Entry<'a> {
         self.times.len() < turns && !has_panicked
     }
 
-    /// Repeats the run until enough is measured.
+    /// Repeats the run until [`LEAST`] or [`PATIENCE`] is reached, and appends the CPU time per run.
     fn take_turn(&mut self) {
         let (mut took, mut runs) = (Duration::ZERO, 0);
         let patience = Stopwatch::start();
         while runs == 0 || took < LEAST && patience.elapsed() < PATIENCE {
-            // It could be built once, so it can be again.
+            // The first build succeeded, so this one does, too.
             let Ok(mut run) = (self.trial.start)() else { return };
             let stopwatch = Stopwatch::start();
             for dt in self.trial.steps().take(self.steps as usize) {
@@ -379,7 +383,7 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// The middle one of an odd number of times; nothing of none.
+/// Returns the median of an odd number of CPU times; `None` if `times` is empty.
 pub(crate) fn median(mut times: Vec<Duration>) -> Option<Duration> {
     times.sort_unstable();
     times.get(times.len() / 2).copied()
@@ -391,7 +395,7 @@ mod tests {
     use super::super::world::BodyState;
     use super::*;
 
-    /// A body that moves by the steps; when it is beyond, it panics or its state is not finite.
+    /// A body that moves by 1 px per s; beyond `end` (px) it panics, or its state is not finite.
     struct Mover {
         place: f64,
         end: f64,
@@ -414,15 +418,15 @@ mod tests {
         }
     }
 
-    /// A watch whose error is a multiple of how far the body came.
-    fn way(factor: f64) -> Box<dyn Watch> {
+    /// A watch whose error is a multiple of the distance that the body covered.
+    fn distance_watch(factor: f64) -> Box<dyn Watch> {
         last(move |_, world: &dyn World| Some(factor * world.body(0).position[0]))
     }
 
-    /// What comes of a body that is not finite, or panics, when it is beyond an end.
+    /// Returns the sweep of a body whose state is not finite beyond `end` (px), or that panics there.
     fn sweep(setting: Setting, end: f64, panics: bool) -> Sweep {
         let start: Start<'_> = Box::new(move || {
-            let watches = vec![("move", way(1.0)), ("other", way(2.0))];
+            let watches = vec![("move", distance_watch(1.0)), ("other", distance_watch(2.0))];
             Ok(Run { world: Box::new(Mover { place: 0.0, end, panics }), watches })
         });
         let trial = Trial { scene: "move", size: 0, method: "mover", setting, seconds: 1.0, start };
@@ -446,7 +450,7 @@ mod tests {
     }
 
     #[test]
-    fn a_run_that_is_not_finite_is_given_up_and_kept() {
+    fn a_run_that_becomes_non_finite_stops_and_is_recorded() {
         let sweep = sweep(Setting::fixed(0.25, 1), 0.4, false);
         let point = &sweep.points[0];
         assert_eq!((point.steps, point.outcome), (2, Outcome::Failed("not finite")));
@@ -460,14 +464,14 @@ mod tests {
     }
 
     #[test]
-    fn what_else_was_measured_is_a_point_of_its_own() {
+    fn each_further_measure_is_a_point_of_its_own() {
         let sweep = sweep(Setting::fixed(0.25, 1), 2.0, false);
         let points: Vec<_> = sweep.points.iter().map(|point| (point.scene, point.error)).collect();
         assert_eq!(points, [("move", 1.0), ("other", 2.0)]);
     }
 
     #[test]
-    fn what_cannot_be_built_is_told_once() {
+    fn an_unbuildable_scene_is_reported_once() {
         let start = || -> Start<'static> { Box::new(|| Err("no joints".to_owned())) };
         let trials = [Setting::fixed(0.1, 1), Setting::fixed(0.2, 1)].map(|setting| Trial {
             scene: "chain",
@@ -488,11 +492,11 @@ mod tests {
         assert_eq!(median(times), Some(Duration::from_millis(3)));
     }
 
-    /// Trials of some scenes and sizes, with two settings each.
+    /// Returns trials of some scenes and sizes, with two settings each.
     fn trials() -> Vec<Trial<'static>> {
         let trial = |scene, size, setting| {
             let start: Start<'_> = Box::new(move || {
-                let watch = way(size as f64);
+                let watch = distance_watch(size as f64);
                 Ok(Run {
                     world: Box::new(Mover { place: 0.0, end: f64::INFINITY, panics: false }),
                     watches: vec![(scene, watch)],
@@ -505,7 +509,7 @@ mod tests {
         sizes.flat_map(|(scene, size)| settings.map(|setting| trial(scene, size, setting))).collect()
     }
 
-    /// What comes of trials, without what is never the same twice.
+    /// Returns the points of trials without the times, which differ from run to run.
     fn untimed(trials: &[Trial<'_>]) -> Vec<Point> {
         let mut sweep = Sweep::default();
         sweep.run(trials, &mut |_, _| {});
@@ -519,7 +523,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_put_together_are_the_whole() {
+    fn merged_shards_equal_the_complete_sweep() {
         let points: Vec<Point> = parts(4).iter().flat_map(|part| untimed(part)).collect();
         let mut merged = Sweep::merged(points, &trials()).unwrap().points;
         let whole = untimed(&trials());
@@ -529,14 +533,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_compared_is_in_one_part() {
+    fn compared_trials_are_in_one_shard() {
         for part in parts(4) {
             assert!(part.chunk_by(Trial::is_rival).all(|rivals| rivals.len() == 2));
         }
     }
 
     #[test]
-    fn a_part_that_is_missing_or_there_twice_is_noticed() {
+    fn a_missing_or_duplicate_shard_is_detected() {
         let points: Vec<Point> = parts(3)[1..].iter().flat_map(|part| untimed(part)).collect();
         let missing = Sweep::merged(points.clone(), &trials());
         assert!(missing.is_err_and(|error| error.ends_with("is missing")));

@@ -1,4 +1,4 @@
-//! What the sweep makes of the scenes of the chart.
+//! Creates the trials of chart scenes: one for each scene, size, method and setting.
 
 use super::charts::ChartScene;
 use super::method::{Effort, Family, Method, Setting};
@@ -6,13 +6,13 @@ use super::sweep::{Run, Start, Trial};
 use super::watch::Watch;
 use std::rc::Rc;
 
-/// From this number of bodies on fewer settings are tried.
+/// Number of bodies from which on a scene is run with fewer settings.
 const MANY: usize = 100;
-/// From this number of bodies on few settings are tried, and none when there is little time.
+/// Number of bodies from which on a scene is run with few settings, and not at all in a quick sweep.
 const VERY_MANY: usize = 1000;
 
-/// The trials of scenes with methods, those of one scene and size one after the other. Scenes that follow each
-/// other and differ in what counts as error alone share their runs; those that are not for all methods come last.
+/// Returns the trials of `scenes` with `methods`, ordered by scene and size. Neighbouring scenes that differ in the measure
+/// of error alone share runs. Among these, scenes that other engines do not run must come last.
 pub fn trials<S: PartialEq + 'static>(
     scenes: &[ChartScene<S>],
     methods: &[Method<S>],
@@ -41,7 +41,7 @@ pub fn trials<S: PartialEq + 'static>(
     trials
 }
 
-/// The name of a scene, and what watches it.
+/// Name of a scene, and the function that creates its watch.
 type Measure<S> = (&'static str, fn(&S) -> Box<dyn Watch>);
 
 fn start<S: 'static>(
@@ -58,7 +58,7 @@ fn start<S: 'static>(
     })
 }
 
-/// Whether the runs of one scene do for another.
+/// Returns whether the two scenes have the same bodies, sizes and duration, so that one run serves both.
 fn have_the_same_runs<S: PartialEq>(a: &ChartScene<S>, b: &ChartScene<S>) -> bool {
     let is_like =
         a.sizes == b.sizes && a.seconds == b.seconds && a.broad_phases_matter == b.broad_phases_matter;
@@ -70,7 +70,8 @@ fn matters<S>(method: &Method<S>, scene: &ChartScene<S>) -> bool {
         && (scene.peers_too || method.family == Family::Ours)
 }
 
-/// The settings that are tried: all where there are few bodies. A method that has but one is tried with that.
+/// Returns the settings that are run with a number of bodies: all if there are few bodies. A method that has one setting is
+/// run with that one.
 fn settings<S>(method: &Method<S>, size: usize, effort: Effort) -> Vec<Setting> {
     if (method.settings)(effort).len() == 1 {
         return vec![method.recommended];
@@ -101,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn scenes_that_differ_in_what_counts_as_error_alone_share_their_runs() {
+    fn scenes_that_differ_only_in_their_measure_of_error_share_runs() {
         let throws: Vec<_> =
             chart_scenes().into_iter().filter(|scene| scene.name.starts_with("throw")).collect();
         assert_eq!(throws.len(), 2);
@@ -123,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn large_scenes_are_for_those_who_have_time() {
+    fn large_scenes_run_only_in_the_full_sweep() {
         let sizes = |effort| {
             let trials = trials(&chart_scenes(), &methods()[..1], effort);
             trials.iter().map(|trial| trial.size).max()

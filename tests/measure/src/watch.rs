@@ -1,161 +1,173 @@
-//! Watching a run, and saying in one number how wrong it was.
+//! Watches: they observe a run and measure its error as one number.
 
 use crate::stability::reasons::NOT_FINITE;
 use crate::world::{BodyState, World, distance};
 
-/// Watches a run and says how wrong it was.
+/// Watches a run and measures its error.
 pub trait Watch {
-    /// Looks at the world after a step; `time` is the simulated time in s so far. Also called once before the
-    /// first step.
-    fn see(&mut self, time: f64, world: &dyn World);
+    /// Observes the world after a step; `time` is the simulated time in s so far. It is also called once before the first
+    /// step.
+    fn observe(&mut self, time: f64, world: &dyn World);
 
-    /// How wrong the run was so far, in the scene's unit. Not finite when it failed.
+    /// Returns the error of the run so far, in the unit of the scene; infinite or NaN if the run failed.
     fn error(&self) -> f64;
 
-    /// What went wrong, in a word or two, if anything did.
+    /// Returns the reason of a failure in a word or two; `None` if the run has not failed.
     fn failed(&self) -> Option<&'static str> {
         None
     }
 }
 
-/// A watch made of what it keeps, what it does with it after a step (given the time in s), the error and the failure.
-pub fn made_of<S: 'static>(
+/// Creates a watch from a state and three functions: `see` updates the state after each step at a time in s, `error` returns
+/// the error, `failed` returns the reason of a failure or `None`.
+pub fn custom_watch<S: 'static>(
     kept: S,
     see: impl FnMut(&mut S, f64, &dyn World) + 'static,
     error: impl Fn(&S) -> f64 + 'static,
     failed: impl Fn(&S) -> Option<&'static str> + 'static,
 ) -> Box<dyn Watch> {
-    Box::new(MadeOf { kept, see, error, failed })
+    Box::new(CustomWatch { state: kept, observe: see, error, failed })
 }
 
-struct MadeOf<S, See, Error, Failed> {
-    kept: S,
-    see: See,
+struct CustomWatch<S, See, Error, Failed> {
+    state: S,
+    observe: See,
     error: Error,
     failed: Failed,
 }
 
-impl<S, See, Error, Failed> Watch for MadeOf<S, See, Error, Failed>
+impl<S, See, Error, Failed> Watch for CustomWatch<S, See, Error, Failed>
 where
     See: FnMut(&mut S, f64, &dyn World),
     Error: Fn(&S) -> f64,
     Failed: Fn(&S) -> Option<&'static str>,
 {
-    fn see(&mut self, time: f64, world: &dyn World) {
-        (self.see)(&mut self.kept, time, world);
+    fn observe(&mut self, time: f64, world: &dyn World) {
+        (self.observe)(&mut self.state, time, world);
     }
 
     fn error(&self) -> f64 {
-        (self.error)(&self.kept)
+        (self.error)(&self.state)
     }
 
     fn failed(&self) -> Option<&'static str> {
-        (self.failed)(&self.kept)
+        (self.failed)(&self.state)
     }
 }
 
-/// The largest of some numbers. What is not a number counts as infinite, so that it is never lost.
+/// Maximum of some numbers. NaN counts as infinity, so a NaN is never lost.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Largest(Option<f64>);
+pub struct Maximum(Option<f64>);
 
-impl Largest {
-    /// Takes a number into account.
+impl Maximum {
+    /// Includes a number in the maximum.
     pub fn take(&mut self, value: f64) {
         let value = if value.is_nan() { f64::INFINITY } else { value };
         self.0 = Some(self.0.map_or(value, |largest| largest.max(value)));
     }
 
-    /// The largest so far; NaN as long as there was none.
+    /// Returns the maximum so far; NaN before the first number.
     pub fn get(self) -> f64 {
         self.0.unwrap_or(f64::NAN)
     }
 }
 
-/// What is seen at one moment.
+/// Result of observing a run at one moment. Errors are in the unit of the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Seen {
-    /// Nothing is wrong but by this much; the largest of these is the error.
+pub enum Observation {
+    /// The state is good. The error of the run is the maximum of these errors.
     Fine(f64),
-    /// Nothing is wrong if it stays so until the end; the last of these is the error.
+    /// The state is good if it stays so until the end. The error of the run is the last of these errors.
     Ends(f64),
-    /// It is a failure if it stays so until the end: why, and how wrong it is.
+    /// The run fails if this is its last observation: reason and error.
     Open(&'static str, f64),
-    /// It is a failure whatever comes: why, and how wrong it is.
+    /// The run has failed, whatever follows: reason and error.
     Failed(&'static str, f64),
 }
 
-impl Seen {
-    /// Both: the worse of them, and the larger error.
-    pub fn and(self, other: Seen) -> Seen {
+impl Observation {
+    /// Combines two observations: the worse kind of the two (fine, ends, open, failed) with the larger error.
+    pub fn and(self, other: Observation) -> Observation {
         let larger = self.error().max(other.error());
         match (self, other) {
-            (Seen::Failed(reason, _), _) | (_, Seen::Failed(reason, _)) => Seen::Failed(reason, larger),
-            (Seen::Open(reason, _), _) | (_, Seen::Open(reason, _)) => Seen::Open(reason, larger),
-            (Seen::Ends(_), _) | (_, Seen::Ends(_)) => Seen::Ends(larger),
-            (Seen::Fine(_), Seen::Fine(_)) => Seen::Fine(larger),
+            (Observation::Failed(reason, _), _) | (_, Observation::Failed(reason, _)) => {
+                Observation::Failed(reason, larger)
+            }
+            (Observation::Open(reason, _), _) | (_, Observation::Open(reason, _)) => {
+                Observation::Open(reason, larger)
+            }
+            (Observation::Ends(_), _) | (_, Observation::Ends(_)) => Observation::Ends(larger),
+            (Observation::Fine(_), Observation::Fine(_)) => Observation::Fine(larger),
         }
     }
 
     fn error(self) -> f64 {
         match self {
-            Seen::Fine(error) | Seen::Ends(error) | Seen::Open(_, error) | Seen::Failed(_, error) => error,
+            Observation::Fine(error)
+            | Observation::Ends(error)
+            | Observation::Open(_, error)
+            | Observation::Failed(_, error) => error,
         }
     }
 }
 
-/// Keeps the largest of the errors that a function sees. It may look away (`None`); if it never looked, the error is NaN.
+/// Creates a watch whose error is the maximum of the errors that `look` returns, in the unit of the scene. `look` gets the
+/// time in s and the world. `None` is no observation; the error is NaN if there never is one.
 pub fn worst(mut look: impl FnMut(f64, &dyn World) -> Option<f64> + 'static) -> Box<dyn Watch> {
-    watch(move |time, world| look(time, world).map(Seen::Fine))
+    watch(move |time, world| look(time, world).map(Observation::Fine))
 }
 
-/// Keeps the last of the errors that a function sees, for what counts at the end of a run only. NaN as long as there was
-/// none.
+/// Creates a watch whose error is the last one that `look` returns, for quantities that count only at the end of a run.
+/// `look` gets the time in s and the world. The error is NaN before the first one.
 pub fn last(mut look: impl FnMut(f64, &dyn World) -> Option<f64> + 'static) -> Box<dyn Watch> {
-    watch(move |time, world| look(time, world).map(Seen::Ends))
+    watch(move |time, world| look(time, world).map(Observation::Ends))
 }
 
-/// Watches with a function of time in s and the world, from before the first step on; `None` where it looks away.
-/// A run also fails when the state of an object is not finite; the function never sees such a state.
-pub fn watch(mut look: impl FnMut(f64, &dyn World) -> Option<Seen> + 'static) -> Box<dyn Watch> {
-    made_of(
-        // The largest of what is fine, and what was seen last.
-        (Largest::default(), None),
+/// Creates a watch from a function of the time in s and the world, which is called once before the first step and then after
+/// each step. `None` is no observation. A run also fails if the state of an object is not finite; `look` never gets such a
+/// state.
+pub fn watch(mut look: impl FnMut(f64, &dyn World) -> Option<Observation> + 'static) -> Box<dyn Watch> {
+    custom_watch(
+        // The maximum of the errors that are fine, and the last observation.
+        (Maximum::default(), None),
         move |(largest, last), time, world| {
             let seen = match last {
-                Some(Seen::Failed(..)) => None,
+                Some(Observation::Failed(..)) => None,
                 _ if world.is_finite() => look(time, world),
-                _ => Some(Seen::Failed(NOT_FINITE, f64::INFINITY)),
+                _ => Some(Observation::Failed(NOT_FINITE, f64::INFINITY)),
             };
-            if let Some(Seen::Fine(error)) = seen {
+            if let Some(Observation::Fine(error)) = seen {
                 largest.take(error);
             }
             *last = seen.or(*last);
         },
         |(largest, last)| match last {
-            Some(Seen::Ends(error) | Seen::Open(_, error) | Seen::Failed(_, error)) => *error,
+            Some(Observation::Ends(error) | Observation::Open(_, error) | Observation::Failed(_, error)) => {
+                *error
+            }
             _ => largest.get(),
         },
         |(_, last)| match last {
-            Some(Seen::Open(reason, _) | Seen::Failed(reason, _)) => Some(*reason),
+            Some(Observation::Open(reason, _) | Observation::Failed(reason, _)) => Some(*reason),
             _ => None,
         },
     )
 }
 
-/// Another watch, and what counts as a failure: the first word a function says stays. Besides, a run fails when
-/// the state of a body is not finite or lies outside of the scene, and when there was nothing to measure.
-/// Farther than `reach` px from the origin nothing belongs to the scene any more.
+/// Wraps a watch with a test of failure: the run fails with the first reason that `verdict` returns. It also fails if the
+/// state of a body is not finite, if a body is more than `reach` px from the origin, or if the wrapped watch has no finite
+/// error.
 pub fn failing(
     watch: Box<dyn Watch>,
     reach: f64,
     mut verdict: impl FnMut(f64, &dyn World) -> Option<&'static str> + 'static,
 ) -> Box<dyn Watch> {
-    made_of(
+    custom_watch(
         (watch, None),
         move |(watch, failed), time, world| {
             if failed.is_none() {
                 *failed = strayed(world, reach).or_else(|| verdict(time, world));
-                watch.see(time, world);
+                watch.observe(time, world);
             }
         },
         |(watch, failed)| if failed.is_some() { f64::INFINITY } else { watch.error() },
@@ -166,12 +178,13 @@ pub fn failing(
     )
 }
 
-/// Another watch that fails when a body's state is not finite, or lies farther from the origin than `reach` px.
+/// Wraps a watch: the run fails if the state of a body is not finite, or if a body is more than `reach` px from the origin.
 pub fn in_reach(watch: Box<dyn Watch>, reach: f64) -> Box<dyn Watch> {
     failing(watch, reach, |_, _| None)
 }
 
-/// Whether a body's state is not finite, or farther from the origin than `reach` px.
+/// Returns the reason if the state of a body is not finite, or if a body is more than `reach` px from the origin; else
+/// `None`.
 pub fn strayed(world: &dyn World, reach: f64) -> Option<&'static str> {
     (0..world.body_count()).map(|index| world.body(index)).find_map(|body| {
         if !body.is_finite() {
@@ -184,18 +197,18 @@ pub fn strayed(world: &dyn World, reach: f64) -> Option<&'static str> {
     })
 }
 
-/// The root of the mean of the squared speeds of some bodies, in px/s.
+/// Returns the root mean square of the speeds of the bodies with the indices `bodies`, in px/s.
 pub(crate) fn mean_speed(world: &dyn World, bodies: &[usize]) -> f64 {
     let squares: f64 = bodies.iter().map(|&index| world.body(index).speed().powi(2)).sum();
     (squares / bodies.len().max(1) as f64).sqrt()
 }
 
-/// The greatest value of a measure of some bodies.
+/// Returns the greatest value of `measure` over the bodies with the indices `bodies`, in the unit of `measure`.
 pub(crate) fn greatest(world: &dyn World, bodies: &[usize], measure: impl Fn(BodyState) -> f64) -> f64 {
     bodies.iter().map(|&index| measure(world.body(index))).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The least value of a measure of some bodies.
+/// Returns the least value of `measure` over the bodies with the indices `bodies`, in the unit of `measure`.
 pub(crate) fn least(world: &dyn World, bodies: &[usize], measure: impl Fn(BodyState) -> f64) -> f64 {
     bodies.iter().map(|&index| measure(world.body(index))).fold(f64::INFINITY, f64::min)
 }
@@ -206,40 +219,52 @@ mod tests {
     use crate::engines::depth::TwoHalf;
     use crate::scenes::depth::bounce;
 
-    /// What is made of some looks.
-    fn watched(looks: &'static [Seen]) -> (f64, Option<&'static str>) {
+    /// Returns error and reason of failure of a watch after the observations `looks`.
+    fn watched(looks: &'static [Observation]) -> (f64, Option<&'static str>) {
         let world = TwoHalf::new(&bounce());
         let mut looks = looks.iter().copied();
         let mut watch = watch(move |_, _| looks.next());
-        (0..8).for_each(|step| watch.see(f64::from(step), &world));
+        (0..8).for_each(|step| watch.observe(f64::from(step), &world));
         (watch.error(), watch.failed())
     }
 
     #[test]
-    fn the_error_is_the_largest_of_what_is_fine() {
-        assert_eq!(watched(&[Seen::Fine(1.0), Seen::Fine(3.0), Seen::Fine(2.0)]), (3.0, None));
+    fn the_error_is_the_maximum_of_the_fine_observations() {
+        assert_eq!(
+            watched(&[Observation::Fine(1.0), Observation::Fine(3.0), Observation::Fine(2.0)]),
+            (3.0, None)
+        );
     }
 
     #[test]
     fn the_error_at_the_end_is_the_last_one() {
-        assert_eq!(watched(&[Seen::Open("lost", 9.0), Seen::Ends(3.0), Seen::Ends(2.0)]), (2.0, None));
+        assert_eq!(
+            watched(&[Observation::Open("lost", 9.0), Observation::Ends(3.0), Observation::Ends(2.0)]),
+            (2.0, None)
+        );
     }
 
     #[test]
-    fn what_is_open_at_the_end_has_failed_and_what_closed_before_has_not() {
-        assert_eq!(watched(&[Seen::Fine(1.0), Seen::Open("lost", 9.0)]), (9.0, Some("lost")));
-        assert_eq!(watched(&[Seen::Open("lost", 9.0), Seen::Fine(1.0)]), (1.0, None));
+    fn an_error_open_at_the_end_fails_and_one_closed_before_does_not() {
+        assert_eq!(watched(&[Observation::Fine(1.0), Observation::Open("lost", 9.0)]), (9.0, Some("lost")));
+        assert_eq!(watched(&[Observation::Open("lost", 9.0), Observation::Fine(1.0)]), (1.0, None));
     }
 
     #[test]
-    fn what_has_failed_stays_so() {
-        assert_eq!(watched(&[Seen::Failed("lost", 2.0), Seen::Fine(3.0)]), (2.0, Some("lost")));
+    fn a_failure_is_final() {
+        assert_eq!(watched(&[Observation::Failed("lost", 2.0), Observation::Fine(3.0)]), (2.0, Some("lost")));
     }
 
     #[test]
-    fn of_two_looks_the_worse_counts_with_the_larger_error() {
-        assert_eq!(Seen::Fine(2.0).and(Seen::Ends(1.0)), Seen::Ends(2.0));
-        assert_eq!(Seen::Ends(2.0).and(Seen::Open("lost", 1.0)), Seen::Open("lost", 2.0));
-        assert_eq!(Seen::Open("lost", 1.0).and(Seen::Failed("gone", 0.5)), Seen::Failed("gone", 1.0));
+    fn the_worse_of_two_observations_counts_with_the_larger_error() {
+        assert_eq!(Observation::Fine(2.0).and(Observation::Ends(1.0)), Observation::Ends(2.0));
+        assert_eq!(
+            Observation::Ends(2.0).and(Observation::Open("lost", 1.0)),
+            Observation::Open("lost", 2.0)
+        );
+        assert_eq!(
+            Observation::Open("lost", 1.0).and(Observation::Failed("gone", 0.5)),
+            Observation::Failed("gone", 1.0)
+        );
     }
 }

@@ -1,25 +1,25 @@
-//! A scene being simulated, in whatever engine, and what is seen of it.
+//! A scene in an engine, and the states of its bodies for measurements.
 
 use conformance::run::Run;
 use conformance::scene::Scene;
 use farseer_core::{Body, BodyId};
 
-/// What is seen of a body. In double precision, since it is for measuring. Scenes in the plane have y down and 0 along Z;
-/// those with depth have Y up and Z into the picture.
+/// State of a body, in double precision for measurements. In scenes in the plane y points down and z is 0; in scenes with
+/// depth Y points up and Z into the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BodyState {
-    /// In px: the centre of mass, or with depth X and Z of the origin and Y of the lowest point.
+    /// Position in px. In the plane: centre of mass. With depth: X and Z of the body's origin, and Y of its lowest point.
     pub position: [f64; 3],
-    /// In rad, clockwise on the screen: in the plane with whole turns, with depth between -pi and pi.
+    /// Angle in rad, clockwise on the screen. In the plane full turns are included; with depth it is between -pi and pi.
     pub angle: f64,
-    /// Velocity of the centre of mass, or with depth of the origin, in px/s.
+    /// Velocity in px/s: of the centre of mass in the plane, of the body's origin with depth.
     pub velocity: [f64; 3],
-    /// In rad/s.
+    /// Angular velocity in rad/s, clockwise on the screen.
     pub angular_velocity: f64,
 }
 
 impl BodyState {
-    /// Of a body of the 2D engine.
+    /// Returns the state of a body of the 2D engine.
     pub fn of(body: &Body) -> Self {
         let (position, velocity) = (body.position(), body.linear_velocity());
         BodyState {
@@ -30,35 +30,35 @@ impl BodyState {
         }
     }
 
-    /// X and Y of where it is.
-    pub fn place(&self) -> [f64; 2] {
+    /// Returns x and y of the position, in px.
+    pub fn position_in_plane(&self) -> [f64; 2] {
         [self.position[0], self.position[1]]
     }
 
-    /// Where a point of it is that is given in its own axes.
+    /// Returns the world position in px of a point given in the body's local coordinates, in px.
     pub fn to_world(&self, local: [f64; 2]) -> [f64; 2] {
         let [x, y] = turned(local, self.angle);
         [self.position[0] + x, self.position[1] + y]
     }
 
-    /// The point of it, in its own axes, that is at a place.
+    /// Returns the point at a world position (px) in the body's local coordinates, in px.
     pub fn to_local(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         turned([x - self.position[0], y - self.position[1]], -self.angle)
     }
 
-    /// Speed in px/s.
+    /// Returns the magnitude of the velocity in px/s.
     pub fn speed(&self) -> f64 {
         length(self.velocity)
     }
 
-    /// Whether every part is finite.
+    /// Returns whether all components are finite.
     pub fn is_finite(&self) -> bool {
         let parts = self.position.iter().chain(&self.velocity).chain([&self.angle, &self.angular_velocity]);
         parts.into_iter().all(|part| part.is_finite())
     }
 }
 
-/// Distance of two points.
+/// Returns the distance of two points, in the unit of length of both.
 pub fn distance<const AXES: usize>(a: [f64; AXES], b: [f64; AXES]) -> f64 {
     length::<AXES>(std::array::from_fn(|axis| b[axis] - a[axis]))
 }
@@ -67,97 +67,98 @@ fn length<const AXES: usize>(vector: [f64; AXES]) -> f64 {
     vector.into_iter().fold(0.0, f64::hypot)
 }
 
-/// Turned about the origin by an angle in rad, from x towards y.
+/// Returns a vector rotated about the origin by `angle` in rad, from x towards y.
 pub fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();
     [x * cosine - y * sine, x * sine + y * cosine]
 }
 
-/// What a body can meet in a scene with depth.
+/// The other side of a contact in a scene with depth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Met {
-    /// Another object, by its index in the scene.
+pub enum ContactPartner {
+    /// An object, by its index in the scene.
     Object(usize),
-    /// The plane Y = 0.
+    /// The ground plane Y = 0.
     Ground,
     /// A platform, by its index in the scene.
     Platform(usize),
 }
 
-impl Met {
-    /// A pair with the lesser one first.
-    pub fn pair(a: Met, b: Met) -> (Met, Met) {
+impl ContactPartner {
+    /// Returns both partners of a contact, with the lesser one first.
+    pub fn pair(a: ContactPartner, b: ContactPartner) -> (ContactPartner, ContactPartner) {
         if a <= b { (a, b) } else { (b, a) }
     }
 }
 
-/// A scene in some engine, being stepped. Bodies are named by their index in the scene. What only scenes in the plane or
-/// only scenes with depth ask for is there for those.
+/// A scene in an engine that is stepped. Bodies are given by index in the scene. Some engines support only scenes in the
+/// plane or only scenes with depth.
 pub trait World {
-    /// Moves everything by a time in s.
+    /// Advances the world by a step of `dt` s.
     fn step(&mut self, dt: f32);
 
-    /// How a body is now.
+    /// Returns the present state of a body.
     fn body(&self, index: usize) -> BodyState;
 
-    /// How many bodies the scene has.
+    /// Returns the number of bodies of the scene.
     fn body_count(&self) -> usize;
 
-    /// Whether the state of everything is finite.
+    /// Returns whether the states of all bodies are finite.
     fn is_finite(&self) -> bool {
         (0..self.body_count()).all(|index| self.body(index).is_finite())
     }
 
-    /// Sets velocities in px/s and rad/s. In the plane.
+    /// Sets velocity (px/s) and angular velocity (rad/s) of a body. Only in scenes in the plane.
     fn set_velocity(&mut self, _index: usize, _velocity: [f64; 2], _angular_velocity: f64) {
         unreachable!("nobody sets velocities in scenes with depth");
     }
 
-    /// Changes the velocity of a body by an impulse at its centre of mass, in kg px/s. In the plane.
+    /// Applies an impulse to a body at its centre of mass, in kg px/s. Only in scenes in the plane.
     fn apply_impulse(&mut self, _index: usize, _impulse: [f64; 2]) {
         unreachable!("nobody pushes in scenes with depth");
     }
 
-    /// Puts a body elsewhere: px and rad. In the plane.
+    /// Sets position (px) and angle (rad) of a body. Only in scenes in the plane.
     fn teleport(&mut self, _index: usize, _position: [f64; 2], _angle: f64) {
         unreachable!("nothing is put elsewhere in scenes with depth");
     }
 
-    /// Sets whether what has come to rest sleeps, as the engine does it by default; if not, all are awake from the next step
-    /// on. Nothing sleeps until it is asked for. In the plane.
+    /// Enables or disables sleep by the engine's default rule. If it is disabled, all bodies are awake from the next step
+    /// on. At the start it is disabled. Only in scenes in the plane.
     fn set_sleep_enabled(&mut self, _is_enabled: bool) {
         unreachable!("nothing sleeps in scenes with depth");
     }
 
-    /// Whether a body that can move sleeps. Never with depth.
+    /// Returns whether a dynamic body sleeps; always false in scenes with depth.
     fn is_asleep(&self, _index: usize) -> bool {
         false
     }
 
-    /// Height in px of the ground or the platform that is straight below the middle of a body; `None` if there is none,
-    /// and always in the plane.
+    /// Returns the height in px of the ground or platform vertically below the middle of a body. `None` if there is none,
+    /// and in scenes in the plane.
     fn height_beneath(&self, _index: usize) -> Option<f64> {
         None
     }
 
-    /// Appends the pairs that pushed each other in the last step, each with the lesser one first. With depth.
-    fn touching(&self, _pairs: &mut Vec<(Met, Met)>) {}
+    /// Appends the pairs of contact partners with an impulse in the last step, in each pair the lesser one first. Only in
+    /// scenes with depth.
+    fn touching(&self, _pairs: &mut Vec<(ContactPartner, ContactPartner)>) {}
 }
 
-/// How hard it is to move a body.
+/// Mass and moment of inertia of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodyMass {
-    /// In kg. What the scene says, also of a static body.
+    /// Mass in kg as given in the scene, also for static bodies.
     pub mass: f64,
-    /// About the centre of mass, in kg px².
+    /// Moment of inertia about the centre of mass, in kg px².
     pub inertia: f64,
 }
 
-/// The masses of a scene's bodies, by index: they are the same in all engines.
+/// Returns mass and moment of inertia of all bodies of a scene, by index; they are equal in all engines.
 ///
 /// # Panics
 ///
-/// When a body of the scene cannot be built.
+/// A body of the scene cannot be built.
 pub fn masses(scene: &Scene) -> Vec<BodyMass> {
     let mut bodies = Scene::empty(&scene.name, &scene.about);
     bodies.bodies.clone_from(&scene.bodies);

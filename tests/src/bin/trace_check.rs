@@ -1,4 +1,4 @@
-//! Runs scenes and compares every bit with what the original engine did.
+//! Runs scenes and compares every bit with the recordings of the original engine.
 
 use clap::Parser;
 use conformance::check::check_folders;
@@ -9,11 +9,9 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::thread::available_parallelism;
 
-/// Runs every scene (NAME.json with NAME.trace, plain or .gz) of folders and compares the runs with the
-/// traces.
+/// Runs every scene (NAME.json with NAME.trace, plain or .gz) of folders and compares the runs with the traces.
 ///
-/// Ends with status 0 only if every scene is reproduced exactly, apart from those that need what --skip
-/// names.
+/// Ends with status 0 only if every scene is reproduced exactly, apart from those that need a feature which --skip names.
 #[derive(Debug, Parser)]
 struct Arguments {
     /// Leave out scenes that need any of these: joints, springs, controllers, paths.

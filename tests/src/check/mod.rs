@@ -1,15 +1,13 @@
-//! Checks runs against what the original did: one scene, or folders of them.
+//! Checks runs against the recordings of the original: one scene, or folders of them.
 //!
-//! A scene in which the original threw an exception, or in which a body's state stopped being a number, is
-//! compared up to the step before that. From there on this engine has a behaviour of its own, which is
-//! checked instead:
+//! A scene in which the original threw an exception, or in which a body's state stopped being a number, is compared up to the
+//! step before that. From there on this engine has a behaviour of its own, which is checked instead:
 //!
-//! - what the original refused with an exception where something is created or set is refused with an error
-//!   here;
-//! - where the original threw in an update the run goes on to the end, and every body's state stays finite;
-//! - where the original went on with what is not a number, that is reported at the latest one step later
-//!   ([`Event::NotFinite`](farseer_core::Event::NotFinite) of a body, or the like of a joint, spring or controller),
-//!   or the scene's value that is to blame has been refused before.
+//! - Where the original refused to create or set a value with an exception, this engine returns an error.
+//! - Where the original threw in an update the run goes on to the end, and every body's state stays finite.
+//! - Where the original went on with NaN or infinity, that is reported at the latest one step later
+//!   ([`Event::NotFinite`](farseer_core::Event::NotFinite) of a body, or the like of a joint, spring or controller). Otherwise
+//!   the faulty value of the scene has been rejected before.
 
 mod folder;
 mod summary;
@@ -24,20 +22,20 @@ use crate::trace::{Line, Trace};
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What came of checking a scene.
+/// Outcome of a check of a scene.
 #[derive(Debug)]
 pub enum Reproduction {
     /// Every byte of the trace is reproduced.
     Exact,
-    /// Everything up to the step before something the original is not followed in, and the behaviour from
-    /// there on is the documented one.
+    /// Everything is equal up to the step before a fault of the original that this engine does not reproduce, and the behaviour
+    /// from there on is the documented one.
     ExactUntil {
         /// The last step compared.
         step: u32,
-        /// What the original did in the next.
+        /// The fault of the original in the next step.
         original: String,
     },
-    /// The scene needs something that was to be left out.
+    /// The scene needs a feature that the caller excludes.
     Skipped(Features),
     /// The trace is not reproduced.
     Differs(Box<Difference>),
@@ -51,12 +49,12 @@ impl Reproduction {
         matches!(self, Reproduction::Exact | Reproduction::ExactUntil { .. })
     }
 
-    /// Whether the scene was left out as asked.
+    /// Whether the scene was skipped on request.
     pub fn is_skipped(&self) -> bool {
         matches!(self, Reproduction::Skipped(_))
     }
 
-    /// Whether something is wrong.
+    /// Whether the check failed.
     pub fn is_failure(&self) -> bool {
         matches!(self, Reproduction::Differs(_) | Reproduction::Failed(_))
     }
@@ -76,8 +74,8 @@ impl fmt::Display for Reproduction {
     }
 }
 
-/// Checks a scene against the text of its trace, leaving it out if it needs what is to be skipped. A panic is
-/// caught and reported as a failure.
+/// Checks a scene against the text of its trace, and skips it if it needs an excluded feature. A panic is caught and reported
+/// as a failure.
 pub fn check(scene: &Scene, trace: &str, skip: Features) -> Reproduction {
     let needs = scene.features();
     if !needs.and(skip).is_empty() {
@@ -102,7 +100,7 @@ fn message(panic: &(dyn std::any::Any + Send)) -> &str {
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message")
 }
 
-/// Judges what happened in a run by what should have happened.
+/// Compares the recording of a run with the expected trace.
 pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording) -> Reproduction {
     let unusual = match Unusual::of(scene, expected) {
         Ok(unusual) => unusual,
@@ -123,7 +121,7 @@ pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording)
             None => Reproduction::Exact,
         };
     };
-    // A scene that cannot be built has nothing to compare but the first lines of the header.
+    // A scene that cannot be built has only the first lines of the header to compare.
     if step > 0
         && let Some(difference) = compare(expected, &recording.trace, Some(step))
     {
@@ -135,7 +133,7 @@ pub fn judge(scene: &Scene, expected: &Trace, text: &str, recording: &Recording)
     }
 }
 
-/// Whether a trace says of itself what the scene says.
+/// Whether the header of a trace agrees with the scene.
 fn is_header_of(scene: &Scene, trace: &Trace) -> bool {
     let header = &trace.header;
     header.scene == scene.name
@@ -144,7 +142,7 @@ fn is_header_of(scene: &Scene, trace: &Trace) -> bool {
         && header.full_every == scene.trace.full_every
 }
 
-/// What the original did that is not followed.
+/// A fault of the original that this engine does not reproduce.
 struct Unusual {
     thrown: Option<(u32, String)>,
     first_nan_step: Option<u32>,
@@ -164,7 +162,7 @@ impl fmt::Display for Unusual {
 }
 
 impl Unusual {
-    /// What the scene and the trace say about it, which must be the same.
+    /// The fault by the scene and by the trace, which must be the same.
     fn of(scene: &Scene, trace: &Trace) -> Result<Self, String> {
         let in_trace = trace.lines.iter().find_map(|line| match line {
             Line::Thrown { step, exception } => Some((*step, exception.clone())),
@@ -193,7 +191,7 @@ impl Unusual {
             return check_refusal(*step, recording);
         }
         if let Some((step, error)) = &recording.error {
-            // What is not finite is refused here before it can make anything else not finite.
+            // A value that is not finite is rejected here before it can make any other one infinite or NaN.
             let in_time = self.first_nan_step.is_some_and(|limit| *step <= limit);
             return match error.reason {
                 Reason::NotFinite(_) if in_time => Ok(()),
@@ -214,7 +212,7 @@ impl Unusual {
         }
     }
 
-    /// Whether the original threw where something is created or set, so that there must be an error here.
+    /// Whether the original threw when a value was created or set, so that this engine must return an error.
     fn is_refusal_due(&self, scene: &Scene, step: u32, exception: &str, recording: &Recording) -> bool {
         if step == 0 {
             return true;
@@ -231,7 +229,7 @@ impl Unusual {
 
 /// Where the original throws an exception of some type.
 enum Thrower {
-    /// Where something is created or set.
+    /// An exception of a constructor or setter.
     Setter,
     /// In an update.
     Update,
@@ -271,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_panic_is_passed_on() {
+    fn a_result_without_panic_is_returned() {
         assert!(guard(|| Reproduction::Exact).is_exact());
     }
 }

@@ -1,4 +1,4 @@
-//! Checks of whole folders, and their report.
+//! Checks of complete folders, and their report.
 
 use super::{Entry, Reproduction, check, entries};
 use crate::file::read_text;
@@ -45,7 +45,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Whether nothing differs, failed or could not be read, and there was something to check.
+    /// Whether at least one scene was checked, and none differs, failed or could not be read.
     pub fn is_success(&self) -> bool {
         self.all.failed == 0 && self.unreadable == 0 && self.all != Count::default()
     }
@@ -55,12 +55,12 @@ impl Summary {
         self.all.exact
     }
 
-    /// Number of scenes left out as asked.
+    /// Number of scenes that were skipped on request.
     pub fn skipped(&self) -> usize {
         self.all.skipped
     }
 
-    /// Number of scenes with something wrong.
+    /// Number of scenes that failed.
     pub fn failed(&self) -> usize {
         self.all.failed
     }
@@ -88,9 +88,8 @@ struct Checked {
     tags: Vec<String>,
 }
 
-/// Checks the scenes of folders with some threads, writing one line (or a few, where something differs) for
-/// each scene in the order of their names. Files that are broken or missing are reported and make the check
-/// fail, but do not end it.
+/// Checks the scenes of folders with some threads, writing one line (or a few for differences) for each scene in the order of
+/// their names. Files that are broken or missing are reported and make the check fail, but do not end it.
 ///
 /// # Errors
 ///
@@ -133,8 +132,7 @@ fn check_entries(
         for _ in 0..threads.max(1) {
             let (work, done) = (&work, done.clone());
             scope.spawn(move || {
-                // A panic while the lock is held is impossible but for a broken iterator, which has nothing
-                // left.
+                // A panic while the lock is held is impossible but for a broken iterator, which has no more entries.
                 while let Some((index, entry)) = work.lock().ok().and_then(|mut work| work.next()) {
                     if done.send((index, check_entry(&entry, skip))).is_err() {
                         return;

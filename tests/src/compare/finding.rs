@@ -3,7 +3,7 @@
 use crate::trace::{ArbiterLine, Event, StepLine};
 use std::fmt;
 
-/// One thing that is different. "Expected" is what the original did.
+/// A single difference. "Expected" is the original's value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Finding {
     /// A line of the header.
@@ -46,7 +46,7 @@ pub enum Finding {
     Word {
         /// The step.
         step: u32,
-        /// Whose.
+        /// The body or contact.
         place: Place,
         /// Which.
         field: &'static str,
@@ -101,12 +101,12 @@ pub enum Finding {
     End {
         /// The original's.
         expected: Option<(u32, u64)>,
-        /// Those found.
+        /// The numbers found.
         actual: Option<(u32, u64)>,
     },
 }
 
-/// Whose word it is.
+/// The owner of a float.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// A body's, by index.
@@ -210,7 +210,7 @@ fn float(f: &mut fmt::Formatter<'_>, bits: u32) -> fmt::Result {
     write!(f, "{:?} ({bits:08x})", f32::from_bits(bits))
 }
 
-/// How many floats two bit patterns are apart, both zeros being the same; nothing if one is not a number.
+/// Distance of two floats in ulps by their bit patterns, both zeros being the same; `None` if one is not a number.
 pub fn ulps(a: u32, b: u32) -> Option<u32> {
     let rank = |bits: u32| {
         let magnitude = i64::from(bits & 0x7fff_ffff);
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_number_has_no_distance() {
+    fn nan_has_no_distance_in_ulps() {
         assert_eq!(ulps(f32::NAN.to_bits(), 1.0_f32.to_bits()), None);
     }
 }

@@ -1,4 +1,4 @@
-//! What is different in two traces.
+//! Differences of two traces.
 
 mod finding;
 
@@ -13,12 +13,12 @@ use std::fmt;
 pub struct Difference {
     /// The step, 0 for the header and the state before the first step.
     pub step: u32,
-    /// What differs at that step, and at the next full state if there is none at that step.
+    /// Differences at that step, or at the next full state if there is none at that step.
     pub findings: Vec<Finding>,
 }
 
 impl Difference {
-    /// How many findings are shown; the first ones tell most.
+    /// Number of findings that are printed; the first ones are the most informative.
     const SHOWN: usize = 12;
 }
 
@@ -35,8 +35,7 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Compares a trace with the expected one: as a whole, or only the steps before one at which the original did
-/// something that is not followed.
+/// Compares a trace with the expected one: all of it, or only the steps before a fault of the original that is not reproduced.
 pub fn compare(expected: &Trace, actual: &Trace, before: Option<u32>) -> Option<Difference> {
     let mut findings = header(expected, actual);
     let (expected_moments, actual_moments) = (moments(expected), moments(actual));
@@ -84,7 +83,7 @@ fn header(expected: &Trace, actual: &Trace) -> Vec<Finding> {
     }
 }
 
-/// What a trace has about one step.
+/// The lines of a trace for one step.
 #[derive(Default)]
 struct Moment<'a> {
     events: Vec<&'a Event>,

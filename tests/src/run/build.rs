@@ -75,7 +75,7 @@ fn simulator(settings: &SimulatorSettings, at: At<'_>) -> Result<PhysicsSimulato
     Ok(simulator)
 }
 
-/// The broad phase to set; nothing for the one a simulator starts with.
+/// The broad phase to set; `None` for the one a simulator starts with.
 fn broad_phase_collider(method: BroadPhase, settings: &SimulatorSettings) -> Option<BroadPhaseCollider> {
     match method {
         BroadPhase::SelectiveSweep => None,
@@ -177,7 +177,7 @@ fn body(run: &Run<'_>, shape: &BodyShape, at: At<'_>) -> Result<Body> {
     }
 }
 
-/// Sets what is given of a body's settings.
+/// Sets the given settings of a body.
 pub(super) fn set_body(body: &mut Body, settings: &BodySettings, at: At<'_>) -> Result<()> {
     if let Some(velocity) = settings.linear_velocity {
         body.set_linear_velocity(velocity.finite(at.key("linear_velocity"))?);
@@ -275,7 +275,7 @@ fn geoms(run: &mut Run<'_>, spec: &GeomSpec, at: At<'_>) -> Result<Vec<GeomId>> 
     Ok(vec![geom.at(shape)?])
 }
 
-/// Sets what is given of a geom's settings.
+/// Sets the given settings of a geom.
 pub(super) fn set_geom(
     simulator: &mut PhysicsSimulator,
     id: GeomId,

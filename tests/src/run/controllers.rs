@@ -88,7 +88,7 @@ fn wave(spec: &WaveSpec, at: At<'_>) -> Result<WaveController> {
     Ok(wave)
 }
 
-/// Pushes the surface of a wave controller.
+/// Disturbs the surface of a wave controller.
 pub(super) fn disturb_wave(run: &mut Run<'_>, index: usize, x: f32, offset: f32, at: At<'_>) -> Result<()> {
     let id = run.controller(index, at.key("controller"))?;
     run.simulator.controller_as_mut::<WaveController>(id).at(at)?.disturb(x, offset).at(at)

@@ -65,7 +65,7 @@ fn joint(run: &mut Run<'_>, kind: &JointKind, at: At<'_>) -> Result<JointId> {
     .at(at)
 }
 
-/// Sets what is given of a joint's settings.
+/// Sets the given settings of a joint.
 pub(super) fn set_joint(
     simulator: &mut PhysicsSimulator,
     id: JointId,
@@ -129,7 +129,7 @@ fn set_slop(simulator: &mut PhysicsSimulator, id: JointId, slop: f32, at: At<'_>
     simulator.joint_as_mut::<SliderJoint>(id).at(at)?.set_slop(slop).at(at)
 }
 
-/// Sets what is given of a joint's geometry.
+/// Sets the given parts of a joint's geometry.
 pub(super) fn set_joint_geometry(
     simulator: &mut PhysicsSimulator,
     id: JointId,
@@ -215,7 +215,7 @@ fn spring(run: &mut Run<'_>, spec: &SpringSpec, at: At<'_>) -> Result<SpringId> 
     .at(at)
 }
 
-/// Sets what is given of a spring's settings.
+/// Sets the given settings of a spring.
 pub(super) fn set_spring(
     simulator: &mut PhysicsSimulator,
     id: SpringId,
@@ -263,7 +263,7 @@ pub(super) fn set_spring(
     Ok(())
 }
 
-/// Sets what is given of a spring's constants and ends.
+/// Sets the given constants and ends of a spring.
 pub(super) fn set_spring_geometry(
     simulator: &mut PhysicsSimulator,
     id: SpringId,

@@ -5,7 +5,7 @@ use crate::trace::{Event, Line};
 use farseer_core::{Contact, Context, ControllerId, EventHandler, GeomId, JointId, SpringId, Vertices};
 use std::collections::HashMap;
 
-/// What a run subscribes to, and what it heard.
+/// Subscriptions of a run, and the events it received.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Log {
     /// Id in the scene of every geom ever created.
@@ -14,20 +14,20 @@ pub(super) struct Log {
     joints: HashMap<JointId, usize>,
     springs: HashMap<SpringId, usize>,
     controllers: HashMap<ControllerId, usize>,
-    /// For each geom, against whom its collision callback answers false.
+    /// For each geom, the geoms for which its collision callback returns false.
     vetoes: Vec<Vec<usize>>,
     /// Whether the broad phase event is subscribed.
     broad_phase_event: bool,
-    /// Last step whose events are logged; 0 for none.
+    /// Number of the last step whose events are logged; 0 for none.
     until: u32,
     /// The current step.
     pub(super) step: u32,
-    /// What was logged and not yet fetched.
+    /// Logged events that are not yet fetched.
     pub(super) lines: Vec<Line>,
 }
 
 impl Log {
-    /// The handler with what a scene subscribes, before anything is created.
+    /// The handler with the scene's subscriptions, before any object is created.
     pub(super) fn of(scene: &Scene) -> Self {
         Log {
             broad_phase_event: scene.simulator.broad_phase_event,

@@ -1,8 +1,8 @@
 //! Scenes to simulations: building and driving.
 //!
-//! [`Run`] builds a scene and makes its steps one by one; [`record`] makes all of them and gives the trace.
-//! Values the engine's setters would silently refuse (because a game calls them every frame) are errors here,
-//! so that a scene with such a value says where it is.
+//! [`Run`] builds a scene and makes its steps one by one; [`record`] makes all of them and returns the trace. Values that the
+//! engine's setters would silently refuse (because a game calls them every frame) are errors here, so that the position of such
+//! a value in the scene is reported.
 
 mod build;
 mod controllers;
@@ -38,23 +38,22 @@ pub struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// Builds a scene. Nothing is simulated yet, but what was added has entered the lists of the simulator.
+    /// Builds a scene. No step is made yet, but the added objects have entered the lists of the simulator.
     ///
     /// # Errors
     ///
-    /// When the scene refers to something that does not exist, or has a value the engine refuses. The error names
-    /// the file, the place and the reason.
+    /// When the scene refers to an object that does not exist, or has a value the engine refuses. The error names the file, the
+    /// position and the reason.
     pub fn build(scene: &'a Scene) -> Result<Self, SceneError> {
         build::build(scene).map_err(|error| error.in_file(scene.file()))
     }
 
-    /// Makes the next step: the operations of the script, then an update, if the controller that decides the time
-    /// step wants one.
+    /// Makes the next step: the operations of the script, then an update, if the controller that decides the time step wants
+    /// one.
     ///
     /// # Errors
     ///
-    /// When an operation of the script refers to something that does not exist or has a value the engine
-    /// refuses.
+    /// When an operation of the script refers to an object that does not exist or has a value the engine refuses.
     pub fn step(&mut self) -> Result<(), SceneError> {
         self.log.step += 1;
         script::apply(self).map_err(|error| error.in_file(self.scene.file()))?;
@@ -65,10 +64,10 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// The time step of this update: the scene's, or what its scaling controller makes of it.
+    /// The time step of this update in s: the scene's, or that of its scaling controller.
     fn interval(&mut self) -> f32 {
         let Some(id) = self.scaled_by else { return self.dt };
-        // Once disposed it gives nothing any more.
+        // A disposed controller has no effect.
         let Ok(scaling) = self.simulator.controller_as_mut::<ScalingController>(id) else { return self.dt };
         let interval = scaling.get_update_interval(self.dt);
         let values = [interval, scaling.update_interval(), scaling.maximum_update_interval()];
@@ -158,13 +157,13 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The thing with an index.
+/// The object with an index.
 fn find<I: Copy>(list: &[I], kind: &'static str, index: usize, at: At<'_>) -> Result<I, SceneError> {
     let missing = || SceneError::new(at, Reason::NoSuch { kind, index, count: list.len() });
     list.get(index).copied().ok_or_else(missing)
 }
 
-/// A result of the engine, its error put at a place of the scene.
+/// A result of the engine whose error gets a position in the scene.
 trait AtPlace<T> {
     fn at(self, at: At<'_>) -> Result<T, SceneError>;
 }
@@ -177,7 +176,7 @@ impl<T> AtPlace<T> for farseer_core::Result<T> {
 
 /// Values that may be infinite although the engine takes finite ones only.
 trait Finite: Sized {
-    /// The value itself, or an error at its place.
+    /// The value itself, or an error at its position.
     fn finite(self, at: At<'_>) -> Result<Self, SceneError>;
 }
 

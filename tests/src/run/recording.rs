@@ -1,4 +1,4 @@
-//! Whole runs as traces.
+//! Complete runs as traces.
 
 use super::Run;
 use crate::scene::{Scene, SceneError};
@@ -7,16 +7,16 @@ use crate::trace::{ArbiterLine, BodyLine, ContactLine, Header, Line, StepLine, T
 use farseer_core::{Body, BodyId, Event, PhysicsSimulator};
 use std::collections::HashMap;
 
-/// What happened in a run.
+/// Record of a run.
 #[derive(Debug)]
 pub struct Recording {
     /// The trace, up to the end or the error.
     pub trace: Trace,
-    /// What was refused, and before which update; 0 for the build.
+    /// The refusal, and the number of the update before which it occurred; 0 for the build.
     pub error: Option<(u32, SceneError)>,
-    /// First step after which a body that still exists had a state with something not finite, and the body.
+    /// Number of the first step after which a body that still exists had a state that is not finite, and the body.
     pub not_finite: Option<(u32, usize)>,
-    /// First step whose update reported that a body had stopped being finite, or would have.
+    /// Number of the first step whose update reported that a body had stopped being finite, or would have.
     pub reported: Option<u32>,
 }
 
@@ -58,7 +58,7 @@ pub fn record(scene: &Scene) -> Recording {
 }
 
 impl Recording {
-    /// Records a step that was made; gives its hash.
+    /// Records a step that was made; returns its hash.
     fn step(&mut self, run: &mut Run<'_>, step: u32) -> u64 {
         self.trace.lines.extend(run.take_events());
         if self.reported.is_none() && run.simulator.events().iter().any(is_about_what_is_not_finite) {
@@ -68,7 +68,7 @@ impl Recording {
         self.state(run, step)
     }
 
-    /// Records the line of a step, and the full state if it is due; gives the step's hash.
+    /// Records the line of a step, and the full state if it is due; returns the step's hash.
     fn state(&mut self, run: &Run<'_>, step: u32) -> u64 {
         let scene = run.scene;
         let simulator = &run.simulator;

@@ -121,8 +121,7 @@ fn operate_on_link(run: &mut Run<'_>, op: &Op, at: At<'_>) -> Result<()> {
     }
 }
 
-/// Applies an operation on a body. A disposed body takes no part in anything any more: changing it has no
-/// effect.
+/// Applies an operation on a body. Changes of a disposed body have no effect.
 fn operate_on_body(run: &mut Run<'_>, id: BodyId, op: &Op, at: At<'_>) -> Result<()> {
     let Some(body) = run.simulator.body_mut(id) else {
         return Ok(());
@@ -151,7 +150,7 @@ fn operate_on_body(run: &mut Run<'_>, id: BodyId, op: &Op, at: At<'_>) -> Result
     Ok(())
 }
 
-/// Applies an operation that sets something of a body.
+/// Applies an operation that sets a property of a body.
 fn set_on_body(body: &mut Body, op: &Op, at: At<'_>) -> Result<()> {
     match *op {
         Op::SetPosition { position, .. } => body.set_position(position.finite(at.key("position"))?),
@@ -200,8 +199,8 @@ fn operate_on_geom(run: &mut Run<'_>, id: GeomId, op: &Op, at: At<'_>) -> Result
     }
 }
 
-/// The thing with an index; nothing when it is disposed. The original lets a disposed thing enter its lists,
-/// only to drop it before the update does anything with it.
+/// The object with an index; `None` when it is disposed. The original lets a disposed object enter its lists, only to drop it
+/// before the update does anything with it.
 fn thing(run: &Run<'_>, target: Target, index: usize, at: At<'_>) -> Result<Option<ObjectId>> {
     let at = at.key("index");
     let id: ObjectId = match target {
@@ -225,7 +224,7 @@ fn is_there(run: &Run<'_>, id: ObjectId) -> bool {
     }
 }
 
-/// Sets the enabled flag of a thing that has one.
+/// Sets the enabled flag of an object that has one.
 fn enable(run: &mut Run<'_>, target: Target, index: usize, enabled: bool, at: At<'_>) -> Result<()> {
     let Some(thing) = thing(run, target, index, at)? else { return Ok(()) };
     let simulator = &mut run.simulator;

@@ -7,7 +7,7 @@ use farseer_core::{BodyFactory, BodyId, CollisionCategory, GeomFactory, GeomPlac
 
 use super::{BLACK, GOLD, Rgba, SampleScene};
 
-/// Half the distance of the outer balls.
+/// Half the distance of the outer balls in px.
 const REACH: f32 = 40.0;
 const GROUP: i32 = 1;
 const BEAM: Rgba = [169, 169, 169, 255];

@@ -6,10 +6,10 @@ use farseer_core::{BodyId, PhysicsSimulator, Result};
 
 use super::{Actor, Pyramid, SampleScene, border, pyramid};
 
-/// Blows what is to its right.
+/// Blows at bodies to its right.
 #[derive(Debug, Clone, Copy)]
 pub struct HairDryer {
-    /// Middle of the left edge of what it reaches, 300 by 200.
+    /// Middle of the left edge of its area of effect, 300 by 200, in px.
     pub position: Vector2,
 }
 

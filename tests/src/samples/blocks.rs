@@ -1,4 +1,4 @@
-//! Balls, crates, heaps of crates and what they stand on (behaviour chapter 16, section B.3).
+//! Balls, crates, heaps of crates and the floors below them (behaviour chapter 16, section B.3).
 
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Result};
@@ -70,28 +70,28 @@ pub fn rectangle_platform(
 /// A heap of square blocks that fall onto each other.
 #[derive(Debug, Clone, Copy)]
 pub struct Pyramid {
-    /// Edge of a block.
+    /// Edge of a block in px.
     pub edge: f32,
-    /// Space between blocks, sideways and upward.
+    /// Space between blocks in px, sideways and upward.
     pub spacing: f32,
-    /// Mass of a block.
+    /// Mass of a block in kg.
     pub mass: f32,
-    /// Friction of the blocks.
+    /// Friction coefficient of the blocks.
     pub friction: f32,
     /// Blocks in the bottom row, and number of rows.
     pub rows: usize,
-    /// Place of the leftmost block of the bottom row.
+    /// Position of the leftmost block of the bottom row.
     pub origin: Vector2,
 }
 
-/// Adds a heap; answers with its blocks, bottom row first, each row from left to right.
+/// Adds a heap; returns its blocks, bottom row first, each row from left to right.
 ///
 /// # Errors
 /// Sizes that are not greater than 0.
 pub fn pyramid(scene: &mut SampleScene, pyramid: Pyramid) -> Result<Vec<(BodyId, GeomId)>> {
     let Pyramid { edge, spacing, mass, friction, rows, origin } = pyramid;
     let simulator = &mut scene.simulator;
-    // What the blocks are copied from takes no part, but takes a geom number.
+    // The template of the blocks takes no part, but takes a geom number.
     let template = simulator.create_body(BodyFactory::create_rectangle_body(edge, edge, mass)?);
     let placement = GeomPlacement::default();
     let model = GeomFactory::create_rectangle_geom(simulator, template, edge, edge, placement)?;

@@ -19,7 +19,7 @@ pub struct Circles {
     pub end: Vector2,
     /// Number of balls, 2 or more.
     pub count: usize,
-    /// Radius of the balls.
+    /// Radius of the balls in px.
     pub radius: f32,
     /// Categories the balls are in.
     pub collision_categories: CollisionCategory,
@@ -87,7 +87,7 @@ pub(super) fn collision_categories() -> Result<SampleScene> {
     Ok(scene)
 }
 
-/// Simple 8: 1600 balls in 40 rows, which collide with nothing but the agent.
+/// Simple 8: 1600 balls in 40 rows, which collide with the agent alone.
 pub(super) fn broad_phase_collision_stress_test() -> Result<SampleScene> {
     let cat = CollisionCategory::cat;
     let mut scene = SampleScene::new(0.0)?;

@@ -5,19 +5,19 @@ use farseer_core::{BodyId, PhysicsSimulator, Result};
 
 use super::Actor;
 
-/// Pushes and turns a body.
+/// Applies a force and a torque to a body.
 #[derive(Debug, Clone, Copy)]
 pub struct Drive {
     /// The body.
     pub body: BodyId,
     /// Force on it.
     pub force: Vector2,
-    /// Torque on it.
+    /// Torque on it in kg px²/s².
     pub torque: f32,
 }
 
 impl Drive {
-    /// Pushes a body along x.
+    /// Applies a force along x to a body.
     pub fn along_x(body: BodyId, force: f32) -> Self {
         Drive { body, force: Vector2::new(force, 0.0), torque: 0.0 }
     }
@@ -36,7 +36,7 @@ impl Actor for Drive {
 pub struct AngularDrive {
     /// The wheels.
     pub wheels: [BodyId; 2],
-    /// Angular impulse on each.
+    /// Angular impulse on each wheel in kg px²/s.
     pub impulse: f32,
 }
 

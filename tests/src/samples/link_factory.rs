@@ -49,7 +49,7 @@ pub(super) fn chains_factory() -> Result<SampleScene> {
     Ok(scene)
 }
 
-/// Advanced 5: two wheels, pushed apart by a spring, drive in an endless track.
+/// Advanced 5: two wheels with a spring between them drive in an endless track.
 pub(super) fn path_factory() -> Result<SampleScene> {
     let mut scene = SampleScene::new(100.0)?;
     let centre = Vector2::new(400.0, 500.0);

@@ -41,7 +41,7 @@ pub use water::wave_of;
 use farseer_core::Result;
 use farseer_core::math::Vector2;
 
-/// Width and height of the screen.
+/// Width and height of the screen in px.
 pub const SCREEN: [f32; 2] = [1024.0, 768.0];
 /// Middle of the screen.
 pub const CENTRE: Vector2 = Vector2::new(512.0, 384.0);

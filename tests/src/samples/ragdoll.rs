@@ -5,7 +5,7 @@ use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, JointFactory
 
 use super::{BLACK, SampleScene, WHITE, border, simple};
 
-/// An ellipse: half axes, mass, edges and place.
+/// An ellipse: half axes, mass, edges and position.
 struct Part {
     radii: [f32; 2],
     mass: f32,
@@ -13,7 +13,7 @@ struct Part {
     place: Vector2,
 }
 
-/// Adds a ragdoll about a point; answers with torso and head.
+/// Adds a ragdoll about a point; returns torso and head.
 ///
 /// # Errors
 /// A position that is not finite.

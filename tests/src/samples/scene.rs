@@ -1,20 +1,21 @@
-//! A scene: a simulator, what acts on it in every frame, and how it looks.
+//! A scene: a simulator, its actors in every frame, and its look.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyId, ControllerId, Dispatch, GeomId, JointId, NarrowPhaseCollider, PhysicsSimulator, Result, SideTable,
+    BodyId, ControllerId, Dispatch, GeomId, JointId, NarrowPhaseCollider, PhysicsSimulator, Result,
+    SecondaryMap,
 };
 
 use super::{DT, Rgba};
 
-/// What a scene does besides its physics (behaviour chapter 16, section B.1).
+/// Actions of a scene besides its physics (behaviour chapter 16, section B.1).
 ///
 /// Forces that are applied after a step take effect in the next one.
 pub trait Actor: std::fmt::Debug + CopyActor {
     /// Acts before every step.
     ///
     /// # Errors
-    /// What its calls refuse.
+    /// A refusal of the simulator.
     fn before_step(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
         let _ = simulator;
         Ok(())
@@ -23,7 +24,7 @@ pub trait Actor: std::fmt::Debug + CopyActor {
     /// Acts after every step.
     ///
     /// # Errors
-    /// What its calls refuse.
+    /// A refusal of the simulator.
     fn after_step(&mut self, simulator: &mut PhysicsSimulator) -> Result<()> {
         let _ = simulator;
         Ok(())
@@ -48,7 +49,7 @@ impl Clone for Box<dyn Actor> {
     }
 }
 
-/// What is drawn: an outline that is filled, with a border. Later ones lie on top.
+/// Drawing of a geom: an outline that is filled, with a border. Later ones lie on top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {
     /// The outline.
@@ -68,18 +69,18 @@ pub enum Figure {
     Rectangle {
         /// The body.
         body: BodyId,
-        /// Width and height.
+        /// Width and height in px.
         size: [f32; 2],
     },
 }
 
-/// What the handlers of scenes know.
+/// State of the handlers of scenes.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Known {
     /// The geoms that a weld keeps in one collision group.
-    pub(super) welded: SideTable<JointId, [GeomId; 2]>,
+    pub(super) welded: SecondaryMap<JointId, [GeomId; 2]>,
     /// The wave of a fluid.
-    pub(super) waves: SideTable<ControllerId, ControllerId>,
+    pub(super) waves: SecondaryMap<ControllerId, ControllerId>,
 }
 
 /// A scene.
@@ -130,12 +131,12 @@ impl SampleScene {
         &self.looks
     }
 
-    /// Lets something act from the next step on.
+    /// Adds an actor that acts from the next step on.
     pub fn act(&mut self, actor: impl Actor + 'static) {
         self.actors.push(Box::new(actor));
     }
 
-    /// Draws a geom with this fill and border, on top of what is drawn already.
+    /// Draws a geom with this fill and border, on top of the earlier ones.
     pub fn show(&mut self, geom: GeomId, fill: Rgba, border: Rgba) {
         self.looks.push(Look { figure: Figure::Geom(geom), fill, border });
     }
@@ -144,10 +145,10 @@ impl SampleScene {
         self.looks.push(Look { figure: Figure::Rectangle { body, size }, fill, border });
     }
 
-    /// A frame: what acts before a step, a step of [`DT`], what acts after it.
+    /// A frame: the actors before a step, a step of [`DT`], the actors after it.
     ///
     /// # Errors
-    /// What the calls of the actors refuse.
+    /// A refusal of the actors' calls.
     pub fn step(&mut self) -> Result<()> {
         for actor in &mut self.actors {
             actor.before_step(&mut self.simulator)?;

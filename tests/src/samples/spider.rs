@@ -12,13 +12,13 @@ use super::{Actor, Agent, BLACK, SampleScene, WHITE, border};
 const STEP: u32 = 10;
 /// Milliseconds until the legs bend or stretch.
 const PERIOD: u32 = 4000;
-/// Half the length of the leg parts, and how far from the middle of the body they are.
+/// Half the length of the leg parts, and their distance from the middle of the body, in px.
 const SHOULDER: f32 = 20.0;
 const UPPER: f32 = 40.0;
 const KNEE: f32 = 60.0;
 const LOWER: f32 = 75.0;
 
-/// A body with two legs of two parts. It acts by setting the angles of its joints.
+/// A body with two legs of two limbs. It acts by setting the angles of its joints.
 #[derive(Debug, Clone, Copy)]
 pub struct Spider {
     /// The body between the legs.

@@ -23,13 +23,13 @@ pub enum Side {
 pub struct Lever {
     /// The end that is held.
     pub side: Side,
-    /// Width and height.
+    /// Width and height in px.
     pub size: [f32; 2],
-    /// Torque of the spring per angle.
+    /// Torque of the spring per rad.
     pub spring_constant: f32,
-    /// Torque of the spring per angular velocity.
+    /// Torque of the spring per angular velocity, in kg px²/s.
     pub damping_constant: f32,
-    /// Collision group.
+    /// Number of the collision group.
     pub collision_group: i32,
     /// Where it is held.
     pub position: Vector2,
@@ -71,24 +71,24 @@ impl Lever {
 /// Square blocks, each hanging on the one above by a spring.
 #[derive(Debug, Clone, Copy)]
 pub struct Rope {
-    /// Place of the uppermost block.
+    /// Position of the uppermost block.
     pub position: Vector2,
     /// Number of blocks.
     pub count: usize,
-    /// Edge of a block, and distance of their middles.
+    /// Edge of a block, and distance of their middles, in px.
     pub edge: f32,
-    /// Mass of a block.
+    /// Mass of a block in kg.
     pub mass: f32,
     /// Force of a spring per length.
     pub spring_constant: f32,
-    /// Force of a spring per velocity.
+    /// Force of a spring per velocity, in kg/s.
     pub damping_constant: f32,
-    /// Collision group.
+    /// Number of the collision group.
     pub collision_group: i32,
 }
 
 impl Rope {
-    /// Adds it; answers with its uppermost block.
+    /// Adds it; returns its uppermost block.
     ///
     /// # Errors
     /// A size or mass that is not greater than 0.

@@ -5,7 +5,7 @@ use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Result, SpringFactor
 
 use super::{Agent, BLACK, GOLD, Lever, Rope, SampleScene, Side, border, rectangle_platform};
 
-/// Collision group of platforms and levers, the border's.
+/// Number of the collision group of platforms and levers, the border's.
 const GROUP: i32 = 100;
 
 /// Simple 6: three platforms with levers, two ropes and a ball on a spring.
@@ -14,7 +14,7 @@ pub(super) fn linear_and_angular_springs() -> Result<SampleScene> {
     scene.simulator.set_max_contacts_to_detect(2);
     let agent = Agent::of_fifth_category()?.add(&mut scene, Vector2::new(512.0, 100.0))?;
 
-    // Held on the upper corner of a platform, a step inward and some way down.
+    // Fixed at the upper corner of a platform, a step inward and some distance down.
     let platform = |scene: &mut SampleScene, height: f32, x, y| -> Result<Vector2> {
         let position = Vector2::new(x, y);
         rectangle_platform(scene, 102.0, height, position, GROUP)?;

@@ -8,22 +8,22 @@ use super::{BLACK, Rgba, SampleScene};
 
 const BURLY_WOOD: Rgba = [222, 184, 135, 255];
 
-/// Where a table stands, and what it bears.
+/// Position of a table, and the load that it carries.
 #[derive(Debug, Clone, Copy)]
 pub struct Table {
     /// Middle of the top.
     pub position: Vector2,
-    /// Width of the top.
+    /// Width of the top in px.
     pub width: f32,
-    /// Height of the legs.
+    /// Height of the legs in px.
     pub height: f32,
-    /// Collision group of its parts, for as long as they hold together.
+    /// Number of the collision group of its parts, for as long as their welds hold.
     pub collision_group: i32,
-    /// Greatest error that the left and the right weld bear. The original draws both at random from 1 to 4.
+    /// Greatest error of the left and the right weld in px. The original draws both at random from 1 to 4.
     pub breakpoints: [f32; 2],
 }
 
-/// Lets the parts of a table collide when they come apart.
+/// Enables collisions between the parts of a table when a weld breaks.
 fn come_apart(known: &mut Known, context: &mut Context<'_>, weld: JointId) {
     for &part in known.welded.get(weld).into_iter().flatten() {
         if let Some(geom) = context.geom_mut(part) {

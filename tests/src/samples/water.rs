@@ -20,7 +20,7 @@ impl Actor for Surf {
     }
 }
 
-/// Disturbs the wave where something dips in.
+/// Disturbs the wave where a body dips in.
 fn splash(
     known: &mut Known,
     context: &mut Context<'_>,
@@ -37,7 +37,7 @@ fn splash(
     let Some(&wave) = known.waves.get(drag) else { return };
     let Some(wave) = context.controller_mut(wave).and_then(WaveController::of_mut) else { return };
     for (x, offset) in splashes {
-        // Refused is only what is not finite; nothing in this scene is.
+        // Only values that are not finite are refused; this scene has none.
         wave.disturb(x, offset).ok();
     }
 }

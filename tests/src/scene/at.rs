@@ -1,12 +1,12 @@
-//! Where in a scene something is, written as `bodies[3].shape.radius`.
+//! Positions in a scene file, written as `bodies[3].shape.radius`.
 
 use std::fmt;
 
-/// A place in a scene file: the way from the top to a value. It borrows the way there, and is only turned
-/// into text when there is an error to report.
+/// A position in a scene file: the path from the top to a value. It borrows the path, and is only turned into text when there
+/// is an error to report.
 #[derive(Debug, Clone, Copy)]
 pub enum At<'a> {
-    /// The whole file.
+    /// The complete file.
     Root,
     /// The value of a key of an object.
     Key(&'a At<'a>, &'a str),
@@ -15,12 +15,12 @@ pub enum At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// The value of `key` in the object at this place.
+    /// The value of `key` in the object at this position.
     pub fn key(&'a self, key: &'a str) -> At<'a> {
         At::Key(self, key)
     }
 
-    /// The element `index` of the list at this place.
+    /// The element `index` of the list at this position.
     pub fn item(&'a self, index: usize) -> At<'a> {
         At::Item(self, index)
     }
@@ -42,7 +42,7 @@ mod tests {
     use super::At;
 
     #[test]
-    fn a_place_is_written_as_keys_and_indices() {
+    fn a_position_is_written_as_keys_and_indices() {
         let bodies = At::Root.key("bodies");
         let body = bodies.item(3);
         let shape = body.key("shape");

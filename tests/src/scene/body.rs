@@ -11,7 +11,7 @@ pub struct BodySpec {
     pub shape: BodyShape,
     /// Whether it never moves.
     pub is_static: Option<bool>,
-    /// Place of its centre of mass, in length units.
+    /// Position of its centre of mass, in length units.
     pub position: Option<Vector2>,
     /// Angle in radians.
     pub rotation: Option<f32>,
@@ -51,17 +51,17 @@ pub struct BodySettings {
     pub linear_velocity: Option<Vector2>,
     /// In radians per second.
     pub angular_velocity: Option<f32>,
-    /// Force per speed.
+    /// Drag force per speed, in kg/s.
     pub linear_drag: Option<f32>,
-    /// Torque per angular speed.
+    /// Drag torque per squared angular speed, in kg * length units².
     pub rotational_drag: Option<f32>,
     /// Whether drag grows with the square of the speed.
     pub quadratic_drag_enabled: Option<bool>,
-    /// Force per squared speed.
+    /// Drag force per squared speed, in kg per length unit.
     pub quadratic_drag: Option<f32>,
     /// Whether gravity leaves the body alone.
     pub ignore_gravity: Option<bool>,
-    /// Whether the body takes part.
+    /// Whether the body is enabled.
     pub enabled: Option<bool>,
     /// Whether an inactivity controller may put it to sleep.
     pub auto_idle: Option<bool>,
@@ -87,39 +87,39 @@ keys!(BodySettings {
 pub enum BodyShape {
     /// A body with a rectangle's moment of inertia.
     Rectangle {
-        /// Extent along x.
+        /// Extent along x in length units.
         width: f32,
-        /// Extent along y.
+        /// Extent along y in length units.
         height: f32,
-        /// Mass.
+        /// Mass in kg.
         mass: f32,
     },
     /// A body with a circle's moment of inertia.
     Circle {
-        /// Radius.
+        /// Radius in length units.
         radius: f32,
-        /// Mass.
+        /// Mass in kg.
         mass: f32,
     },
     /// A body with an ellipse's moment of inertia.
     Ellipse {
-        /// Half extent along x.
+        /// Half extent along x in length units.
         x_radius: f32,
-        /// Half extent along y.
+        /// Half extent along y in length units.
         y_radius: f32,
-        /// Mass.
+        /// Mass in kg.
         mass: f32,
     },
-    /// A body with a polygon's moment of inertia, placed at the polygon's centroid.
+    /// A body with a polygon's moment of inertia, positioned at the polygon's centroid.
     Polygon {
         /// The polygon.
         outline: Outline,
-        /// Mass.
+        /// Mass in kg.
         mass: f32,
     },
     /// A body with a given moment of inertia.
     Explicit {
-        /// Mass.
+        /// Mass in kg.
         mass: f32,
         /// Moment of inertia in kg times squared length units.
         moment_of_inertia: f32,

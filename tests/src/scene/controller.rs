@@ -7,7 +7,7 @@ use farseer_core::math::Vector2;
 /// A controller to create.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ControllerSpec {
-    /// What it does.
+    /// Its kind, with the values of the kind.
     pub kind: ControllerKind,
     /// Whether it acts.
     pub enabled: Option<bool>,
@@ -59,16 +59,16 @@ tagged!(ControllerKind, "type" {
     "scaling" => Scaling { preferred_interval, maximum_interval },
 });
 
-/// A fluid and what swims in it.
+/// A fluid and the geoms that swim in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FluidDragSpec {
     /// Where the fluid is.
     pub container: FluidContainer,
     /// Mass per area.
     pub density: f32,
-    /// Drag on velocity.
+    /// Coefficient of the drag on velocity.
     pub linear_drag: f32,
-    /// Drag on angular velocity.
+    /// Coefficient of the drag on angular velocity.
     pub rotational_drag: f32,
     /// Gravity that buoyancy works against.
     pub gravity: Vector2,
@@ -132,7 +132,7 @@ pub struct GravitySpec {
     pub bodies: Option<Vec<usize>>,
     /// Attracting points.
     pub points: Option<Vec<Vector2>>,
-    /// Strength.
+    /// Strength of the gravity controller, a coefficient of its force.
     pub strength: f32,
     /// Range in length units.
     pub radius: f32,
@@ -160,19 +160,19 @@ impl Keys for GravitySpec {
 pub struct WaveSpec {
     /// Its upper left corner.
     pub position: Vector2,
-    /// Extent along x.
+    /// Extent along x in length units.
     pub width: f32,
-    /// Extent along y.
+    /// Extent along y in length units.
     pub height: f32,
     /// Number of nodes of the surface.
     pub node_count: i32,
-    /// Damping of the nodes.
+    /// Damping coefficient of the nodes.
     pub damping_coefficient: f32,
     /// Frequency of the surface's update.
     pub frequency: f32,
-    /// Upper turning point of the generator.
+    /// Upper turning point of the generator in length units.
     pub generator_max: f32,
-    /// Lower turning point of the generator.
+    /// Lower turning point of the generator in length units.
     pub generator_min: f32,
     /// Step of the generator.
     pub generator_step: f32,

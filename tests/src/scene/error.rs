@@ -1,4 +1,4 @@
-//! What can be wrong with a scene: in which file, where in it, and why.
+//! Errors of a scene: the file, the position in it, and the reason.
 
 use super::At;
 
@@ -7,13 +7,13 @@ use super::At;
 pub struct SceneError {
     /// Name of the scene's file, or the name given to [`super::Scene::from_json`].
     pub file: String,
-    /// Where in the file, such as `bodies[3].shape.radius`. Empty when it is the file as a whole.
+    /// Position in the file, such as `bodies[3].shape.radius`. Empty for the complete file.
     pub at: String,
-    /// What is wrong there.
+    /// The reason of the error.
     pub reason: Reason,
 }
 
-/// What is wrong at one place of a scene.
+/// The reason of an error at one position of a scene.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Reason {
@@ -23,16 +23,16 @@ pub enum Reason {
     /// The text is not JSON; the message has line and column.
     #[error("is not JSON: {0}")]
     Json(#[from] serde_json::Error),
-    /// The value is not what the scene format asks for.
+    /// The value does not conform to the scene format.
     #[error("{0}")]
     Format(String),
     /// A number that is not finite as a 32-bit float.
     #[error("{0} is not finite")]
     NotFinite(f32),
-    /// An index or id names something that does not exist (yet).
+    /// An index or id names an object that does not exist (yet).
     #[error("there is no {kind} {index}, only {count} of them")]
     NoSuch {
-        /// What was looked for: `body`, `geom`, ...
+        /// The kind of the object: `body`, `geom`, ...
         kind: &'static str,
         /// The index or id given.
         index: usize,
@@ -45,12 +45,12 @@ pub enum Reason {
 }
 
 impl SceneError {
-    /// An error at a place of a file whose name the caller adds with [`SceneError::in_file`].
+    /// An error at a position of a file whose name the caller adds with [`SceneError::in_file`].
     pub(crate) fn new(at: At<'_>, reason: impl Into<Reason>) -> Self {
         SceneError { file: String::new(), at: at.to_string(), reason: reason.into() }
     }
 
-    /// An error of form at a place.
+    /// An error of form at a position.
     pub(crate) fn format(at: At<'_>, reason: impl Into<String>) -> Self {
         SceneError::new(at, Reason::Format(reason.into()))
     }
@@ -60,8 +60,8 @@ impl SceneError {
         SceneError { file: file.to_owned(), ..self }
     }
 
-    /// Whether the scene was refused for a value it hands to the engine (and not because the file is broken):
-    /// what the original answers with an exception where something is created or set.
+    /// Whether the engine refused a value of the scene (and the file is sound): where the original throws an exception when an
+    /// object is created or set.
     pub fn is_refusal(&self) -> bool {
         matches!(self.reason, Reason::Refused(_) | Reason::NotFinite(_))
     }

@@ -1,4 +1,4 @@
-//! What a scene needs beyond bodies and geoms.
+//! Features that a scene needs beyond bodies and geoms.
 
 use std::fmt;
 use std::str::FromStr;
@@ -69,19 +69,19 @@ impl Features {
         Feature::ALL.into_iter().filter(move |&feature| self.contains(feature))
     }
 
-    /// Whether nothing is in the set.
+    /// Whether the set is empty.
     pub fn is_empty(self) -> bool {
         self == Features::default()
     }
 
-    /// What is in this set and not in the other.
+    /// The features that are in this set and not in the other.
     pub fn without(self, other: Features) -> Features {
         let mut set = self;
         other.iter().for_each(|feature| set.0[feature as usize] = false);
         set
     }
 
-    /// What is in both sets.
+    /// The features that are in both sets.
     pub fn and(self, other: Features) -> Features {
         self.without(Features::of(&Feature::ALL).without(other))
     }

@@ -11,7 +11,7 @@ pub struct GeomSpec {
     pub body: usize,
     /// Which factory makes it.
     pub shape: GeomShape,
-    /// Place on the body, in length units.
+    /// Position on the body, in length units.
     pub offset: Option<Vector2>,
     /// Angle on the body, in radians.
     pub rotation_offset: Option<f32>,
@@ -21,7 +21,7 @@ pub struct GeomSpec {
     pub settings: GeomSettings,
     /// Ids of geoms it does not collide with.
     pub ignore: Vec<usize>,
-    /// Ids of geoms against which its collision callback answers false.
+    /// Ids of geoms for which its collision callback returns false.
     pub veto: Vec<usize>,
     /// Whether it is added to the simulation at once.
     pub in_simulation: bool,
@@ -63,7 +63,7 @@ pub struct GeomSettings {
     pub friction: Option<f32>,
     /// Coefficient of restitution.
     pub restitution: Option<f32>,
-    /// Geoms of one group other than 0 do not collide.
+    /// Number of the collision group: geoms of one group other than 0 do not collide.
     pub collision_group: Option<i32>,
     /// Categories it belongs to, one per bit.
     pub collision_categories: Option<i32>,
@@ -93,23 +93,23 @@ keys!(GeomSettings {
 pub enum GeomShape {
     /// A rectangle.
     Rectangle {
-        /// Extent along x.
+        /// Extent along x in length units.
         width: f32,
-        /// Extent along y.
+        /// Extent along y in length units.
         height: f32,
     },
     /// A regular polygon.
     Circle {
-        /// Radius.
+        /// Radius in length units.
         radius: f32,
         /// Number of edges.
         edges: i32,
     },
     /// An ellipse.
     Ellipse {
-        /// Half extent along x.
+        /// Half extent along x in length units.
         x_radius: f32,
-        /// Half extent along y.
+        /// Half extent along y in length units.
         y_radius: f32,
         /// Number of edges.
         edges: i32,

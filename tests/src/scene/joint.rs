@@ -6,7 +6,7 @@ use farseer_core::math::Vector2;
 /// A joint to create. Settings that are absent keep the engine's default.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointSpec {
-    /// What it joins and how.
+    /// Its kind, with the bodies and values of the kind.
     pub kind: JointKind,
     /// The settings a script may set as well.
     pub settings: JointSettings,
@@ -19,21 +19,21 @@ keys!(JointSpec { kind [flat], settings [flat], in_simulation [or true] });
 /// Settings of a joint; not every joint has each.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct JointSettings {
-    /// How much it gives way.
+    /// Softness coefficient, added to the inverse effective mass; a fraction of the impulse for angle joints.
     pub softness: Option<f32>,
     /// Share of the error that is removed in a step.
     pub bias_factor: Option<f32>,
-    /// Error at which it breaks.
+    /// Error at which it breaks, in length units or radians.
     pub breakpoint: Option<f32>,
     /// Whether it acts.
     pub enabled: Option<bool>,
-    /// Largest impulse.
+    /// Largest impulse, in kg * length units/s, or angular impulse, in kg * length units²/s.
     pub max_impulse: Option<f32>,
     /// Angle it holds, in radians.
     pub target_angle: Option<f32>,
     /// Distance it holds, in length units.
     pub target_distance: Option<f32>,
-    /// Error it leaves alone.
+    /// Error that is not corrected, in length units or radians.
     pub slop: Option<f32>,
 }
 
@@ -48,7 +48,7 @@ keys!(JointSettings {
     slop,
 });
 
-/// What a script may change of a joint's geometry.
+/// Parts of a joint's geometry that a script may change.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct JointGeometry {
     /// Anchor in world coordinates.
@@ -74,7 +74,7 @@ keys!(JointGeometry { anchor, anchor1, anchor2, min, max, lower_limit, upper_lim
 pub enum JointKind {
     /// Two bodies share a point.
     Revolute {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,
@@ -83,14 +83,14 @@ pub enum JointKind {
     },
     /// A body turns about a point of the world.
     FixedRevolute {
-        /// The body.
+        /// Index of the body.
         body: usize,
         /// The point in world coordinates.
         anchor: Vector2,
     },
     /// Two points keep their distance.
     Pin {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,
@@ -101,7 +101,7 @@ pub enum JointKind {
     },
     /// Two points keep their distance within limits.
     Slider {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,
@@ -116,39 +116,39 @@ pub enum JointKind {
     },
     /// Two bodies keep their angle.
     Angle {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,
     },
     /// A body keeps its angle.
     FixedAngle {
-        /// The body.
+        /// Index of the body.
         body: usize,
     },
     /// Two bodies keep their angle within limits.
     AngleLimit {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,
-        /// Smallest angle.
+        /// Smallest angle in radians.
         lower_limit: f32,
-        /// Largest angle.
+        /// Largest angle in radians.
         upper_limit: f32,
     },
     /// A body keeps its angle within limits.
     FixedAngleLimit {
-        /// The body.
+        /// Index of the body.
         body: usize,
-        /// Smallest angle.
+        /// Smallest angle in radians.
         lower_limit: f32,
-        /// Largest angle.
+        /// Largest angle in radians.
         upper_limit: f32,
     },
     /// Two bodies become one.
     Weld {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,

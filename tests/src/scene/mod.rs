@@ -1,12 +1,11 @@
 //! The scene format: everything needed to build and drive a simulation, as JSON.
 //!
-//! Units are the user's length unit (pixels in most scenes), seconds, radians and kilograms; screen y points
-//! down. Bodies, joints, springs and controllers are named by their order of creation, geoms by their id,
-//! which is their order of creation too, both from 0. Numbers are decimals that become the nearest double and
-//! then the nearest float.
+//! Units are the user's length unit (pixels in most scenes), seconds, radians and kilograms; screen y points down. Bodies,
+//! joints, springs and controllers are named by their order of creation, geoms by their id, which is their order of creation
+//! too, both from 0. Numbers are decimals that become the nearest double and then the nearest float.
 //!
-//! A file that has a key, a type or a word the format does not know is refused, with its name, the place and
-//! the reason. See [`crate::run`] for how a scene becomes a simulation.
+//! A file with an unknown key, type or word is refused, with its name, the position and the reason. See [`crate::run`] for how
+//! a scene becomes a simulation.
 
 mod at;
 mod body;
@@ -58,7 +57,7 @@ pub struct Scene {
     pub dt: f32,
     /// Number of updates.
     pub steps: u32,
-    /// What a trace records.
+    /// Content of a trace of the scene.
     pub trace: TraceSettings,
     /// Bodies, created first.
     pub bodies: Vec<BodySpec>,
@@ -78,7 +77,7 @@ pub struct Scene {
     pub dt_real: f32,
     /// Index of the scaling controller that decides the time step.
     pub scaled_by: Option<usize>,
-    /// What unusual thing happened to the original.
+    /// Faults of the original in the scene.
     pub outcome: Outcome,
     /// Where the scene came from, for errors.
     file: String,
@@ -149,8 +148,8 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// When the file cannot be read, is not JSON or is not a scene; the error names the file, the place in it
-    /// and the reason.
+    /// When the file cannot be read, is not JSON or is not a scene; the error names the file, the position in it and the
+    /// reason.
     pub fn from_file(path: impl AsRef<Path>) -> Result<Self, SceneError> {
         let path = path.as_ref();
         let file = path.display().to_string();
@@ -158,7 +157,7 @@ impl Scene {
         Scene::from_json(&file, &text)
     }
 
-    /// Reads a scene from a text of JSON; `name` stands for the file in errors.
+    /// Reads a scene from a text of JSON; `name` replaces the file in errors.
     ///
     /// # Errors
     ///
@@ -178,7 +177,7 @@ impl Scene {
         &self.file
     }
 
-    /// What the scene needs beyond bodies and geoms.
+    /// The features that the scene needs beyond bodies and geoms.
     pub fn features(&self) -> Features {
         let mut features = Features::default();
         let mut note = |used: bool, feature| {
@@ -221,7 +220,7 @@ impl Op {
 }
 
 impl Target {
-    /// The feature a thing of this kind needs.
+    /// The feature that an object of this kind needs.
     fn feature(self) -> Option<Feature> {
         match self {
             Target::Body | Target::Geom => None,

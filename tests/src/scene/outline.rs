@@ -1,4 +1,4 @@
-//! Outlines: lists of vertices and the ways to make them.
+//! Outlines: lists of vertices and the methods to make them.
 
 use super::reader::{keys, tagged};
 use farseer_core::math::Vector2;
@@ -19,56 +19,56 @@ keys!(Outline { form [flat], subdivide });
 pub enum OutlineForm {
     /// A rectangle with subdivided edges.
     Rectangle {
-        /// Extent along x.
+        /// Extent along x in length units.
         width: f32,
-        /// Extent along y.
+        /// Extent along y in length units.
         height: f32,
     },
     /// A rectangle of four vertices.
     SimpleRectangle {
-        /// Extent along x.
+        /// Extent along x in length units.
         width: f32,
-        /// Extent along y.
+        /// Extent along y in length units.
         height: f32,
     },
     /// A regular polygon.
     Circle {
-        /// Distance of the vertices from the centre.
+        /// Distance of the vertices from the centre in length units.
         radius: f32,
         /// Number of edges.
         edges: i32,
     },
     /// An ellipse with vertices at equal angles.
     Ellipse {
-        /// Half extent along x.
+        /// Half extent along x in length units.
         x_radius: f32,
-        /// Half extent along y.
+        /// Half extent along y in length units.
         y_radius: f32,
         /// Number of edges.
         edges: i32,
     },
     /// A gear.
     Gear {
-        /// Radius between the teeth.
+        /// Radius between the teeth in length units.
         radius: f32,
         /// Number of teeth.
         teeth: i32,
         /// Share of a tooth's width that its tip has, in percent.
         tip_percentage: f32,
-        /// Height of a tooth.
+        /// Height of a tooth in length units.
         tooth_height: f32,
     },
     /// Two half circles with straight sides.
     Capsule {
-        /// Whole height.
+        /// Complete height in length units.
         height: f32,
-        /// Radius at the top.
+        /// Radius at the top in length units.
         top_radius: f32,
-        /// Edges of the top half circle.
+        /// Number of edges of the top half circle.
         top_edges: i32,
-        /// Radius at the bottom.
+        /// Radius at the bottom in length units.
         bottom_radius: f32,
-        /// Edges of the bottom half circle.
+        /// Number of edges of the bottom half circle.
         bottom_edges: i32,
     },
     /// The vertices themselves.

@@ -6,19 +6,19 @@ use farseer_core::math::Vector2;
 /// A chain or track to create, added to the simulation by its factory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathSpec {
-    /// What is made.
+    /// Its kind, with the values of the kind.
     pub kind: PathKind,
-    /// What links its elements.
+    /// The kind of joint or spring between its elements.
     pub link: Link,
     /// Smallest distance of slider links, in length units.
     pub min: f32,
     /// Largest distance of slider links, in length units.
     pub max: f32,
-    /// Spring constant of spring links.
+    /// Spring constant of spring links, force per length.
     pub spring_constant: f32,
-    /// Damping constant of spring links.
+    /// Damping constant of spring links, in kg/s.
     pub damping_constant: f32,
-    /// Share of the distance that is a spring link's length without force.
+    /// Fraction of the distance that is a spring link's rest length.
     pub rest_length_factor: f32,
     /// Friction coefficient of its geoms.
     pub friction: Option<f32>,
@@ -38,7 +38,7 @@ keys!(PathSpec {
     restitution,
 });
 
-/// What links the elements of a path.
+/// The joints or springs between the elements of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Link {
     /// Revolute joints.
@@ -67,13 +67,13 @@ pub enum PathKind {
         start: Vector2,
         /// Last point.
         end: Vector2,
-        /// Width of an element.
+        /// Width of an element in length units.
         width: f32,
-        /// Height of an element.
+        /// Height of an element in length units.
         height: f32,
-        /// Distance of the links; default the width.
+        /// Distance of the links in length units; default the width.
         link_width: Option<f32>,
-        /// Mass of an element.
+        /// Mass of an element in kg.
         mass: f32,
         /// Whether the first element is pinned to the world.
         pin_start: bool,
@@ -86,15 +86,15 @@ pub enum PathKind {
     Track {
         /// The points.
         points: Vec<Vector2>,
-        /// Width of an element.
+        /// Width of an element in length units.
         width: f32,
-        /// Height of an element.
+        /// Height of an element in length units.
         height: f32,
-        /// Mass of an element.
+        /// Mass of an element in kg.
         mass: f32,
         /// Whether the last element is linked to the first.
         endless: bool,
-        /// Collision group of its geoms.
+        /// Number of the collision group of its geoms.
         collision_group: i32,
     },
 }
@@ -107,7 +107,7 @@ tagged!(PathKind, "type" {
 /// Geoms of a chain's elements: one group, or masks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PathGeoms {
-    /// Collision group.
+    /// Number of the collision group.
     pub collision_group: Option<i32>,
     /// Categories they belong to, one per bit.
     pub collision_categories: Option<i32>,

@@ -1,8 +1,8 @@
 //! Reading of scene values out of JSON.
 //!
-//! Scenes mix tagged objects (`"type": "circle"`) with keys common to all tags, refuse unknown keys, and
-//! every error names its place. serde's tagged and flattened types buffer their input and lose the place, so
-//! that the reading is done here: a type lists its keys with [`keys!`] or [`tagged!`].
+//! Scenes mix tagged objects (`"type": "circle"`) with keys common to all tags, refuse unknown keys, and every error names its
+//! position. serde's tagged and flattened types buffer their input and lose the position. So the reading is done here: a type
+//! lists its keys with [`keys!`] or [`tagged!`].
 
 use super::{At, SceneError};
 use farseer_core::math::Vector2;
@@ -12,10 +12,10 @@ type Result<T> = std::result::Result<T, SceneError>;
 
 /// A value that can be read from JSON.
 pub(super) trait Read: Sized {
-    /// Reads the value at a place.
+    /// Reads the value at a position.
     fn read(value: &Value, at: At<'_>) -> Result<Self>;
 
-    /// What stands for a key that is absent; an error unless the type says otherwise.
+    /// The value of an absent key; an error unless the type says otherwise.
     fn absent(at: At<'_>) -> Result<Self> {
         Err(SceneError::format(at, "is missing"))
     }
@@ -27,7 +27,7 @@ pub(super) trait Keys: Sized {
     fn take(object: &mut Object<'_>) -> Result<Self>;
 }
 
-/// An object that is being read. It remembers which keys somebody asked for.
+/// An object that is being read. It remembers which keys were read.
 pub(super) struct Object<'a> {
     map: &'a Map<String, Value>,
     at: At<'a>,
@@ -64,7 +64,7 @@ impl Object<'_> {
         SceneError::format(self.at.key(key), reason)
     }
 
-    /// Refuses keys nobody asked for.
+    /// Refuses keys that were not read.
     fn finish(self) -> Result<()> {
         match self.map.keys().find(|key| !self.known.contains(&key.as_str())) {
             Some(key) => Err(self.error_at(key, "is not a key known here")),
@@ -96,8 +96,8 @@ fn unexpected(value: &Value, at: At<'_>, expected: &str) -> SceneError {
     SceneError::format(at, format!("{found} is not {expected}"))
 }
 
-/// Decimals become the nearest double and then the nearest float, as the reference runs read them; what is
-/// beyond the range becomes an infinity, which is refused where it is used.
+/// Decimals become the nearest double and then the nearest float, as the reference runs read them. A decimal beyond the range
+/// becomes an infinity, which is refused where it is used.
 impl Read for f32 {
     fn read(value: &Value, at: At<'_>) -> Result<Self> {
         value.as_f64().map(|number| number as f32).ok_or_else(|| unexpected(value, at, "a number"))
@@ -165,8 +165,8 @@ impl<K: Keys> Keys for Box<K> {
     }
 }
 
-/// Takes one field from an object: a key of the same name, `[= "key"]`, `[or value]` when it is absent, or
-/// `[flat]` for a type whose keys stand in the same object.
+/// Takes one field from an object: a key of the same name, `[= "key"]`, `[or value]` when it is absent, or `[flat]` for a type
+/// whose keys are in the same object.
 macro_rules! take {
     ($object:ident, $field:ident) => {
         $object.key(stringify!($field))?

@@ -17,7 +17,7 @@ pub struct ScriptEntry {
     pub until: Option<u32>,
     /// Distance of the steps, at least 1.
     pub every: u32,
-    /// What is done.
+    /// The operation.
     pub op: Op,
 }
 
@@ -44,7 +44,7 @@ impl Keys for ScriptEntry {
     }
 }
 
-/// The kinds of thing that are created, added and so on.
+/// The kinds of object that are created, added and so on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Target {
     /// A body, by index.
@@ -67,32 +67,32 @@ words!(Target {
     "controller" => Controller,
 });
 
-/// A thing to create.
+/// An object to create.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Creation {
     /// A body.
     Body {
-        /// What is created.
+        /// Description of the body.
         spec: Box<BodySpec>,
     },
     /// A geom.
     Geom {
-        /// What is created.
+        /// Description of the geom.
         spec: Box<GeomSpec>,
     },
     /// A joint.
     Joint {
-        /// What is created.
+        /// Description of the joint.
         spec: Box<JointSpec>,
     },
     /// A spring.
     Spring {
-        /// What is created.
+        /// Description of the spring.
         spec: Box<SpringSpec>,
     },
     /// A controller.
     Controller {
-        /// What is created.
+        /// Description of the controller.
         spec: Box<ControllerSpec>,
     },
 }
@@ -114,7 +114,7 @@ pub struct SimulatorChange {
     pub solver: SolverSettings,
     /// How contacts are found.
     pub narrow_phase: Option<NarrowPhase>,
-    /// Contacts looked for per pair.
+    /// Greatest number of contacts that are computed per pair.
     pub max_contacts_to_detect: Option<i32>,
 }
 
@@ -176,13 +176,13 @@ pub enum Op {
     SetMomentOfInertia { body: usize, moment_of_inertia: f32 },
     /// Sets any of a body's settings.
     SetBody { body: usize, settings: Box<BodySettings> },
-    /// Stops a body and forgets what acts on it.
+    /// Stops a body and clears its forces and impulses.
     ResetDynamics { body: usize },
     /// Adds to the simulation.
     Add { target: Target, index: usize },
     /// Takes out of the simulation.
     Remove { target: Target, index: usize },
-    /// Ends the life of a thing.
+    /// Disposes an object.
     Dispose { target: Target, index: usize },
     /// Sets the enabled flag.
     Enable { target: Target, index: usize },
@@ -202,7 +202,7 @@ pub enum Op {
     SetGeomBody { geom: usize, body: usize },
     /// Gives a geom another outline.
     SetVertices { geom: usize, outline: Box<Outline> },
-    /// Creates a further thing.
+    /// Creates a further object.
     Create { creation: Creation },
     /// Makes two geoms ignore each other.
     IgnoreCollision { geom: usize, other: usize },
@@ -212,7 +212,7 @@ pub enum Op {
     SetJoint { joint: usize, settings: Box<JointSettings>, geometry: Box<JointGeometry> },
     /// Sets a spring's constants and points, then any of its settings.
     SetSpring { spring: usize, geometry: Box<SpringGeometry>, settings: Box<SpringSettings> },
-    /// Pushes the surface of a wave controller.
+    /// Disturbs the surface of a wave controller.
     DisturbWave { controller: usize, x: f32, offset: f32 },
     /// Puts a geom into the care of a fluid.
     FluidAddGeom { controller: usize, geom: usize },
@@ -220,7 +220,7 @@ pub enum Op {
     FluidRemoveGeom { controller: usize, geom: usize },
     /// Sets any of a scaling controller's settings.
     SetScaling { controller: usize, change: ScalingChange },
-    /// Asks which geoms are at a point.
+    /// Queries the geoms at a point.
     Query { point: Vector2 },
 }
 

@@ -46,16 +46,16 @@ pub enum Friction {
 
 words!(Friction { "average" => Average, "minimum" => Minimum });
 
-/// Settings of the contact solver. What is absent keeps the engine's default.
+/// Settings of the contact solver. Absent ones keep the engine's default.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SolverSettings {
     /// Rounds of impulses per step.
     pub iterations: Option<i32>,
     /// Share of the penetration that is removed in a step.
     pub bias_factor: Option<f32>,
-    /// Penetration that is left alone, in length units.
+    /// Penetration that is not corrected, in length units.
     pub allowed_penetration: Option<f32>,
-    /// Contacts kept per pair.
+    /// Greatest number of contacts that are solved per pair.
     pub max_contacts_to_resolve: Option<i32>,
     /// How friction is combined.
     pub friction_type: Option<Friction>,
@@ -76,7 +76,7 @@ pub struct SimulatorSettings {
     pub gravity: Option<Vector2>,
     /// How contacts are found.
     pub narrow_phase: Option<NarrowPhase>,
-    /// Contacts looked for per pair; set before anything is created.
+    /// Greatest number of contacts that are computed per pair; set before any object is created.
     pub max_contacts_to_detect: Option<i32>,
     /// Settings of the contact solver.
     pub solver: SolverSettings,
@@ -101,14 +101,14 @@ keys!(SimulatorSettings {
     broad_phase_event [or false],
 });
 
-/// What a trace of the scene records.
+/// Content of a trace of the scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TraceSettings {
     /// Every how many steps the full state is written, at least 1.
     pub full_every: u32,
     /// Whether callbacks are subscribed and logged.
     pub events: bool,
-    /// Last step whose events are logged.
+    /// Number of the last step whose events are logged.
     pub events_until: Option<u32>,
     /// Whether contacts are written with the full state.
     pub contacts: bool,
@@ -141,7 +141,7 @@ pub(super) fn at_least_one(
     if count == 0 { Err(object.error_at(key, "0 is not an integer of at least 1")) } else { Ok(count) }
 }
 
-/// What unusual thing happened to the original in the recorded run.
+/// Faults of the original in the recorded run.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Outcome {
     /// First step after which a component of a body's state was not a number.

@@ -6,11 +6,11 @@ use farseer_core::math::Vector2;
 /// A spring to create. Settings that are absent keep the engine's default.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpringSpec {
-    /// What it connects and how.
+    /// Its kind, with the bodies and values of the kind.
     pub kind: SpringKind,
     /// Force per length or torque per radian.
     pub spring_constant: f32,
-    /// Force per speed or torque per angular speed.
+    /// Force per speed in kg/s, or torque per angular speed in kg * length units²/s.
     pub damping_constant: f32,
     /// The settings a script may set as well.
     pub settings: SpringSettings,
@@ -29,7 +29,7 @@ keys!(SpringSpec {
 /// Settings of a spring; not every spring has each.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SpringSettings {
-    /// Error at which it breaks.
+    /// Error at which it breaks, in length units or radians.
     pub breakpoint: Option<f32>,
     /// Whether it acts.
     pub enabled: Option<bool>,
@@ -37,7 +37,7 @@ pub struct SpringSettings {
     pub rest_length: Option<f32>,
     /// Angle without torque, in radians.
     pub target_angle: Option<f32>,
-    /// Largest torque.
+    /// Largest torque, in kg * length units²/s².
     pub max_torque: Option<f32>,
     /// Factor of the torque.
     pub torque_multiplier: Option<f32>,
@@ -45,12 +45,12 @@ pub struct SpringSettings {
 
 keys!(SpringSettings { breakpoint, enabled, rest_length, target_angle, max_torque, torque_multiplier });
 
-/// What a script may change of a spring before its settings.
+/// Parts of a spring that a script may change before its settings.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SpringGeometry {
     /// Force per length or torque per radian.
     pub spring_constant: Option<f32>,
-    /// Force per speed or torque per angular speed.
+    /// Force per speed in kg/s, or torque per angular speed in kg * length units²/s.
     pub damping_constant: Option<f32>,
     /// Point of the world.
     pub world_attach_point: Option<Vector2>,
@@ -76,7 +76,7 @@ keys!(SpringGeometry {
 pub enum SpringKind {
     /// Between points of two bodies.
     Linear {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,
@@ -87,7 +87,7 @@ pub enum SpringKind {
     },
     /// Between a point of a body and one of the world.
     FixedLinear {
-        /// The body.
+        /// Index of the body.
         body: usize,
         /// Point on the body.
         body_attach_point: Vector2,
@@ -96,14 +96,14 @@ pub enum SpringKind {
     },
     /// Between the angles of two bodies.
     Angle {
-        /// First body.
+        /// Index of the first body.
         body1: usize,
         /// Second body.
         body2: usize,
     },
     /// Between a body's angle and the world.
     FixedAngle {
-        /// The body.
+        /// Index of the body.
         body: usize,
     },
 }

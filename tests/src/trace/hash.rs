@@ -7,7 +7,7 @@ use super::StepLine;
 pub struct Fnv(u64);
 
 impl Fnv {
-    /// The hash of nothing.
+    /// The hash of no bytes.
     pub const EMPTY: Fnv = Fnv(14_695_981_039_346_656_037);
 
     /// Takes in bytes.

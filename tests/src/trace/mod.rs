@@ -1,8 +1,7 @@
-//! Traces: what a run did, as text that can be compared byte for byte.
+//! Traces: records of runs, as text that can be compared byte for byte.
 //!
-//! A trace has a header and lines of one word and fields, separated by one blank; floats are their 32-bit
-//! patterns in eight hex digits, every NaN being `7fc00000`. See [`Line`] for the kinds of line and [`hash`]
-//! for the hashes.
+//! A trace has a header and lines of one word and fields, separated by one blank; floats are their 32-bit patterns in eight hex
+//! digits, every NaN being `7fc00000`. See [`Line`] for the kinds of line and [`hash`] for the hashes.
 
 pub mod hash;
 mod read;
@@ -13,53 +12,53 @@ pub use read::TraceError;
 use crate::file;
 use std::path::Path;
 
-/// A whole trace.
+/// A complete trace.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Trace {
-    /// What was run.
+    /// Name and settings of the run.
     pub header: Header,
-    /// What happened, in order.
+    /// The lines, in order.
     pub lines: Vec<Line>,
 }
 
-/// What was run.
+/// Name and settings of a run.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Header {
     /// Name of the scene.
     pub scene: String,
-    /// Number of updates asked for.
+    /// Number of updates of the run.
     pub steps: u32,
     /// Time step, as a bit pattern.
     pub dt: u32,
     /// Every how many steps the full state is written.
     pub full_every: u32,
-    /// How much was built; nothing when building failed.
+    /// Numbers of the built objects; `None` when building failed.
     pub counts: Option<Counts>,
 }
 
 /// How much was built before the first step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
-    /// Bodies.
+    /// Number of bodies.
     pub bodies: usize,
-    /// Geoms, pieces of decompositions counted one by one.
+    /// Number of geoms, pieces of decompositions counted one by one.
     pub geoms: usize,
-    /// Joints.
+    /// Number of joints.
     pub joints: usize,
-    /// Springs.
+    /// Number of springs.
     pub springs: usize,
-    /// Controllers.
+    /// Number of controllers.
     pub controllers: usize,
 }
 
 /// A line of a trace after the header.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Line {
-    /// `e`: a callback or the answer to a query. Events come before the line of their step.
+    /// `e`: a callback or the result of a query. Events come before the line of their step.
     Event {
         /// The step it happened in.
         step: u32,
-        /// What happened.
+        /// The event.
         event: Event,
     },
     /// `s`: the end of a step.
@@ -93,7 +92,7 @@ pub struct StepLine {
     pub step: u32,
     /// Hash of the states of all bodies and the two counts.
     pub hash: u64,
-    /// Length of the arbiter list.
+    /// Number of arbiters.
     pub arbiters: u32,
     /// Number of contacts of all arbiters.
     pub contacts: u32,
@@ -106,7 +105,7 @@ pub struct BodyLine {
     pub body: usize,
     /// Position x and y, rotation, total rotation, velocity x and y, angular velocity, as bit patterns.
     pub state: [u32; 7],
-    /// 1 for an enabled and 2 for a static body, added up.
+    /// Flags: 1 for an enabled and 2 for a static body, added up.
     pub flags: u32,
 }
 
@@ -148,61 +147,61 @@ impl ContactLine {
     pub const FIELDS: [&'static str; 5] = ["position x", "position y", "normal x", "normal y", "separation"];
 }
 
-/// A callback or the answer to a query.
+/// A callback or the result of a query.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Event {
     /// `c`: the collision callback of a geom.
     Collision {
-        /// Whose callback.
+        /// Id of the geom that receives the callback.
         this: usize,
-        /// Whom it touches.
+        /// Id of the geom that it touches.
         other: usize,
         /// Number of contacts handed over.
         contacts: usize,
     },
     /// `s`: the separation callback of a geom.
     Separation {
-        /// Whose callback.
+        /// Id of the geom that receives the callback.
         this: usize,
-        /// Whom it touched.
+        /// Id of the geom that it touched.
         other: usize,
     },
     /// `j`: a joint broke.
     JointBroke {
-        /// Which.
+        /// Index of the joint.
         joint: usize,
     },
     /// `g`: a spring broke.
     SpringBroke {
-        /// Which.
+        /// Index of the spring.
         spring: usize,
     },
     /// `f`: a geom entered a fluid.
     FluidEntry {
-        /// The fluid's controller.
+        /// Index of the fluid's controller.
         controller: usize,
-        /// The geom.
+        /// Id of the geom.
         geom: usize,
         /// Number of submerged vertices.
         vertices: usize,
     },
     /// `h`: the broad phase's event.
     BroadPhase {
-        /// First geom.
+        /// Id of the first geom.
         geom_a: usize,
         /// Second geom.
         geom_b: usize,
     },
-    /// `q`: the answer to a query.
+    /// `q`: the result of a query.
     Query {
-        /// The one geom found.
+        /// Id of the single geom that was found.
         first: Option<usize>,
         /// All geoms found.
         all: Vec<usize>,
     },
     /// `u`: the time step a scaling controller gave, its current and its longest time step, as bit patterns.
     Interval {
-        /// The three.
+        /// The three values as bit patterns.
         values: [u32; 3],
     },
 }

@@ -11,12 +11,12 @@ pub enum TraceError {
     /// The file cannot be read.
     #[error("cannot be read: {0}")]
     File(#[from] std::io::Error),
-    /// A line is not what it should be.
+    /// A line does not conform to the format.
     #[error("line {line}: {reason}")]
     Line {
         /// Number of the line, from 1.
         line: usize,
-        /// What is wrong with it.
+        /// The fault of the line.
         reason: String,
     },
     /// The text ends before its `end` line.

@@ -1,5 +1,5 @@
-//! Who knows the original's name of a member finds it with the search of rustdoc: unless the name is the same but for
-//! case and underscores, an alias stands at the item.
+//! The search of rustdoc finds members by the original's names: unless the name is the same but for case and underscores, the
+//! item has an alias.
 
 use std::collections::BTreeMap;
 use std::fs;

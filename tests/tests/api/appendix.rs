@@ -1,5 +1,5 @@
-//! Every member of the thesis' API has its place here: appendix A, and what section 3.3 adds. The table is
-//! `docs/twohalf-appendix.csv`; what it names exists, as far as a compiler can tell.
+//! Every member of the thesis' API has a row in a table: appendix A, and the additions of section 3.3. The table is
+//! `docs/twohalf-appendix.csv`; its names exist, as far as a compiler can tell.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use twohalf::{
 use super::{Row, rows_of};
 
 const TABLE: &str = include_str!("../../../docs/twohalf-appendix.csv");
-/// Members of the thesis' API.
+/// Number of members of the thesis' API.
 const MEMBERS: usize = 95;
 
 // With these the table means views of a simulator that may be changed.
@@ -29,7 +29,7 @@ fn rows() -> Vec<Row> {
     rows_of(TABLE)
 }
 
-/// What the table names, made from it: that this compiles is the proof.
+/// The names of the table, made from it: it compiles, so they exist.
 #[expect(clippy::type_complexity, reason = "these are the types of the thesis' members")]
 fn named() -> Vec<&'static str> {
     include!(concat!(env!("OUT_DIR"), "/twohalf-appendix.rs"))
@@ -46,7 +46,7 @@ fn appendix_table_maps_every_member_once() {
 }
 
 #[test]
-fn appendix_table_names_what_exists() {
+fn appendix_table_names_existing_items() {
     let rows = rows();
     let in_table: Vec<&str> = rows.iter().flat_map(Row::paths).collect();
     assert_eq!(named(), in_table, "what is compiled is what the table names");

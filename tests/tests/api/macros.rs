@@ -1,4 +1,4 @@
-//! Macros that use what a table names, and give its path as text.
+//! Macros that use the names of a table, and give their paths as text.
 
 /// Functions and constants; a generic one has the type that is meant.
 macro_rules! value {

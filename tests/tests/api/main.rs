@@ -1,6 +1,5 @@
-//! Every public member of Farseer 2.1.3 has its place here. The table is `docs/farseer-api.csv`: each member is mapped
-//! to what does the same in Rust, or excused by one of a few reasons. What the table names exists, as far as a compiler
-//! can tell.
+//! Every public member of Farseer 2.1.3 has a row in a table. The table is `docs/farseer-api.csv`: each member is mapped to its
+//! equivalent in Rust, or excused by one of a few reasons. The names of the table exist, as far as a compiler can tell.
 
 #[macro_use]
 mod macros;
@@ -22,20 +21,20 @@ use serde::Deserialize;
 
 const TABLE: &str = include_str!("../../../docs/farseer-api.csv");
 
-/// Public members of the original.
+/// Number of public members of the original.
 const MEMBERS: usize = 1077;
-/// [`hash_of_members`] of the original's list.
+/// Hash of the original's list by [`hash_of_members`].
 const HASH_OF_MEMBERS: u64 = 0xf143_d9f2_e1b4_9dd3;
 
 /// The reasons for which a member may have no counterpart.
 const EXCUSES: [&str; 2] = [
-    // Pools, lists, counters and sort buffers that the original forgot to hide, overrides that do nothing, and
-    // constructors of abstract classes.
+    // Pools, lists, counters and sort buffers that the original failed to hide, overrides that do nothing, and constructors of
+    // abstract classes.
     "accidental internals",
-    // Of objects that have no identity of their own here. Where Rust has the operator, the member is mapped.
+    // Objects without an identity of their own here. Where Rust has the operator, the member is mapped.
     "equality and hash plumbing",
 ];
-/// At most this part of the members may be excused.
+/// Greatest percentage of the members that may be excused, in percent.
 const EXCUSED_PERCENT: usize = 15;
 
 /// Members that anybody could set in the original, and that are only read here.
@@ -43,7 +42,7 @@ const READ_ONLY: [(&str, &str); 13] = [
     // Every update writes it.
     ("Geom", "AABB"),
     ("Geom", "CollisionId"),
-    // What the last question about a point has found.
+    // The result of the last query of a point.
     ("WaveController", "VectorFarWaveEdge"),
     ("WaveController", "VectorNearWaveEdge"),
     ("WaveController", "VectorPoint"),
@@ -70,7 +69,7 @@ impl UserController for Idle {
     fn update(&mut self, _: &mut Context<'_>, _: ControllerId, _: f32, _: f32) {}
 }
 
-/// What a row says of a member. The first four are facts about the original.
+/// A row of the table: a member and its counterpart. The first four fields are facts about the original.
 #[derive(Deserialize)]
 struct Row {
     #[serde(rename = "type")]
@@ -100,7 +99,7 @@ fn rows() -> Vec<Row> {
     rows_of(TABLE)
 }
 
-/// What the table names, made from it: that this compiles is the proof.
+/// The names of the table, made from it: it compiles, so they exist.
 fn named() -> Vec<&'static str> {
     include!(concat!(env!("OUT_DIR"), "/farseer-api.rs"))
 }
@@ -137,7 +136,7 @@ fn api_table_maps_or_excuses_every_member() {
 }
 
 #[test]
-fn api_table_names_what_exists() {
+fn api_table_names_existing_items() {
     let rows = rows();
     let in_table: Vec<&str> = rows.iter().flat_map(Row::paths).collect();
     assert_eq!(named(), in_table, "what is compiled is what the table names");

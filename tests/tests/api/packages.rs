@@ -1,4 +1,4 @@
-//! What is to be published can be: each package stands on its own, outside of the repository.
+//! Each package can be published: it builds on its own, outside of the repository.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ fn links(text: &str) -> impl Iterator<Item = &str> {
 }
 
 #[test]
-fn every_package_says_what_it_is_and_where_it_lives() {
+fn every_package_has_a_description_and_a_repository() {
     for Package { folder, manifest } in packages() {
         for key in ["description", "license", "repository", "readme"] {
             assert!(manifest[key].is_string(), "{}: no {key}", folder.display());

@@ -1,4 +1,4 @@
-//! A pose at which the box of a geom would not be finite harms nobody.
+//! A pose at which the AABB of a geom would not be finite has no effect on other bodies.
 
 use farseer_core::math::{Matrix, Vector2};
 use farseer_core::{
@@ -41,7 +41,7 @@ fn reports(simulator: &PhysicsSimulator, body: BodyId, disabled: bool) -> usize 
 }
 
 #[test]
-fn a_rotation_beyond_all_numbers_is_put_back_and_reported_and_the_others_come_to_rest() {
+fn an_overflowing_rotation_is_restored_and_reported_and_the_other_bodies_come_to_rest() {
     for broad_phase in BROAD_PHASES {
         let (mut simulator, boxes, spoiled) = heap(broad_phase).unwrap();
         simulator.update(0.01);
@@ -57,7 +57,7 @@ fn a_rotation_beyond_all_numbers_is_put_back_and_reported_and_the_others_come_to
 }
 
 #[test]
-fn spinning_beyond_all_numbers_is_put_back_and_reported_and_the_others_come_to_rest() {
+fn an_overflowing_spin_is_restored_and_reported_and_the_other_bodies_come_to_rest() {
     for broad_phase in BROAD_PHASES {
         let (mut simulator, boxes, spoiled) = heap(broad_phase).unwrap();
         simulator[spoiled].set_rotational_drag_coefficient(0.0);
@@ -73,7 +73,7 @@ fn spinning_beyond_all_numbers_is_put_back_and_reported_and_the_others_come_to_r
 }
 
 #[test]
-fn a_static_body_is_put_back_and_never_disabled() {
+fn a_static_body_is_restored_and_never_disabled() {
     let (mut simulator, _, spoiled) = heap(BroadPhaseCollider::SelectiveSweep).unwrap();
     simulator[spoiled].set_is_static(true);
     simulator.update(0.01);
@@ -87,7 +87,7 @@ fn a_static_body_is_put_back_and_never_disabled() {
 }
 
 #[test]
-fn a_geom_that_would_reach_beyond_all_numbers_is_refused() {
+fn a_geom_with_an_overflowing_aabb_is_refused() {
     let (mut simulator, boxes, _) = heap(BroadPhaseCollider::SelectiveSweep).unwrap();
     let far = GeomPlacement {
         offset: Vector2::new(3.4e38, 3.4e38),
@@ -101,7 +101,7 @@ fn a_geom_that_would_reach_beyond_all_numbers_is_refused() {
 }
 
 #[test]
-fn what_was_put_back_can_be_saved_and_loaded() {
+fn a_restored_body_can_be_saved_and_loaded() {
     for broad_phase in BROAD_PHASES {
         let (mut simulator, _, spoiled) = heap(broad_phase).unwrap();
         simulator.update(0.01);
@@ -113,7 +113,7 @@ fn what_was_put_back_can_be_saved_and_loaded() {
     }
 }
 
-/// A box of 10 x 10 whose body is at a place.
+/// A box of 10 x 10 whose body is at a position.
 fn box_at(x: f32) -> (PhysicsSimulator, BodyId, GeomId) {
     let mut simulator = PhysicsSimulator::default();
     let body = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 10.0, 1.0).unwrap();
@@ -139,7 +139,7 @@ fn shows_finite_numbers(simulator: &PhysicsSimulator, geom: GeomId) {
 }
 
 #[test]
-fn an_outline_that_reaches_beyond_all_numbers_where_its_body_is_is_refused() {
+fn an_outline_that_overflows_at_the_pose_of_its_body_is_refused() {
     let (mut simulator, body, geom) = box_at(3e38);
     simulator[body].set_tag(7);
     let before = simulator.snapshot();
@@ -153,7 +153,7 @@ fn an_outline_that_reaches_beyond_all_numbers_where_its_body_is_is_refused() {
 }
 
 #[test]
-fn a_matrix_that_puts_the_outline_beyond_all_numbers_is_refused() {
+fn a_matrix_that_makes_the_outline_overflow_is_refused() {
     let (mut simulator, body, geom) = box_at(0.0);
     simulator[body].set_position(Vector2::new(1.0, 0.0));
     let before = simulator.snapshot();
@@ -164,7 +164,7 @@ fn a_matrix_that_puts_the_outline_beyond_all_numbers_is_refused() {
 }
 
 #[test]
-fn a_refused_change_of_body_or_box_lets_what_was_edited_wait() {
+fn a_refused_change_of_body_or_box_leaves_pending_edits_pending() {
     let (mut simulator, body, geom) = box_at(3.4e38);
     let far = simulator.create_body(Body::new());
     simulator[body].set_rotation(0.1);
@@ -177,7 +177,7 @@ fn a_refused_change_of_body_or_box_lets_what_was_edited_wait() {
 }
 
 #[test]
-fn a_pose_that_will_be_put_back_is_not_shown() {
+fn a_pose_that_will_be_restored_is_not_readable() {
     let (mut simulator, body, geom) = box_at(0.0);
     let shown = simulator.geom(geom).unwrap().aabb();
     simulator[body].set_position(Vector2::new(f32::MAX, 0.0));
@@ -188,7 +188,7 @@ fn a_pose_that_will_be_put_back_is_not_shown() {
 }
 
 #[test]
-fn an_outline_within_the_box_of_a_disc_does_not_reach_beyond_all_numbers() {
+fn an_outline_within_the_box_of_a_disc_does_not_overflow() {
     let (mut simulator, body, geom) = box_at(0.0);
     simulator.set_vertices(geom, Vertices::create_simple_rectangle(3.2e38, 1.0).unwrap()).unwrap();
     simulator.set_box_radius(geom, Some(1.0)).unwrap();
@@ -226,7 +226,7 @@ fn the_error_of_a_joint_is_shown_as_a_finite_number() {
 }
 
 #[test]
-fn the_debug_view_leaves_out_what_reaches_beyond_all_numbers() {
+fn the_debug_view_omits_shapes_that_overflow() {
     let (simulator, _) = stretched_joint();
     let view = PhysicsSimulatorView { enable_edge_view: true, ..Default::default() };
     let (mut shapes, mut axes) = (0, 0);

@@ -17,7 +17,7 @@ fn expect_rotation(body: &Body, rotation: &str, revolutions: i32, total: &str) {
     assert_words(&body.total_rotation(), total);
 }
 
-/// Check 1. Infinity, which the original takes, is refused here.
+/// Check 1. Infinity, which the original accepts, is refused here.
 #[test]
 fn a_rotation_is_brought_into_one_turn() {
     let hex = |word| f32::from_bits(word);
@@ -156,7 +156,7 @@ fn a_body_turns_back_and_forth_over_zero() {
 
 /// Check 8.
 #[test]
-fn what_is_applied_to_a_static_body_acts_when_it_becomes_dynamic() {
+fn forces_on_a_static_body_act_when_it_becomes_dynamic() {
     let (mut simulator, body) = simulator_with_body(10.0, Body::new());
     simulator[body].set_is_static(true);
     simulator[body].apply_force(v(100.0, 0.0));
@@ -171,7 +171,7 @@ fn what_is_applied_to_a_static_body_acts_when_it_becomes_dynamic() {
     assert_eq!(simulator[body].force(), v(0.0, 0.0));
 }
 
-/// Check 9. NaN, which the original takes, is refused here.
+/// Check 9. NaN, which the original accepts, is refused here.
 #[test]
 fn masses_of_zero_are_refused_and_negative_ones_are_not() {
     let mut body = Body::new();

@@ -11,7 +11,7 @@ use farseer_core::{
 
 const BOX: (f32, f32) = (10.0, 10.0);
 
-/// Puts given contacts in place of those that the narrow phase found for one pair.
+/// Replaces the contacts of one pair by given ones.
 struct Puts(GeomId, Option<Vec<Contact>>);
 
 impl EventHandler for Puts {
@@ -64,7 +64,7 @@ fn impulses(simulator: &PhysicsSimulator) -> Vec<[f32; 2]> {
     arbiter.contacts().map(|contact| [contact.normal_impulse(), contact.tangent_impulse()]).collect()
 }
 
-/// Check 1, as far as impulses and motion show it: warm start from preset impulses, then `passes` solver passes, then
+/// Check 1, as far as impulses and motion show it: warm start from preset impulses, then `passes` solver iterations, then
 /// positions.
 fn after_passes(passes: usize) -> (PhysicsSimulator, BodyId) {
     let (mut simulator, [_, b], [geom_a, _]) = bodies_of_check_1();
@@ -93,7 +93,7 @@ fn the_pre_step_applies_the_impulses_of_the_last_update() {
 }
 
 #[test]
-fn a_solver_pass_has_the_recorded_bits() {
+fn a_solver_iteration_has_the_recorded_bits() {
     let (simulator, b) = after_passes(1);
     let [first, second] = impulses(&simulator)[..] else { panic!("two contacts") };
     assert_words(&(first[0], first[1]), "4091ed4c c0070f7c");
@@ -103,14 +103,14 @@ fn a_solver_pass_has_the_recorded_bits() {
 }
 
 #[test]
-fn two_solver_passes_and_the_step_have_the_recorded_bits() {
+fn two_solver_iterations_and_the_step_have_the_recorded_bits() {
     let (simulator, b) = after_passes(2);
     let [first, second] = impulses(&simulator)[..] else { panic!("two contacts") };
     assert_words(&(first[0], first[1]), "40294c9e bf8fdf54");
     assert_words(&(second[0], second[1]), "412af156 3fb81a1c");
     assert_words(&simulator[b].linear_velocity(), "3f688538 bfd142f6");
     assert_words(&simulator[b].angular_velocity(), "3f688537");
-    // The bias velocity of the recorded passes moves the body as well.
+    // The bias velocity of the recorded iterations moves the body as well.
     assert_words(&simulator[b].position(), "3f025341 bd604007");
     assert_words(&simulator[b].rotation(), "3b2fd25c");
     assert_eq!(simulator[b].get_velocity_bias_at_world_offset(v(0.0, 0.0)), v(0.0, 0.0));
@@ -150,7 +150,7 @@ fn a_removed_geom_blocks_an_unrelated_pair_for_one_update() {
     assert_eq!(pairs(&simulator), [(1, 2), (1, 2), (2, 3)]);
 }
 
-/// Counts the collisions that geoms are told of as the first of the pair.
+/// Counts the collision callbacks that geoms get as the first of the pair.
 struct Counts(Vec<u32>);
 
 impl EventHandler for Counts {
@@ -262,7 +262,7 @@ fn friction_is_fixed_when_boxes_begin_to_overlap() {
 
 /// Check 10.
 #[test]
-fn only_some_switches_part_boxes_that_touch() {
+fn only_some_switches_separate_touching_boxes() {
     for methods in both_sets() {
         let after = |edit: &dyn Fn(&mut PhysicsSimulator, [GeomId; 2])| {
             let (mut simulator, geoms) = touching_boxes_with(methods, FrictionType::Average, [0.5, 0.5]);
@@ -277,7 +277,7 @@ fn only_some_switches_part_boxes_that_touch() {
         assert_eq!(after(&|simulator, [a, b]| simulator.ignore_collision_with(a, b).unwrap()), (1, false));
         let grouped =
             after(&|simulator, geoms| geoms.iter().for_each(|&geom| simulator[geom].set_collision_group(7)));
-        // Of the original, only the loss of contacts ends a touch.
+        // In the original, only the loss of contacts ends a touch.
         let is_told = matches!(methods, Methods::Precise { .. });
         assert_eq!(grouped, (0, is_told));
         let none = farseer_core::CollisionCategory::NONE;
@@ -317,7 +317,7 @@ fn no_contact_resolved_means_no_arbiter() {
 
 /// Check 13.
 #[test]
-fn contacts_of_one_id_are_equal_wherever_they_are() {
+fn contacts_of_one_id_are_equal_at_any_position() {
     let (a, b) = (contact((0.0, 0.0), (1.0, 0.0), -1.0, 5), contact((9.0, 9.0), (0.0, 1.0), -2.0, 5));
     assert_eq!(a, b);
     let unknown = contact((0.0, 0.0), (1.0, 0.0), -1.0, 6);

@@ -22,7 +22,7 @@ fn a_new_simulator_has_the_original_settings() {
 
 /// Check 2, as far as bodies and geoms go.
 #[test]
-fn a_paused_simulator_lets_things_enter_and_leave() {
+fn a_paused_simulator_adds_and_removes_objects() {
     let pauses: [fn(&mut PhysicsSimulator); 3] = [
         |simulator| simulator.update(0.0),
         |simulator| {
@@ -75,7 +75,7 @@ fn the_broad_phase_is_chosen_before_geoms_enter() {
 }
 
 #[test]
-fn methods_are_what_broad_and_narrow_phase_are() {
+fn methods_reflect_the_broad_and_narrow_phase() {
     for methods in plane::faithful_methods() {
         let Methods::Faithful { broad, narrow } = methods else { unreachable!() };
         let (mut at_once, mut one_by_one) = (simulator(0.0), simulator(0.0));
@@ -91,7 +91,7 @@ fn methods_are_what_broad_and_narrow_phase_are() {
 }
 
 #[test]
-fn methods_that_are_refused_change_nothing() {
+fn refused_methods_change_no_state() {
     let narrow = NarrowPhaseCollider::Sat;
     let broad = BroadPhaseCollider::SpatialHash { cell_size: f32::NAN, auto_adjust_cell_size: true };
     let mut empty = simulator(0.0);
@@ -231,7 +231,7 @@ fn objects_enter_their_lists_in_the_order_of_addition() {
         simulator.update(0.01);
         assert_eq!(simulator.body_list(), [bodies[0], bodies[2], bodies[3]]);
         assert_eq!(simulator.geom_list(), [geoms[0], geoms[1], geoms[3]]);
-        // The precise set numbers nothing.
+        // The precise set has no iteration count.
         if let Methods::Faithful { .. } = methods {
             let collision_id = |&geom: &farseer_core::GeomId| simulator.geom(geom).unwrap().collision_id();
             assert!(simulator.geom_list().iter().map(collision_id).eq([0, 1, 2]));

@@ -1,4 +1,4 @@
-//! Checks of behaviour chapter 05 on geoms. Those on outlines and boxes are with the shapes.
+//! Checks of behaviour chapter 05 on geoms. The checks on outlines and boxes are with the shapes.
 
 use conformance::fixtures::plane::{add_box, both_sets, pairs, simulator, simulator_with, v};
 use conformance::units::{Words, assert_bits, floats};

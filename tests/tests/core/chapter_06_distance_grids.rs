@@ -43,7 +43,7 @@ fn a_square_has_its_known_grid() {
 
 /// Check 2.
 #[test]
-fn points_are_looked_up_in_the_grid() {
+fn points_are_sampled_in_the_grid() {
     let grid = grid_of(rectangle(10.0, 10.0), (0.0, 0.0), 0.0);
     let expect = |point, normal: &str, distance: &str| {
         let feature = grid.intersect(point).unwrap();
@@ -120,7 +120,7 @@ fn two_squares_touch_at_eight_vertices() {
     CONTACTS.into_iter().for_each(|expected| expect_contact(&contacts, expected));
 }
 
-/// Check 5: with B made first the vertices are counted from A's, and the normals point the other way.
+/// Check 5: with B made first the vertices are counted from A's, and the normals have the opposite direction.
 #[test]
 fn the_order_of_creation_decides_numbers_and_normals() {
     let contacts = square_contacts(false, 10);
@@ -197,7 +197,7 @@ fn cell_sizes_without_a_grid_are_refused() {
     }
 }
 
-/// A geom without a grid, made under SAT, touches nothing under the distance grid.
+/// A geom without a grid, made under SAT, has no contacts under the distance grid.
 #[test]
 fn geoms_without_a_grid_have_no_contacts() {
     use farseer_core::NarrowPhaseCollider;

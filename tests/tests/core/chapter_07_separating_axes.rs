@@ -91,7 +91,7 @@ fn identical_squares_touch_at_one_corner_twice() {
 
 /// Check 5.
 #[test]
-fn the_limit_lets_one_contact_more_through() {
+fn the_limit_admits_one_contact_more() {
     let at = |limit| contacts((circle(5.0), (0.0, 0.0), 0.0), (circle(6.0), (0.5, 0.0), 0.0), limit);
     let all = at(10);
     let vertices: Vec<(u32, i32)> = all.iter().map(|contact| (contact.id.geom1, contact.id.vertex)).collect();

@@ -41,7 +41,7 @@ fn where_the_original_sort_fails_the_order_is_that_of_creation() {
 
 /// Check 8. From 9 boxes on the original throws.
 #[test]
-fn columns_of_boxes_fall_whatever_ties_there_are() {
+fn columns_of_boxes_fall_with_equal_interval_ends() {
     for count in 2..=40 {
         for with_floor in [false, true] {
             let mut simulator = simulator(100.0);
@@ -77,7 +77,7 @@ fn six_boxes(broad: BroadPhaseCollider) -> (PhysicsSimulator, Vec<(BodyId, GeomI
 
 /// Check 9.
 #[test]
-fn all_broad_phases_find_the_same_pairs_until_something_is_removed() {
+fn all_broad_phases_find_the_same_pairs_until_a_removal() {
     for broad in BROAD_PHASES {
         let is_sap = broad == BroadPhaseCollider::SweepAndPrune;
         let (mut simulator, boxes) = six_boxes(broad);
@@ -156,9 +156,9 @@ fn the_less_crowded_axis_is_swept_and_y_if_both_are_equal() {
     assert_eq!(order([(0.0, 18.0), (9.0, 9.0), (18.0, 0.0)]), [(1, 2), (0, 1)], "y wins");
 }
 
-/// Section 2.2: a box that is a single point meets what is open but never becomes open itself.
+/// Section 2.2: a box that is a single point meets open intervals but never becomes open itself.
 #[test]
-fn points_meet_boxes_but_not_each_other() {
+fn point_boxes_pair_with_boxes_but_not_with_each_other() {
     use farseer_core::{Body, GeomPlacement, Vertices};
     let mut simulator = simulator(0.0);
     for _ in 0..2 {
@@ -174,10 +174,10 @@ fn points_meet_boxes_but_not_each_other() {
     assert_eq!(met, [(0, 2), (1, 2)]);
 }
 
-/// Section 3.3: with sweep and prune a pair that was accepted stays registered while the boxes overlap, even if it
-/// would be refused now; it leaves the list by its contacts, and comes back.
+/// Section 3.3: with sweep and prune a pair that was accepted stays registered while the boxes overlap, even if it would be
+/// refused now; it leaves the list by its contacts, and comes back.
 #[test]
-fn sweep_and_prune_goes_on_with_a_pair_it_once_accepted() {
+fn sweep_and_prune_keeps_a_pair_that_was_accepted_once() {
     let mut simulator = simulator_with(0.0, faithful(BroadPhaseCollider::SweepAndPrune, Default::default()));
     let (_, a) = add_box(&mut simulator, BOX, v(0.0, 0.0));
     let (_, b) = add_box(&mut simulator, BOX, v(9.0, 1.0));
@@ -188,7 +188,7 @@ fn sweep_and_prune_goes_on_with_a_pair_it_once_accepted() {
 
 /// Section 3.4.
 #[test]
-fn sweep_and_prune_forgets_resting_pairs_when_a_geom_is_removed() {
+fn sweep_and_prune_drops_resting_pairs_when_a_geom_is_removed() {
     let mut simulator = simulator_with(0.0, faithful(BroadPhaseCollider::SweepAndPrune, Default::default()));
     let (_, far) = add_box(&mut simulator, BOX, v(500.0, 0.0));
     add_box(&mut simulator, BOX, v(0.0, 0.0));

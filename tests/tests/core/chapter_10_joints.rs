@@ -156,7 +156,7 @@ fn a_fixed_angle_joint_turns_its_body() {
 
 /// Check 6.
 #[test]
-fn a_fixed_angle_limit_joint_forgets_its_impulse_on_the_way_to_the_other_limit() {
+fn a_fixed_angle_limit_joint_clears_its_impulse_between_limits() {
     let mut bench = body_a(|s, a| JointFactory::create_fixed_angle_limit_joint_in(s, a, 0.8, 1.2));
     bench.common().set_softness(0.1).unwrap();
     bench.set_velocity(0, [0.0, 0.0, 0.5]);
@@ -182,7 +182,7 @@ fn a_fixed_angle_limit_joint_forgets_its_impulse_on_the_way_to_the_other_limit()
 
 /// Check 7.
 #[test]
-fn a_fixed_revolute_joint_limits_what_it_applies() {
+fn a_fixed_revolute_joint_clamps_its_impulse() {
     let mut bench = Bench::new(|simulator| {
         let body = add_body(simulator, (2.0, 3.0), v(1.0, 2.0), 0.7);
         let joint = JointFactory::create_fixed_revolute_joint_in(simulator, body, v(2.5, 1.25)).unwrap();
@@ -491,7 +491,7 @@ fn stretched_pin_joint() -> (PhysicsSimulator, BodyId, JointId) {
 
 /// Check 15.
 #[test]
-fn a_joint_that_breaks_in_an_update_acts_in_one_pass_only() {
+fn a_joint_that_breaks_in_an_update_acts_in_one_iteration_only() {
     let (mut simulator, p, joint) = stretched_pin_joint();
     let mut log = joint_bench::Log::default();
     for (y, velocity) in [("3f666666", "c0bfffff"), ("3f4d82e6", "c0baaa41")] {
@@ -526,7 +526,7 @@ impl EventHandler for Cutter {
     }
 }
 
-/// Disposing has no say in the pass that is running: the original's joint goes on to act.
+/// Disposal has no effect on the running iteration: the original's joint goes on to act.
 #[test]
 fn a_joint_that_is_disposed_when_it_breaks_acts_once_more() {
     let (mut simulator, _, joint) = stretched_pin_joint();
@@ -540,7 +540,7 @@ fn a_joint_that_is_disposed_when_it_breaks_acts_once_more() {
 
 /// Check 16.
 #[test]
-fn a_joint_goes_with_its_body() {
+fn a_joint_is_removed_with_its_body() {
     let mut bench = two_bodies(|s, a, b| JointFactory::create_revolute_joint_in(s, a, b, v(0.4, 0.9)));
     let body = bench.bodies[0];
     bench.simulator.dispose(body).unwrap();

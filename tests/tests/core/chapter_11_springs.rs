@@ -8,7 +8,7 @@ use farseer_core::{
     LinearSpring, PhysicsSimulator, Result, SpringFactory, SpringId, SpringType,
 };
 
-/// What callbacks saw: the forces are there until the bodies are integrated.
+/// Forces and positions in callbacks: the forces last until the bodies are integrated.
 #[derive(Debug, Default)]
 struct Log {
     bodies: Vec<BodyId>,
@@ -75,7 +75,7 @@ impl Bench {
         self.simulator.spring_as_mut(self.spring).unwrap()
     }
 
-    /// The spring's turn. Answers whether it acted.
+    /// One update of the spring. Returns whether it acted.
     fn update(&mut self) -> bool {
         let before = self.log.updated;
         for &body in &self.log.bodies {
@@ -279,7 +279,7 @@ fn a_linear_spring_without_length_has_no_force() {
 
 /// Check 8.
 #[test]
-fn force_piles_up_in_a_disabled_body_until_it_is_enabled() {
+fn forces_accumulate_in_a_disabled_body_until_it_is_enabled() {
     let mut simulator = plane::simulator(0.0);
     let p = add_body(&mut simulator, (1.0, 1.0), v(0.0, 0.0), 0.0);
     let q = add_body(&mut simulator, (1.0, 1.0), v(2.0, 0.0), 0.0);
@@ -366,7 +366,7 @@ fn two_bodies_between_two_springs_move_as_recorded() {
 }
 
 #[test]
-fn a_spring_goes_with_its_body() {
+fn a_spring_is_removed_with_its_body() {
     let mut bench = linear_bench();
     let body = bench.log.bodies[1];
     bench.simulator.dispose(body).unwrap();

@@ -1,4 +1,4 @@
-//! Checks of behaviour chapter 13 on bodies and geoms; what the factories refuse is checked with the exceptions.
+//! Checks of behaviour chapter 13 on bodies and geoms; refusals of the factories are checked with the exceptions.
 
 use conformance::fixtures::plane::{simulator, v};
 use conformance::units::{assert_words, floats};
@@ -127,7 +127,7 @@ fn a_copied_body_keeps_properties_and_flags() {
     assert_words(&copy.inverse_moment_of_inertia(), "3bc49ba5");
 }
 
-/// Check 11: what the original lets through to become NaN, and what its setter throws on, is refused here.
+/// Check 11: values that become NaN in the original, or make its setter throw, are refused here.
 #[test]
 fn bodies_that_could_not_move_are_refused() {
     assert!(BodyFactory::create_rectangle_body(f32::NAN, 1.0, 1.0).is_err());
@@ -136,7 +136,7 @@ fn bodies_that_could_not_move_are_refused() {
     assert!(BodyFactory::create_polygon_body(&two, 1.0).is_err());
 }
 
-/// Section 13.1: only the simulator forms add, and only what they answer with.
+/// Section 13.1: only the simulator forms add, and only the objects that they return.
 #[test]
 fn only_the_forms_with_a_simulator_add() {
     let mut simulator = simulator(0.0);
@@ -217,7 +217,7 @@ fn a_circle_that_is_given_other_vertices_is_a_polygon() {
     assert_eq!(simulator.geom(geom).unwrap().outline(), Outline::Polygon);
 }
 
-/// Of any size: the smallest are rounded by more than a part of their radius.
+/// Circles of any size: the smallest are rounded by more than a fraction of their radius.
 #[test]
 fn circles_are_saved() {
     for radius in [1e-44, 1e-38, 0.1, 5.0, 1e6, 1e18, 3e38] {

@@ -158,7 +158,7 @@ fn keys_are_ordered_by_position_alone() {
 }
 
 #[test]
-fn what_the_original_throws_on_is_an_error() {
+fn exceptions_of_the_original_are_errors() {
     let is_invalid = |error: Error, name: &str| matches!(error, Error::InvalidArgument { argument, .. } if argument == name);
     let mut curve = curve(&[(0.0, 1.0)]);
     assert!(is_invalid(curve.compute_tangent(1, CurveTangent::Flat).unwrap_err(), "index"));
@@ -169,7 +169,7 @@ fn what_the_original_throws_on_is_an_error() {
 }
 
 #[test]
-fn what_is_not_finite_is_refused() {
+fn non_finite_curve_values_are_refused() {
     for x in [f32::NAN, f32::INFINITY] {
         assert!(CurveKey::new(x, 0.0).is_err() && CurveKey::new(0.0, x).is_err());
         assert!(curve(&[(0.0, 1.0)]).evaluate(x).is_err());

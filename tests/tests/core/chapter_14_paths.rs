@@ -236,7 +236,7 @@ fn invalid_argument(error: &Error) -> &'static str {
 
 /// The original never ends there.
 #[test]
-fn walks_that_would_never_end_are_errors() {
+fn endless_placements_are_errors() {
     let line = [(0.0, 0.0), (50.0, 0.0), (100.0, 0.0)];
     let one_spot = [(5.0, 5.0), (5.0, 5.0), (5.0, 5.0)];
     for (points, width) in [(line, 0.0), (line, -1.0), (line, 101.0), (one_spot, 1.0)] {
@@ -299,9 +299,9 @@ fn control_points_are_removed_by_value_and_by_index() {
     assert!(path.remove_at(1).is_err() && path.move_control_point(v(0.0, 0.0), 1).is_err());
 }
 
-/// The link before is looked up by its index in the whole list.
+/// The previous link is looked up by its index in the complete list.
 #[test]
-fn linking_looks_at_joints_that_were_there_before() {
+fn linking_uses_joints_of_earlier_calls() {
     let mut simulator = simulator(0.0);
     let mut path = path_through(&[(0.0, 0.0), (50.0, 1.0), (100.0, 0.0)], 20.0);
     path.update(&mut simulator).unwrap();
@@ -332,7 +332,7 @@ fn an_endless_path_needs_a_body() {
     }
 }
 
-/// The closing link of pins and springs is as long as a body is wide, whatever the factor.
+/// The length of the closing link of pins and springs is the width of a body, for any factor.
 #[test]
 fn the_closing_link_is_a_body_width_long() {
     let make = |link_type| {
@@ -355,7 +355,7 @@ fn the_closing_link_is_a_body_width_long() {
 }
 
 #[test]
-fn linking_refuses_what_is_not_finite_and_stale_bodies() {
+fn linking_refuses_non_finite_numbers_and_stale_bodies() {
     let mut simulator = simulator(0.0);
     let mut path = path_through(&CORNER, 10.0);
     path.update(&mut simulator).unwrap();
@@ -386,7 +386,7 @@ fn geoms_of_a_path_share_a_group_or_categories() {
     let (one, two) = (CollisionCategory::from_bits(1), CollisionCategory::from_bits(2));
     path.create_geoms_with_categories_in(&mut simulator, one, two).unwrap();
     simulator.process_added_and_removed();
-    // Those of the first call are added, too.
+    // The objects of the first call are added, too.
     assert_eq!((path.geoms().len(), simulator.geom_list()), (2 * count, path.geoms()));
     for &geom in &path.geoms()[count..] {
         let geom = &simulator[geom];

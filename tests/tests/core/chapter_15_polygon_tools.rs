@@ -33,7 +33,7 @@ fn simplifying_takes_close_vertices_off() {
 }
 
 #[test]
-fn what_is_not_finite_has_no_hull_and_no_pieces() {
+fn non_finite_vertices_have_no_hull_and_no_pieces() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         for corner in [(bad, 1.0), (1.0, bad)] {
             let damaged = outline(&[(0.0, 0.0), corner, (5.0, 5.0), (0.0, 5.0)]);
@@ -172,7 +172,7 @@ fn an_l_shape_has_two_convex_pieces() {
 
 /// Check 8.
 #[test]
-fn a_decomposition_stops_at_the_number_of_pieces_asked_for() {
+fn a_decomposition_stops_at_the_requested_number_of_pieces() {
     let l_shape = wide_l_shape();
     assert_eq!(l_shape.decompose(1).unwrap(), l_shape.decompose(10).unwrap()[..1]);
     assert_eq!(l_shape.decompose(0).unwrap(), []);
@@ -242,7 +242,7 @@ fn two_squares_that_overlap_at_a_corner_are_combined() {
 
 /// Check 10.
 #[test]
-fn squares_apart_do_not_cross_and_have_nothing_in_common() {
+fn separate_squares_do_not_cross_and_have_no_intersection() {
     let a = square_of_ten();
     let mut b = a.clone();
     b.translate(v(50.0, 0.0));

@@ -1,4 +1,4 @@
-//! Geoms whose callbacks are switched off: nobody is called for them, and nothing else changes.
+//! Geoms whose callbacks are switched off: their handlers are not called, and all else is unchanged.
 
 use conformance::fixtures::plane::{Random, add_box, add_floor, lively_scene, methods, simulator, state, v};
 use farseer_core::{
@@ -30,7 +30,7 @@ fn switch_off(simulator: &mut PhysicsSimulator, geoms: &[GeomId]) {
     geoms.iter().for_each(|&geom| simulator[geom].set_collision_callbacks_enabled(false));
 }
 
-/// Notes which side is asked and told, and refuses what one geom touches.
+/// Records the sides of each callback, and refuses the collisions of one geom.
 #[derive(Default)]
 struct Listener {
     asked: Vec<(GeomId, GeomId)>,
@@ -56,7 +56,7 @@ impl EventHandler for Listener {
 }
 
 #[test]
-fn a_geom_is_not_asked_and_its_partner_is() {
+fn a_geom_with_callbacks_off_gets_none_and_its_partner_does() {
     for choose in SETS {
         let (mut simulator, floor, (_, thing)) = box_on_floor(choose);
         switch_off(&mut simulator, &[floor]);
@@ -67,7 +67,7 @@ fn a_geom_is_not_asked_and_its_partner_is() {
 }
 
 #[test]
-fn a_geom_that_is_not_asked_refuses_nothing() {
+fn a_geom_with_callbacks_off_refuses_no_collision() {
     for choose in SETS {
         let (mut simulator, floor, (body, _)) = box_on_floor(choose);
         let before = simulator[body].position().y;
@@ -79,19 +79,19 @@ fn a_geom_that_is_not_asked_refuses_nothing() {
 }
 
 #[test]
-fn a_partner_that_is_asked_refuses_for_both() {
+fn a_partner_with_callbacks_on_refuses_for_both() {
     for choose in SETS {
         let (mut simulator, floor, (body, thing)) = box_on_floor(choose);
         switch_off(&mut simulator, &[floor]);
         let mut listener = Listener { refused: Some(thing), ..Listener::default() };
         (0..60).for_each(|_| simulator.update_with(DT, &mut listener));
-        // Half of g t^2 in a second, or what fits until the boxes part.
+        // Half of g t^2 in a second, or the distance until the boxes separate.
         assert!(simulator[body].position().y > 20.0);
     }
 }
 
 #[test]
-fn two_that_are_both_switched_off_call_nobody() {
+fn two_geoms_with_callbacks_off_call_no_handler() {
     for choose in SETS {
         let (mut simulator, floor, (body, thing)) = box_on_floor(choose);
         switch_off(&mut simulator, &[floor, thing]);
@@ -104,7 +104,7 @@ fn two_that_are_both_switched_off_call_nobody() {
 }
 
 #[test]
-fn a_separation_is_told_to_the_side_that_is_switched_on() {
+fn a_separation_is_reported_to_the_side_with_callbacks_on() {
     for choose in SETS {
         let (mut simulator, floor, (body, thing)) = box_on_floor(choose);
         switch_off(&mut simulator, &[thing]);
@@ -120,7 +120,7 @@ fn a_separation_is_told_to_the_side_that_is_switched_on() {
 
 /// The flag of a geom counts from the next update on, touching or not.
 #[test]
-fn callbacks_are_switched_while_things_touch() {
+fn callbacks_can_be_switched_while_geoms_touch() {
     for choose in SETS {
         let (mut simulator, floor, (_, thing)) = box_on_floor(choose);
         for is_on in [false, true, false, true] {
@@ -135,7 +135,7 @@ fn callbacks_are_switched_while_things_touch() {
 }
 
 #[test]
-fn with_all_switched_off_an_update_is_the_one_without_a_handler() {
+fn with_all_callbacks_off_an_update_equals_one_without_a_handler() {
     for methods in methods() {
         let (mut plain, mut silent) = (lively_scene(methods, 11), lively_scene(methods, 11));
         [&mut plain, &mut silent].into_iter().for_each(|simulator| simulator.update(0.01));
@@ -152,9 +152,9 @@ fn with_all_switched_off_an_update_is_the_one_without_a_handler() {
     }
 }
 
-/// With the precise set collisions are events when they begin, whoever is asked about them.
+/// With the precise set collisions are events when they begin, with any setting of the callbacks.
 #[test]
-fn precise_events_are_the_same_whoever_is_asked() {
+fn precise_events_do_not_depend_on_the_callback_switches() {
     let scene = || {
         let mut scene = lively_scene(Default::default(), 12);
         SETS[1](&mut scene);
@@ -180,7 +180,7 @@ fn precise_events_are_the_same_whoever_is_asked() {
 }
 
 #[test]
-fn new_pairs_are_asked_about_all_the_same() {
+fn broad_phase_callbacks_ignore_the_collision_switches() {
     struct NewPairs(usize);
     impl EventHandler for NewPairs {
         fn handles_broad_phase(&self) -> bool {
@@ -223,7 +223,7 @@ fn clones_and_saves_keep_whether_callbacks_are_on() {
     assert!(listener.asked.is_empty());
 }
 
-/// Rolled back after every step, with switches thrown in between.
+/// A rollback after every step, with callbacks switched in between.
 #[test]
 fn saves_between_switches_change_no_bit() {
     let mut played = lively_scene(Default::default(), 13);

@@ -1,5 +1,5 @@
-//! Chains, tracks and gravity in one call: behaviour chapter 13, section 6, and its checks 14 and 15. The placing and
-//! linking of bodies is looked at with chapter 14.
+//! Chains, tracks and gravity in one call: behaviour chapter 13, section 6, and its checks 14 and 15. The placing and linking
+//! of bodies is tested with chapter 14.
 
 use conformance::fixtures::plane::{add_box, simulator, v};
 use conformance::units::assert_words;
@@ -76,7 +76,7 @@ fn sliders_of_a_chain_have_the_range_of_the_factory() {
     }
 }
 
-/// Nothing is added, and nothing is left behind.
+/// Asserts that no object is added, and none remains.
 fn expect_refusal(simulator: &PhysicsSimulator, result: Result<farseer_core::Path, Error>, name: &str) {
     match result {
         Err(Error::InvalidArgument { argument, .. }) => assert_eq!(argument, name),
@@ -86,7 +86,7 @@ fn expect_refusal(simulator: &PhysicsSimulator, result: Result<farseer_core::Pat
 }
 
 #[test]
-fn bad_arguments_are_refused_and_change_nothing() {
+fn invalid_arguments_are_refused_and_change_no_state() {
     let mut simulator = simulator(0.0);
     let (start, end) = (v(0.0, 0.0), v(100.0, 10.0));
     let link = LinkType::RevoluteJoint;

@@ -52,7 +52,7 @@ fn run(simulator: &mut PhysicsSimulator, steps: usize, on: impl FnMut(&mut Conte
     (0..steps).for_each(|_| simulator.update_with(DT, &mut handler));
 }
 
-/// A box that tilts by roundings is pushed by normals that do as well: 0.005 px/s in a second were measured. Friction would
+/// A box that tilts by roundings has tilted normals, which accelerate it: 0.005 px/s in a second were measured. Friction would
 /// take 2.7 px/s in every step.
 fn assert_kept(simulator: &PhysicsSimulator, body: BodyId) {
     let speed = simulator[body].linear_velocity().x;
@@ -73,7 +73,7 @@ fn a_slide_without_friction_keeps_its_speed() {
 }
 
 #[test]
-fn a_slide_is_braked_by_the_friction_that_is_set() {
+fn a_slide_is_braked_by_the_friction_override() {
     for choose in SETS {
         let (mut simulator, body) = resting_box(choose, 0.0);
         simulator[body].set_linear_velocity(v(200.0, 0.0));
@@ -85,7 +85,7 @@ fn a_slide_is_braked_by_the_friction_that_is_set() {
 }
 
 #[test]
-fn a_bounce_is_as_high_as_the_restitution_that_is_set() {
+fn a_bounce_follows_the_restitution_override() {
     for choose in SETS {
         for restitution in [0.0f32, 0.5, 1.0] {
             let mut simulator = floored(choose, 0.0);
@@ -96,7 +96,7 @@ fn a_bounce_is_as_high_as_the_restitution_that_is_set() {
                 let y = simulator[body].position().y;
                 (lowest, highest) = if y > lowest { (y, y) } else { (lowest, highest.min(y)) };
             }
-            // It has fallen by 200 px; a step of the fall, 6 px, is what the moment of the hit is known to.
+            // It has fallen by 200 px; the moment of the hit is known up to a step of the fall, 6 px.
             let wanted = 200.0 * restitution * restitution;
             assert!((lowest - highest - wanted).abs() < 12.0, "{restitution}: {}", lowest - highest);
         }
@@ -108,7 +108,7 @@ fn a_handler_makes_a_conveyor() {
     for choose in SETS {
         let (mut simulator, body) = resting_box(choose, 0.5);
         run(&mut simulator, 60, |context, _, _| context.set_contact_tangent_speed(50.0).unwrap());
-        // To the left, as y points down. A tenth: it has just stopped to slip.
+        // It moves to the left, as y points down. The tolerance is a tenth, since it has just stopped to slip.
         assert!(
             (simulator[body].linear_velocity().x + 50.0).abs() < 5.0,
             "{}",
@@ -121,7 +121,7 @@ fn a_handler_makes_a_conveyor() {
 
 /// The floor is the younger geom here.
 #[test]
-fn a_conveyor_goes_the_same_way_whoever_is_older() {
+fn the_direction_of_a_conveyor_does_not_depend_on_creation_order() {
     for choose in SETS {
         let mut simulator = simulator(320.0);
         choose(&mut simulator);
@@ -138,7 +138,7 @@ fn a_conveyor_goes_the_same_way_whoever_is_older() {
 }
 
 #[test]
-fn a_conveyor_comes_to_the_motion_of_a_belt() {
+fn a_conveyor_adds_to_the_motion_of_a_belt() {
     for choose in SETS {
         let (mut simulator, body) = resting_box(choose, 0.5);
         let floor = simulator.body_list()[0];
@@ -153,7 +153,7 @@ fn a_conveyor_comes_to_the_motion_of_a_belt() {
 }
 
 #[test]
-fn the_side_that_is_asked_last_decides() {
+fn the_last_callback_decides() {
     for choose in SETS {
         let (mut simulator, body) = resting_box(choose, 0.5);
         simulator[body].set_linear_velocity(v(100.0, 0.0));
@@ -165,9 +165,9 @@ fn the_side_that_is_asked_last_decides() {
     }
 }
 
-/// Sets what is there anyway.
+/// Sets the values that are there anyway.
 #[test]
-fn values_that_are_those_of_the_geoms_change_no_bit() {
+fn overrides_equal_to_the_values_of_the_geoms_change_no_bit() {
     for choose in SETS {
         let scene = || {
             let mut scene = lively_scene(Default::default(), 21);
@@ -192,9 +192,9 @@ fn values_that_are_those_of_the_geoms_change_no_bit() {
     }
 }
 
-/// Sets in every other update, and goes on from a save after each: a save knows nothing of what was set.
+/// Sets in every other update, and goes on from a save after each: a save does not contain the overrides.
 #[test]
-fn what_was_set_is_forgotten_in_the_next_update() {
+fn overrides_last_for_one_update() {
     for choose in SETS {
         let mut played = lively_scene(Default::default(), 22);
         choose(&mut played);
@@ -220,9 +220,9 @@ fn what_was_set_is_forgotten_in_the_next_update() {
     }
 }
 
-/// The precise set lists everything anew in the middle of the update, because a callback has edited whom something meets.
+/// The precise set builds its lists again in the middle of the update, because a callback has edited a geom that touches.
 #[test]
-fn edits_in_the_same_callback_leave_what_was_set() {
+fn edits_in_the_same_callback_keep_the_overrides() {
     for choose in SETS {
         let (mut simulator, body) = resting_box(choose, 0.5);
         let (_, other) = add_box(&mut simulator, (10.0, 10.0), v(500.0, -5.0));
@@ -239,7 +239,7 @@ fn edits_in_the_same_callback_leave_what_was_set() {
 }
 
 #[test]
-fn a_contact_refused_after_something_was_set_pushes_nothing() {
+fn a_contact_refused_after_an_override_exerts_no_impulse() {
     struct Refusing;
     impl EventHandler for Refusing {
         fn on_collision(
@@ -262,7 +262,7 @@ fn a_contact_refused_after_something_was_set_pushes_nothing() {
 }
 
 #[test]
-fn what_cannot_be_set_is_an_error_that_names_it_and_changes_nothing() {
+fn an_invalid_override_is_an_error_that_names_it_and_changes_no_state() {
     for choose in SETS {
         let (mut simulator, body) = resting_box(choose, 0.5);
         simulator[body].set_linear_velocity(v(100.0, 0.0));
@@ -286,9 +286,9 @@ fn what_cannot_be_set_is_an_error_that_names_it_and_changes_nothing() {
     }
 }
 
-/// The greatest numbers are taken, and nothing that is not finite comes of them.
+/// The greatest numbers are accepted, and do not make any other one infinite or NaN.
 #[test]
-fn the_greatest_numbers_spread_nothing_that_is_not_finite() {
+fn the_greatest_overrides_make_no_number_infinite_or_nan() {
     for choose in SETS {
         let (mut simulator, body) = resting_box(choose, 0.5);
         simulator[body].set_linear_velocity(v(100.0, 50.0));
@@ -302,7 +302,7 @@ fn the_greatest_numbers_spread_nothing_that_is_not_finite() {
 }
 
 #[test]
-fn other_callbacks_are_about_no_collision() {
+fn overrides_are_refused_in_other_callbacks() {
     struct Elsewhere(usize);
     impl EventHandler for Elsewhere {
         fn on_body_updated(&mut self, context: &mut Context<'_>, _: BodyId) {

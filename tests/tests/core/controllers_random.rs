@@ -1,5 +1,5 @@
-//! What controllers must do whatever the bits are: closed forms and invariants over random inputs, and how they work
-//! together with the game.
+//! Properties of controllers that do not depend on bits: closed forms and invariants over random inputs, and their interplay
+//! with the game.
 
 use conformance::fixtures::plane::{add_circle, simulator, state, v};
 use farseer_core::math::{Vector2, vector2};
@@ -122,7 +122,7 @@ proptest! {
         let force = force_on_static(v(body.0, body.1), mass, gravity);
         let [dx, dy] = [source.0 - body.0, source.1 - body.1].map(f64::from);
         let distance = dx.hypot(dy);
-        // Which side of the radius a source lies on may be decided by rounding; no distance at all is another test.
+        // Rounding may decide the side of the radius on which a source lies; a distance of zero is another test.
         prop_assume!(distance > 1e-3 && (distance - 150.0).abs() > 1e-3);
         let size = f64::from(strength) * f64::from(mass) / distance.powi(if is_squared { 2 } else { 1 });
         let size = if distance < 150.0 { size } else { 0.0 };
@@ -159,7 +159,7 @@ proptest! {
     }
 
     #[test]
-    fn a_driven_wave_stays_finite_whatever_the_damping(
+    fn a_driven_wave_stays_finite_with_any_damping(
         damping in -3.0_f32..3.0,
         step in -1e3_f32..1e3,
         limits in (-1e4_f32..1e4, -1e4_f32..1e4),
@@ -181,7 +181,7 @@ proptest! {
 
     /// Steps are multiples of 1/1024, whose sums are exact.
     #[test]
-    fn collected_time_is_neither_lost_nor_counted_twice(
+    fn accumulated_time_is_neither_lost_nor_counted_twice(
         preferred in 0.001_f32..0.1,
         maximum in 0.0_f32..0.2,
         raises in 0_usize..20,
@@ -218,7 +218,7 @@ proptest! {
     }
 
     #[test]
-    fn a_body_that_was_idle_for_long_does_not_move_until_one_that_moves_comes_near(
+    fn an_idle_body_does_not_move_until_a_moving_one_comes_near(
         speed in 0.0_f32..54.0,
         max_idle_time in 50.0_f32..500.0,
         distance in 150.0_f32..400.0,
@@ -271,13 +271,13 @@ fn add_body(simulator: &mut PhysicsSimulator, position: Vector2, velocity: Vecto
     body
 }
 
-/// What the game's own controllers and containers were asked, in order.
+/// Calls of the game's own controllers and containers, in order.
 #[derive(Default)]
 struct Log {
     calls: Vec<(ControllerId, &'static str)>,
 }
 
-/// Pushes a body, looks whether gravity was there before, and disposes another controller.
+/// Applies a force to a body, checks whether gravity acted before, and disposes another controller.
 #[derive(Default)]
 struct Game {
     log: Log,
@@ -333,7 +333,7 @@ impl EventHandler for Game {
 }
 
 #[test]
-fn user_defined_controllers_and_containers_are_asked_in_list_order() {
+fn user_defined_controllers_and_containers_are_called_in_list_order() {
     let mut simulator = simulator(0.0);
     let (_, geom) = add_circle(&mut simulator, 10.0, 16, v(0.0, 0.0));
     let first = add_controller(&mut simulator, Controller::user_defined());
@@ -351,7 +351,7 @@ fn user_defined_controllers_and_containers_are_asked_in_list_order() {
 }
 
 #[test]
-fn user_defined_controllers_see_what_those_before_them_did() {
+fn user_defined_controllers_see_the_effects_of_earlier_ones() {
     let mut simulator = simulator(0.0);
     let body = add_body(&mut simulator, v(0.0, 0.0), v(0.0, 0.0));
     add_controller(&mut simulator, GravityController::with_points(vec![v(0.0, 2.0)], 8.0, 10.0).unwrap());
@@ -385,7 +385,7 @@ fn disabled_controllers_are_validated_but_not_updated() {
 }
 
 #[test]
-fn controllers_that_nobody_answers_for_are_reported() {
+fn controllers_without_a_handler_are_reported() {
     let mut simulator = simulator(0.0);
     let (_, geom) = add_circle(&mut simulator, 10.0, 16, v(0.0, 0.0));
     let user = add_controller(&mut simulator, Controller::user_defined());
@@ -400,7 +400,7 @@ fn controllers_that_nobody_answers_for_are_reported() {
 }
 
 #[test]
-fn entry_is_told_with_the_vertices_in_the_fluid() {
+fn entry_is_reported_with_the_vertices_in_the_fluid() {
     let mut simulator = simulator(0.0);
     let (_, geom) = add_circle(&mut simulator, 10.0, 16, v(0.0, 0.0));
     let mut drag =
@@ -418,7 +418,7 @@ fn entry_is_told_with_the_vertices_in_the_fluid() {
 }
 
 #[test]
-fn geoms_and_bodies_that_were_disposed_are_forgotten() {
+fn disposed_geoms_and_bodies_are_dropped() {
     let mut simulator = simulator(0.0);
     let (body, geom) = add_circle(&mut simulator, 10.0, 16, v(0.0, 50.0));
     let mut drag = FluidDragController::new(sea(), 1.0, 0.1, 0.1, v(0.0, 10.0)).unwrap();
@@ -434,7 +434,7 @@ fn geoms_and_bodies_that_were_disposed_are_forgotten() {
 }
 
 #[test]
-fn a_container_that_is_gone_or_no_wave_is_refused() {
+fn a_disposed_container_or_one_that_is_no_wave_is_refused() {
     let mut simulator = simulator(0.0);
     let create = |controller: ControllerId, simulator: &mut PhysicsSimulator| {
         let container = FluidContainerRef::Wave(controller);
@@ -449,7 +449,7 @@ fn a_container_that_is_gone_or_no_wave_is_refused() {
 }
 
 #[test]
-fn a_controller_is_found_as_what_it_is_only() {
+fn a_controller_is_found_by_its_own_type_only() {
     let mut simulator = simulator(0.0);
     let controller = simulator.create_controller(InactivityController::new()).unwrap();
     assert!(simulator.controller_as::<InactivityController>(controller).is_ok());
@@ -458,7 +458,7 @@ fn a_controller_is_found_as_what_it_is_only() {
 }
 
 #[test]
-fn numbers_that_are_not_finite_are_refused_and_change_nothing() {
+fn non_finite_numbers_are_refused_without_effect() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         assert!(ScalingController::new(bad, 0.1).is_err());
         assert!(WaveController::new(v(0.0, bad), 10.0, 10.0, 5).is_err());

@@ -3,8 +3,8 @@
 use conformance::fixtures::plane::{self, add_box, methods, pairs, simulator_with, v};
 use farseer_core::{BodyId, Contact, Context, EventHandler, GeomId, Methods, PhysicsSimulator};
 
-/// Three boxes far from each other, of which the first is disposed, and a new one that takes its slot next to the
-/// last. Answers the third and the new one.
+/// Three boxes far from each other, of which the first is disposed, and a new one that takes its slot next to the last. Returns
+/// the third and the new one.
 fn reused_slot(methods: Methods) -> (PhysicsSimulator, (BodyId, GeomId), (BodyId, GeomId)) {
     let mut simulator = simulator_with(0.0, methods);
     let (first, first_geom) = add_box(&mut simulator, (10.0, 10.0), v(-500.0, 0.0));
@@ -67,7 +67,7 @@ fn contact_ids_hold_creation_numbers() {
 }
 
 #[test]
-fn the_older_geom_is_told_first() {
+fn the_older_geom_gets_the_first_callback() {
     for methods in methods() {
         let (mut simulator, (_, older), (body, younger)) = reused_slot(methods);
         let mut told = Told::default();
@@ -82,7 +82,7 @@ fn the_older_geom_is_told_first() {
 }
 
 #[test]
-fn the_order_of_addition_does_not_decide_who_is_a() {
+fn the_order_of_addition_does_not_decide_which_geom_is_a() {
     for methods in methods() {
         let mut simulator = simulator_with(0.0, methods);
         let (_, older) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));

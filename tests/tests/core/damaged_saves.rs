@@ -1,4 +1,4 @@
-//! A damaged save is refused, or makes a simulator that runs: nothing panics, nothing becomes infinite.
+//! A damaged save is refused, or makes a simulator that runs: no call panics, no number becomes infinite.
 
 use conformance::fixtures::plane::{Game, add_box, is_finite, lively_scene, methods, simulator_with, v};
 use farseer_core::{
@@ -8,11 +8,11 @@ use farseer_core::{
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-/// Runs what was loaded, if it was. Answers whether it was refused.
+/// Runs the loaded simulator, if there is one. Returns whether loading was refused.
 fn is_refused_or_runs(loaded: serde_json::Result<PhysicsSimulator>, what: &str) -> bool {
     let Ok(mut simulator) = loaded else { return true };
     assert!(is_finite(&simulator), "not finite when loaded: {what}");
-    // Any number of passes is legitimate, but the limit of them is a long one.
+    // Any number of iterations is legitimate, but the greatest takes too long.
     simulator.set_iterations(simulator.iterations().min(10));
     for step in 0..10 {
         simulator.update(0.01);
@@ -32,7 +32,7 @@ fn is_refused_or_runs(loaded: serde_json::Result<PhysicsSimulator>, what: &str) 
     false
 }
 
-/// What parsed JSON makes: the loader is asked the same as by a text, which need not be written and parsed for each case.
+/// Loads parsed JSON: the loader gets the same requests as from a text, which need not be written and parsed for each case.
 fn loaded(save: &Value) -> serde_json::Result<PhysicsSimulator> {
     <PhysicsSimulator as Deserialize>::deserialize(save)
 }
@@ -55,7 +55,7 @@ fn can_be_added_to(mut simulator: PhysicsSimulator, what: &str) {
     assert!(is_finite(&simulator) && simulator.is_listed(body), "nothing can be added: {what}");
 }
 
-/// A scene in the middle of things: pairs, removed and waiting objects, edited bodies, free slots.
+/// A scene with all kinds of unfinished work: pairs, removed and pending objects, edited bodies, free slots.
 fn busy_save(methods: Methods) -> Value {
     let mut simulator = lively_scene(methods, 5);
     let mut game = Game::default();
@@ -94,12 +94,12 @@ fn numbers(value: &Value, path: &mut Vec<String>, found: &mut Vec<String>) {
     }
 }
 
-/// The kind of place a number stands at: its path without indices.
+/// The kind of a number's position: its path without indices.
 fn kind(path: &str) -> String {
     path.split('/').filter(|part| part.parse::<usize>().is_err()).collect::<Vec<_>>().join("/")
 }
 
-/// A few places of every kind, spread over the file.
+/// A few positions of every kind, spread over the file.
 fn sample(paths: &[String], per_kind: usize) -> Vec<&String> {
     let mut by_kind = std::collections::BTreeMap::<String, Vec<&String>>::new();
     for path in paths {
@@ -123,7 +123,8 @@ fn some_methods() -> impl Iterator<Item = Methods> {
     methods().filter(is_needed)
 }
 
-/// Puts each replacement at a sample of places, one at a time. Answers which saves were not refused, and of how many.
+/// Puts each replacement at a sample of positions, one at a time. Returns the saves that were not refused, and the number of
+/// all.
 fn replace_numbers_by(replacements: &[Value], per_kind: usize) -> (Vec<String>, usize) {
     let (mut accepted, mut tried) = (Vec::new(), 0);
     let mut failed = Vec::new();
@@ -266,14 +267,14 @@ fn saves_with_lists_of_wrong_length_are_refused_or_run() {
 }
 
 #[test]
-fn a_simulator_of_nothing_is_loaded() {
+fn an_empty_simulator_is_loaded() {
     for methods in methods() {
         let text = serde_json::to_string(&simulator_with(10.0, methods)).unwrap();
         assert!(!is_refused_or_runs(serde_json::from_str(&text), "empty"));
     }
 }
 
-/// A body with a box, and what is saved of them, with something changed.
+/// Loads an edited save of a body with a box.
 fn changed_box(change: impl Fn(&mut Value)) -> serde_json::Result<PhysicsSimulator> {
     let mut simulator = simulator_with(10.0, Default::default());
     let (_, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
@@ -303,7 +304,7 @@ fn a_simulator_makes_no_geom_when_the_numbers_of_geoms_are_used_up_and_loads_its
     loads_itself(&simulator, "all numbers used");
 }
 
-/// Otherwise a stale id would name something else after 2^32 objects in one slot.
+/// Otherwise a stale id would name another object after 2^32 objects in one slot.
 #[test]
 fn a_slot_whose_generations_are_used_up_stays_empty() {
     let mut simulator = simulator_with(0.0, Default::default());
@@ -327,7 +328,7 @@ fn a_box_without_change_is_loaded() {
 }
 
 #[test]
-fn places_of_geoms_that_are_not_finite_are_refused() {
+fn non_finite_placements_of_geoms_are_refused() {
     let infinity = json!(f32::INFINITY.to_bits());
     for (what, index) in
         [("aabb", 2), ("world_vertices", 3), ("pose", 4), ("pose", 10), ("pose", 13), ("pose", 14)]
@@ -345,7 +346,7 @@ fn places_of_geoms_that_are_not_finite_are_refused() {
 }
 
 #[test]
-fn refused_arguments_that_there_are_not_are_refused() {
+fn unknown_names_of_rejected_arguments_are_refused() {
     for owner in ["bodies", "geoms"] {
         let kind = if owner == "bodies" { "body" } else { "geom" };
         let with = |names: Value| {
@@ -360,9 +361,9 @@ fn refused_arguments_that_there_are_not_are_refused() {
     }
 }
 
-/// By the name of the type, too: what is derived for a private copy of its fields must not be within reach.
+/// By the name of the type, too: the implementation that is derived for a private copy of its fields must not be accessible.
 #[test]
-fn a_body_that_contradicts_itself_is_refused_however_it_is_loaded() {
+fn a_contradictory_body_is_refused_by_every_loader() {
     let mut saved = serde_json::to_value(Body::new()).unwrap();
     assert!(Body::deserialize(&saved).is_ok());
     saved["mass"] = 2.into();

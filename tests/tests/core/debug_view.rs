@@ -1,10 +1,10 @@
-//! What the debug view hands out to be drawn (behaviour chapter 16, A).
+//! Drawings of the debug view (behaviour chapter 16, A).
 
 use conformance::fixtures::plane::{add_box, add_floor, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{BodyId, DebugShape, JointFactory, PhysicsSimulator, PhysicsSimulatorView, SpringFactory};
 
-/// Nothing on.
+/// A view with all layers off.
 fn nothing() -> PhysicsSimulatorView {
     PhysicsSimulatorView {
         enable_edge_view: false,
@@ -353,7 +353,7 @@ fn a_disabled_joint_is_drawn_as_long_as_it_is_in_its_list() {
 }
 
 #[test]
-fn what_a_game_has_moved_is_drawn_where_it_is_now() {
+fn moved_objects_are_drawn_at_their_present_pose() {
     let (mut simulator, one, _) = two_boxes();
     simulator[one].set_position(v(-300.0, 70.0));
     let view = PhysicsSimulatorView {

@@ -67,7 +67,7 @@ fn a_copy_goes_on_with_the_same_bits() {
     }
 }
 
-/// As games go back: to what was kept a few steps ago, over what has become of it, where things have come and gone.
+/// The rollback of games: to a state of a few steps ago, although objects were added and removed since.
 #[test]
 fn going_back_by_clone_from_gives_the_same_bits() {
     for methods in methods() {
@@ -162,7 +162,7 @@ fn a_loaded_simulator_is_saved_as_the_same_text() {
 }
 
 #[test]
-fn what_waits_is_saved() {
+fn pending_edits_are_saved() {
     for methods in methods() {
         let mut simulator = simulator_with(10.0, methods);
         let (_, a) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
@@ -185,7 +185,7 @@ fn what_waits_is_saved() {
 }
 
 #[test]
-fn notices_that_wait_are_told_after_loading() {
+fn pending_events_are_reported_after_loading() {
     let mut simulator = simulator_with(10.0, Default::default());
     let (disposed, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(50.0, 0.0));
@@ -194,7 +194,7 @@ fn notices_that_wait_are_told_after_loading() {
     simulator[body].set_angular_velocity(f32::NAN);
     simulator[geom].set_friction_coefficient(f32::NAN);
     simulator[body].set_position(v(51.0, 0.0));
-    // Lets the geoms follow now, so that the movement is told later.
+    // Lets the geoms follow now, so that the movement is reported later.
     let outline = simulator.geom(geom).unwrap().local_vertices().clone();
     simulator.set_vertices(geom, outline).unwrap();
     let mut loaded = load(&save(&simulator));

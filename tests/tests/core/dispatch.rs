@@ -9,7 +9,7 @@ use farseer_core::{
 
 type Words = Vec<&'static str>;
 
-/// A ball that lies in a floor.
+/// A ball that overlaps a floor.
 fn ball_in_floor(methods: Methods) -> (PhysicsSimulator, BodyId, [GeomId; 2]) {
     let mut simulator = simulator_with(100.0, methods);
     let (_, floor) = add_floor(&mut simulator, (100.0, 20.0), v(0.0, 10.0));
@@ -37,7 +37,7 @@ fn handlers_of_a_geom_are_called_in_the_order_in_which_they_were_subscribed() {
 }
 
 #[test]
-fn of_several_answers_the_last_one_counts_as_with_events_of_the_original() {
+fn the_last_of_several_answers_counts_as_in_the_original() {
     for (answers, falls) in [([true, false], true), ([false, true], false)] {
         let (mut simulator, body, [_, ball]) = ball_in_floor(Methods::PRECISE);
         let mut dispatch = Dispatch::new();
@@ -85,7 +85,7 @@ fn a_subscription_that_was_ended_is_not_called_and_the_others_of_the_geom_are() 
 }
 
 #[test]
-fn the_handler_of_a_disposed_geom_is_not_called_for_what_takes_its_place() {
+fn the_handler_of_a_disposed_geom_is_not_called_for_the_next_geom_in_its_slot() {
     let (mut simulator, body, [_, ball]) = ball_in_floor(Methods::default());
     let mut dispatch = Dispatch::new();
     dispatch.on_collision(ball, |count: &mut usize, _, _, _, _| {
@@ -103,7 +103,7 @@ fn the_handler_of_a_disposed_geom_is_not_called_for_what_takes_its_place() {
 }
 
 #[test]
-fn what_parts_from_a_geom_is_told_to_its_handler() {
+fn a_separation_is_reported_to_the_handler_of_the_geom() {
     let (mut simulator, body, [floor, ball]) = ball_in_floor(Methods::PRECISE);
     let mut dispatch = Dispatch::new();
     dispatch.on_separation(ball, |partners: &mut Vec<GeomId>, _, _, other| partners.push(other));
@@ -116,7 +116,7 @@ fn what_parts_from_a_geom_is_told_to_its_handler() {
 }
 
 #[test]
-fn a_joint_that_breaks_is_told_to_its_handler_which_may_dispose_it() {
+fn a_break_of_a_joint_calls_its_handler_which_may_dispose_it() {
     let mut simulator = simulator(100.0);
     let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(20.0, 0.0));
     let [torn, held] = [0.0, 20.0]
@@ -136,7 +136,7 @@ fn a_joint_that_breaks_is_told_to_its_handler_which_may_dispose_it() {
 }
 
 #[test]
-fn bodies_that_move_or_are_disposed_are_told_to_their_handlers() {
+fn moved_and_disposed_bodies_call_their_handlers() {
     let (mut simulator, body, _) = ball_in_floor(Methods::default());
     let (still, _) = add_box(&mut simulator, (10.0, 10.0), v(500.0, 0.0));
     let mut dispatch = Dispatch::new();
@@ -154,7 +154,7 @@ fn bodies_that_move_or_are_disposed_are_told_to_their_handlers() {
 }
 
 #[test]
-fn handlers_of_what_was_disposed_are_freed_and_the_others_stay() {
+fn handlers_of_disposed_objects_are_freed_and_the_others_stay() {
     let (mut simulator, body, [floor, ball]) = ball_in_floor(Methods::default());
     let mut dispatch = Dispatch::new();
     let [gone, kept] = [ball, floor].map(|geom| dispatch.on_separation(geom, |(), _, _, _| ()));
@@ -191,7 +191,7 @@ fn a_controller_of_the_game_does_its_work_in_every_update_with_the_step_and_the_
 }
 
 #[test]
-fn what_a_handler_makes_moves_as_if_it_were_made_after_the_update() {
+fn objects_made_by_a_handler_move_as_if_made_after_the_update() {
     fn spark(objects: &mut Objects) {
         let body = BodyFactory::create_circle_body_in(objects, 3.0, 1.0).unwrap();
         objects[body].set_position(v(4.0, -40.0));
@@ -229,7 +229,7 @@ fn what_a_handler_makes_moves_as_if_it_were_made_after_the_update() {
     }
 }
 
-/// Counts what is told of a joint and of a spring.
+/// Counts the callbacks of a joint and of a spring.
 struct Counting {
     of: (JointId, SpringId),
     counts: [u32; 2],
@@ -251,10 +251,10 @@ impl EventHandler for Counting {
 }
 
 #[test]
-fn joints_and_springs_that_act_are_told_to_their_handlers_as_often_as_to_a_handler_of_all() {
+fn active_joints_and_springs_call_their_handlers_as_often_as_a_global_handler() {
     for methods in both_sets() {
         let mut simulator = simulator_with(100.0, methods);
-        // Two pendulums: nobody listens to the joint of the second.
+        // Two pendulums: the joint of the second has no handler.
         let [(body, told), _] = [0.0, 100.0].map(|y| {
             let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(20.0, y));
             (body, JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(0.0, y)).unwrap())

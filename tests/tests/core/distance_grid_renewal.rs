@@ -8,7 +8,7 @@ use farseer_core::{
 
 /// Where the floor is: not at the origin, where boxes would be right by chance.
 const FLOOR: (f32, f32) = (50.0, 300.0);
-/// How far its outline is moved.
+/// Distance in px by which its outline is moved.
 const MOVED: f32 = 400.0;
 
 fn scene() -> (PhysicsSimulator, BodyId, GeomId) {
@@ -43,7 +43,7 @@ fn bears(simulator: &mut PhysicsSimulator, x: f32) -> bool {
 }
 
 #[test]
-fn a_geom_with_a_new_grid_is_met_where_its_outline_is() {
+fn a_geom_with_a_new_grid_collides_at_its_outline() {
     let (mut simulator, _, floor) = scene();
     move_outline(&mut simulator, floor);
     renew(&mut simulator, floor);
@@ -52,7 +52,7 @@ fn a_geom_with_a_new_grid_is_met_where_its_outline_is() {
 }
 
 #[test]
-fn a_new_outline_without_a_new_grid_is_not_met() {
+fn a_new_outline_without_a_new_grid_does_not_collide() {
     let (mut simulator, _, floor) = scene();
     move_outline(&mut simulator, floor);
     assert!(!bears(&mut simulator, FLOOR.0 + MOVED));
@@ -92,7 +92,7 @@ fn a_clone_keeps_the_grid_that_was_shared() {
 }
 
 #[test]
-fn a_grid_that_is_there_is_not_made_again() {
+fn an_existing_grid_is_not_made_again() {
     let (mut simulator, _, floor) = scene();
     move_outline(&mut simulator, floor);
     let before = simulator.snapshot();
@@ -101,7 +101,7 @@ fn a_grid_that_is_there_is_not_made_again() {
 }
 
 #[test]
-fn a_geom_without_a_grid_meets_nothing() {
+fn a_geom_without_a_grid_collides_with_nothing() {
     let (mut simulator, _, floor) = scene();
     for _ in 0..2 {
         simulator.remove_distance_grid(floor).unwrap();
@@ -137,7 +137,7 @@ fn a_geom_made_under_separating_axes_gets_a_grid_by_its_present_box() {
 }
 
 #[test]
-fn a_grid_that_cannot_be_made_changes_nothing() {
+fn an_impossible_grid_changes_no_state() {
     let (mut simulator, body, _) = scene();
     simulator.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
     let flat: Vertices = [v(-10.0, 0.0), v(0.0, 0.0), v(10.0, 0.0)].into_iter().collect();
@@ -153,7 +153,7 @@ fn a_grid_that_cannot_be_made_changes_nothing() {
 }
 
 #[test]
-fn a_disposed_geom_with_a_new_grid_goes_as_any_other() {
+fn a_disposed_geom_with_a_new_grid_is_removed_like_any_other() {
     let (mut simulator, _, floor) = scene();
     simulator.dispose(floor).unwrap();
     simulator.create_distance_grid(floor).unwrap();

@@ -1,5 +1,5 @@
-//! Joints and springs that are made without bodies and given them later, as what reads a scene from a file does
-//! (behaviour chapters 10 and 11).
+//! Joints and springs that are made without bodies and get them later, as when a scene is read from a file (behaviour chapters
+//! 10 and 11).
 
 use crate::joint_bench::add_body;
 use conformance::fixtures::plane::{self, v};
@@ -178,7 +178,7 @@ fn with_constants(s: &mut PhysicsSimulator, spring: SpringId) -> Result<SpringId
     s[spring].set_damping_constant(0.3).map(|()| spring)
 }
 
-/// What a joint or spring does in a second to two bodies that are thrown.
+/// Bits of two thrown bodies after a second with a joint or spring.
 fn thrown<I: Into<farseer_core::ObjectId>>(make: Make<I>) -> Vec<u8> {
     let (mut simulator, a, b) = two_bodies();
     let made = make(&mut simulator, a, b).unwrap();
@@ -278,7 +278,7 @@ fn adding_names_the_body_that_is_missing() {
     assert_eq!((s.joint_list(), s.spring_list()), (&[hinge, pivot][..], &[spring][..]));
 }
 
-/// As recorded of the original, which throws.
+/// As recorded from the original, which throws.
 #[test]
 fn an_anchor_without_its_body_is_refused() {
     let (mut s, a, _) = two_bodies();
@@ -300,7 +300,7 @@ fn an_anchor_without_its_body_is_refused() {
 }
 
 #[test]
-fn what_has_no_bodies_yet_is_saved() {
+fn joints_and_springs_without_bodies_are_saved() {
     let (mut s, a, b) = two_bodies();
     let hinge = s.create_empty_joint::<RevoluteJoint>();
     let spring = s.create_empty_spring::<LinearSpring>();
@@ -340,7 +340,7 @@ fn replace(value: &mut Value, key: &str, new: &Value) {
 }
 
 #[test]
-fn a_save_with_something_that_acts_without_its_bodies_is_refused() {
+fn a_save_with_an_active_joint_without_bodies_is_refused() {
     let nobody = json!({ "index": u32::MAX, "generation": u32::MAX });
     let add_joint = |s: &mut PhysicsSimulator, a, b| {
         JointFactory::create_revolute_joint_in(s, a, b, v(2.0, 3.0)).unwrap();

@@ -1,5 +1,4 @@
-//! What engines that are built on the stages have besides them: the filter of pairs, callbacks of their own, and what
-//! they can ask.
+//! Hooks for engines that are built on the stages: the filter of pairs, callbacks of their own, and queries.
 
 use conformance::fixtures::plane::{
     BROAD_PHASES, add_box, add_floor, faithful, faithful_methods, lively_scene, simulator, simulator_with,
@@ -12,7 +11,7 @@ use farseer_core::{
 
 const DT: f32 = 0.01;
 
-/// Filters pairs by one answer, and writes down what it is asked and told.
+/// Filters pairs by one answer, and records its calls.
 #[derive(Default)]
 struct Filter {
     refuses: bool,
@@ -21,7 +20,7 @@ struct Filter {
     asked: Vec<(GeomId, GeomId)>,
     separated: Vec<(GeomId, GeomId)>,
     broad_phase_was_asked: bool,
-    /// To be done when it is asked.
+    /// An action for the call of the filter.
     act: Option<fn(&mut Context<'_>, GeomId, GeomId)>,
 }
 
@@ -95,7 +94,7 @@ fn a_pair_that_was_refused_gets_its_arbiter_once_it_is_accepted() {
 }
 
 #[test]
-fn a_pair_that_has_an_arbiter_and_is_refused_is_separated_and_both_sides_are_told() {
+fn refusing_a_pair_with_an_arbiter_reports_a_separation_to_both_sides() {
     for broad in BROAD_PHASES {
         let (mut simulator, _, [floor, geom]) = box_on_floor(broad);
         simulator.update(DT);
@@ -114,7 +113,7 @@ fn a_pair_that_has_an_arbiter_and_is_refused_is_separated_and_both_sides_are_tol
 }
 
 #[test]
-fn a_pair_that_comes_back_after_a_refusal_brings_no_old_impulses() {
+fn a_pair_accepted_again_has_no_old_impulses() {
     let (mut simulator, ..) = box_on_floor(BroadPhaseCollider::SelectiveSweep);
     simulator.update(DT);
     assert!(simulator.arbiter(0).unwrap().contacts().next().unwrap().normal_impulse() > 0.0);
@@ -127,7 +126,7 @@ fn a_pair_that_comes_back_after_a_refusal_brings_no_old_impulses() {
 }
 
 #[test]
-fn the_filter_is_not_asked_about_boxes_that_are_apart() {
+fn the_filter_is_not_called_for_separate_boxes() {
     for broad in BROAD_PHASES {
         let mut simulator = simulator_with(0.0, faithful(broad, NarrowPhaseCollider::DistanceGrid));
         add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
@@ -139,7 +138,7 @@ fn the_filter_is_not_asked_about_boxes_that_are_apart() {
 }
 
 #[test]
-fn the_filter_is_not_asked_about_pairs_that_may_not_collide() {
+fn the_filter_is_not_called_for_pairs_that_may_not_collide() {
     for broad in BROAD_PHASES {
         let (mut simulator, _, [floor, geom]) = box_on_floor(broad);
         simulator.ignore_collision_with(floor, geom).unwrap();
@@ -150,7 +149,7 @@ fn the_filter_is_not_asked_about_pairs_that_may_not_collide() {
 }
 
 #[test]
-fn the_filter_is_asked_about_a_new_pair_after_the_broad_phase_callback() {
+fn the_filter_is_called_for_a_new_pair_after_the_broad_phase_callback() {
     for broad in BROAD_PHASES {
         let (mut simulator, _, geoms) = box_on_floor(broad);
         let mut filter = Filter { handles_broad_phase: true, ..Filter::default() };
@@ -164,7 +163,7 @@ fn the_filter_is_asked_about_a_new_pair_after_the_broad_phase_callback() {
 }
 
 #[test]
-fn the_filter_is_not_asked_about_a_new_pair_that_the_broad_phase_callback_refuses() {
+fn the_filter_is_not_called_for_a_new_pair_that_the_broad_phase_callback_refuses() {
     for broad in BROAD_PHASES {
         let (mut simulator, ..) = box_on_floor(broad);
         let mut filter = Filter { handles_broad_phase: true, refuses_broad_phase: true, ..Filter::default() };
@@ -229,7 +228,7 @@ fn a_filter_sees_the_simulator_with_its_lists_and_its_broad_phase() {
 }
 
 #[test]
-fn a_callback_makes_sensors_and_lets_geoms_ignore_each_other() {
+fn a_callback_can_make_sensors_and_ignored_pairs() {
     let (mut simulator, body, [floor, geom]) = box_on_floor(BroadPhaseCollider::SelectiveSweep);
     simulator.context().set_is_sensor(geom, true).unwrap();
     assert!(simulator.geom(geom).unwrap().is_sensor() && simulator[body].is_static());
@@ -243,7 +242,7 @@ fn a_callback_makes_sensors_and_lets_geoms_ignore_each_other() {
 }
 
 #[test]
-fn settling_lets_geoms_follow_and_tells_the_handler() {
+fn settling_updates_geom_transforms_and_calls_the_handler() {
     #[derive(Default)]
     struct Updates(Vec<BodyId>);
     impl EventHandler for Updates {
@@ -264,7 +263,7 @@ fn settling_lets_geoms_follow_and_tells_the_handler() {
 }
 
 #[test]
-fn a_geom_tells_its_offsets() {
+fn the_offsets_of_a_geom_are_readable() {
     let mut simulator = simulator(0.0);
     let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(3.0, 4.0));
     let placement = GeomPlacement { offset: v(5.0, -6.0), rotation_offset: 0.5, ..Default::default() };
@@ -291,7 +290,7 @@ fn objects_are_listed_from_the_update_after_they_are_added_until_that_after_they
 }
 
 #[test]
-fn all_that_lives_is_enumerated_in_slot_order() {
+fn live_objects_are_enumerated_in_slot_order() {
     let mut simulator = simulator(0.0);
     let made: Vec<_> =
         (0..4).map(|i| add_box(&mut simulator, (10.0, 10.0), v(50.0 * i as f32, 0.0))).collect();
@@ -318,7 +317,7 @@ fn an_object_is_disposed_at_once_and_for_ever() {
 }
 
 #[test]
-fn friction_combines_as_it_is_chosen() {
+fn friction_combines_by_the_chosen_type() {
     let mut simulator = simulator(0.0);
     assert_eq!(simulator.mix_friction(0.25, 0.75), 0.5);
     simulator.set_friction_type(FrictionType::Minimum);

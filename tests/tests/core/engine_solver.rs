@@ -1,10 +1,10 @@
-//! Engines that solve contacts of their own between the passes of the solver: arbiters left to them, and bodies in the
+//! Engines that solve contacts of their own between the iterations of the solver: arbiters left to them, and bodies in the
 //! solver.
 
 use conformance::fixtures::plane::{
     add_box, add_floor, body_bits, faithful_methods, lively_scene, not_finite, simulator, state, v,
 };
-use farseer_core::{BodyId, PhysicsSimulator, SolverBody, SolverPlace};
+use farseer_core::{BodyId, PhysicsSimulator, SolverBody, SolverBodyIndex};
 
 const DT: f32 = 0.01;
 
@@ -16,7 +16,7 @@ fn box_on_floor() -> (PhysicsSimulator, BodyId) {
     (simulator, body)
 }
 
-/// An update in stages: something is done before the pre-step, and something in every iteration.
+/// An update in stages, with one function before the pre-step, and one in every iteration.
 fn run(
     simulator: &mut PhysicsSimulator,
     before: impl FnOnce(&mut PhysicsSimulator),
@@ -40,7 +40,7 @@ fn leave_all(simulator: &mut PhysicsSimulator) {
 }
 
 #[test]
-fn bodies_fall_through_what_is_left_to_an_engine_that_does_nothing() {
+fn bodies_fall_through_contacts_that_an_engine_does_not_solve() {
     let (mut simulator, body) = box_on_floor();
     for _ in 0..10 {
         run(&mut simulator, leave_all, |_| {});
@@ -118,7 +118,7 @@ fn impulses_that_are_not_finite_or_have_no_contact_are_refused() {
 }
 
 #[test]
-fn bodies_have_a_place_in_the_solver_only_between_pre_step_and_integrate() {
+fn bodies_have_a_solver_index_only_between_pre_step_and_integration() {
     let mut simulator = simulator(0.0);
     let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     let (stale, _) = add_box(&mut simulator, (10.0, 10.0), v(50.0, 0.0));
@@ -141,7 +141,7 @@ fn bodies_have_a_place_in_the_solver_only_between_pre_step_and_integrate() {
 }
 
 #[test]
-fn a_body_made_after_the_pre_step_gets_a_place_as_well() {
+fn a_body_made_after_the_pre_step_gets_a_solver_index_as_well() {
     let mut simulator = simulator(0.0);
     let (_, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     run(
@@ -176,11 +176,11 @@ fn bodies_taken_into_the_solver_and_written_back_keep_every_bit() {
     }
 }
 
-/// One update in which something is done to a body in the solver once.
+/// One update in which a function acts on a body in the solver once.
 fn act_on(
     simulator: &mut PhysicsSimulator,
     body: BodyId,
-    act: impl FnOnce(&mut PhysicsSimulator, SolverPlace),
+    act: impl FnOnce(&mut PhysicsSimulator, SolverBodyIndex),
 ) {
     let mut act = Some(act);
     run(
@@ -250,7 +250,7 @@ fn the_core_solves_with_the_velocities_that_the_engine_sets() {
 }
 
 #[test]
-fn a_body_given_velocities_that_are_not_finite_keeps_what_it_had_and_is_disabled() {
+fn non_finite_solver_velocities_keep_the_old_state_and_disable_the_body() {
     for spoil in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         for component in 0..6 {
             let mut simulator = simulator(0.0);
@@ -277,7 +277,7 @@ fn a_body_given_velocities_that_are_not_finite_keeps_what_it_had_and_is_disabled
 }
 
 #[test]
-fn a_body_that_the_engine_calls_failed_keeps_what_it_had_and_is_disabled() {
+fn a_body_that_the_engine_marks_as_failed_keeps_its_state_and_is_disabled() {
     let mut simulator = simulator(0.0);
     let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     simulator[body].set_linear_velocity(v(1.0, 0.0));
@@ -303,7 +303,7 @@ fn a_static_body_that_failed_is_reported_and_stays_enabled() {
 }
 
 #[test]
-fn a_place_that_is_out_of_date_does_no_harm() {
+fn a_stale_solver_index_has_no_effect() {
     let mut simulator = simulator(0.0);
     let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     let mut old = None;

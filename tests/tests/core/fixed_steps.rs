@@ -21,7 +21,7 @@ fn updates_are_due_when_their_time_has_passed() {
 }
 
 #[test]
-fn what_is_left_of_a_frame_is_a_part_of_the_next_update() {
+fn the_rest_of_a_frame_is_part_of_the_next_update() {
     let mut clock = clock_of(16);
     clock.advance(milliseconds(20));
     assert_eq!(clock.interpolation(), 0.25);
@@ -148,8 +148,8 @@ fn a_full_turn_is_no_jump() {
     assert!(simulator[body].revolutions() > 2);
 }
 
-/// The rotations of the poses of a body whose angle the game sets before every update, in between: first those after
-/// the first update, 0, a third, a half and the whole of the way.
+/// The interpolated rotations of a body whose angle the game sets before every update: those after the first update, at 0, a
+/// third, a half and all of the interval.
 fn set_rotations(angles: &[f32]) -> Vec<f32> {
     let mut simulator = simulator(0.0);
     let body = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0).unwrap();
@@ -165,16 +165,16 @@ fn set_rotations(angles: &[f32]) -> Vec<f32> {
     rotations
 }
 
-/// How far an angle is from another, but for whole turns. Totals here are below 32, where floats are 2e-6 apart.
+/// Difference of two angles, up to full turns. Totals here are below 32, where floats are 2e-6 apart.
 fn assert_same_direction(angle: f32, other: f32) {
     use std::f64::consts::TAU;
     let turns = f64::from(angle - other) / TAU;
     approx::assert_abs_diff_eq!((turns - turns.round()) * TAU, 0.0, epsilon = 1e-5);
 }
 
-/// Setting a negative angle takes a whole turn off the total every time.
+/// Setting a negative angle takes a full turn off the total every time.
 #[test]
-fn a_body_that_is_set_to_the_same_angle_in_every_update_stands_still() {
+fn a_body_set_to_the_same_angle_in_every_update_has_a_constant_pose() {
     for rotation in set_rotations(&[-0.5; 4]) {
         assert_same_direction(rotation, -0.5);
     }
@@ -189,7 +189,7 @@ fn a_body_that_is_set_to_an_angle_turns_the_short_way() {
 }
 
 #[test]
-fn a_marked_body_jumps_and_others_glide() {
+fn a_teleported_body_is_not_interpolated_and_others_are() {
     let (mut simulator, body) = flying();
     let mut interpolation = BodyInterpolation::new();
     let x = |interpolation: &BodyInterpolation| interpolation.pose(body, 0.5).unwrap().position.x;
@@ -215,7 +215,7 @@ fn a_new_body_is_drawn_where_it_is() {
 }
 
 #[test]
-fn a_body_that_left_has_no_pose_and_comes_back_without_a_glide() {
+fn a_removed_body_has_no_pose_and_returns_without_interpolation() {
     let (mut simulator, body) = flying();
     let mut interpolation = BodyInterpolation::new();
     step(&mut simulator, &mut interpolation);

@@ -28,7 +28,7 @@ fn run(simulator: &mut PhysicsSimulator, steps: usize) {
 }
 
 #[test]
-fn a_body_falls_with_as_much_of_gravity_as_its_scale_says() {
+fn a_body_falls_with_its_gravity_scale() {
     for mut simulator in both() {
         for scale in [0.5_f32, 2.0, -1.0, 0.0] {
             let body = add_free_box(&mut simulator);
@@ -43,7 +43,7 @@ fn a_body_falls_with_as_much_of_gravity_as_its_scale_says() {
 }
 
 #[test]
-fn a_scale_of_nothing_is_as_ignoring_gravity() {
+fn a_gravity_scale_of_zero_equals_ignoring_gravity() {
     for mut simulator in both() {
         let (scaled, ignoring) = (add_free_box(&mut simulator), add_free_box(&mut simulator));
         simulator[scaled].set_gravity_scale(0.0);
@@ -70,7 +70,7 @@ fn ignoring_gravity_counts_more_than_a_scale() {
 }
 
 #[test]
-fn a_scale_that_is_not_finite_is_refused_and_told() {
+fn a_non_finite_gravity_scale_is_refused_and_reported() {
     for mut simulator in both() {
         let body = add_free_box(&mut simulator);
         simulator[body].set_gravity_scale(0.25);
@@ -96,7 +96,7 @@ fn a_scale_is_copied_cloned_and_saved() {
 }
 
 #[test]
-fn what_gravity_leaves_alone_touches_no_floor_that_it_does_not_reach() {
+fn a_body_without_gravity_does_not_touch_a_floor_below_it() {
     let [_, mut precise] = both();
     add_floor(&mut precise, (400.0, 20.0), v(0.0, 10.0));
     // Gravity would bring it 0.089 px further in a step.

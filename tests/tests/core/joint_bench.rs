@@ -1,4 +1,4 @@
-//! Joints on a bench: passes one by one, as the behaviour chapter drives the original's.
+//! Joints on a bench: iterations one by one, as the behaviour chapter drives the original's.
 
 use conformance::units::{assert_bits, assert_words, floats};
 use farseer_core::math::Vector2;
@@ -53,7 +53,7 @@ pub(crate) fn add_body(
     body
 }
 
-/// A joint and its bodies, without gravity and in no hurry.
+/// A joint and its bodies, without gravity, for single iterations.
 pub(crate) struct Bench {
     pub(crate) simulator: PhysicsSimulator,
     pub(crate) bodies: Vec<BodyId>,

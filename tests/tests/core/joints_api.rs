@@ -58,7 +58,7 @@ fn springs_are_at_rest_where_they_are_made() {
 }
 
 #[test]
-fn joints_and_springs_take_part_once_they_are_added() {
+fn joints_and_springs_act_once_they_are_added() {
     let (mut simulator, a, b) = two_bodies();
     let s = &mut simulator;
     let joint = JointFactory::create_pin_joint(s, a, v(0.0, 0.0), b, v(0.0, 0.0)).unwrap();
@@ -130,7 +130,7 @@ fn assert_refused<T: std::fmt::Debug>(result: Result<T>, expected: &str) {
 }
 
 #[test]
-fn what_is_not_finite_is_refused_by_the_name_of_its_argument() {
+fn non_finite_arguments_are_refused_by_name() {
     let (mut simulator, a, b) = two_bodies();
     for number in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         for (make, argument) in JOINTS {
@@ -165,7 +165,7 @@ fn stale_bodies_are_refused() {
 }
 
 #[test]
-fn a_joint_is_found_as_what_it_is_only() {
+fn a_joint_is_found_by_its_own_type_only() {
     let (mut simulator, a, b) = two_bodies();
     let joint = JointFactory::create_angle_joint(&mut simulator, a, b).unwrap();
     assert_eq!(simulator.joint_as::<AngleJoint>(joint).unwrap().body2(), b);
@@ -179,7 +179,7 @@ fn a_joint_is_found_as_what_it_is_only() {
 }
 
 #[test]
-fn setters_refuse_what_is_not_finite_and_keep_what_they_had() {
+fn setters_refuse_non_finite_numbers_and_keep_the_old_value() {
     let (mut simulator, a, b) = two_bodies();
     let joint =
         JointFactory::create_slider_joint(&mut simulator, a, v(0.0, 0.0), b, v(0.0, 0.0), 1.0, 2.0).unwrap();
@@ -197,7 +197,7 @@ fn setters_refuse_what_is_not_finite_and_keep_what_they_had() {
 
 /// The local anchor is where the point of the world is on the body at that moment.
 #[test]
-fn a_moved_anchor_is_held_from_where_the_bodies_are() {
+fn a_moved_anchor_constrains_the_bodies_at_their_present_poses() {
     let (mut simulator, a, b) = two_bodies();
     let makes: [MakesJoint; 3] = [
         |s, a, b, x| JointFactory::create_revolute_joint_in(s, a, b, v(x, 3.0)),
@@ -229,7 +229,7 @@ fn a_moved_local_anchor_is_in_the_world_at_once() {
     simulator.set_joint_anchor2(joint, v(-1.0, 0.75)).unwrap();
     let pin = simulator.joint_as::<PinJoint>(joint).unwrap();
     assert_eq!((pin.anchor1(), pin.anchor2()), (v(0.5, 0.25), v(-1.0, 0.75)));
-    // The turned anchor plus the position here, the whole matrix at once there: a rounding each.
+    // Here the rotated anchor plus the position, there all of the matrix at once: a rounding each.
     let distance =
         |body: BodyId, local, world: Vector2| (simulator[body].get_world_position(local) - world).norm();
     assert!(distance(a, v(0.5, 0.25), pin.world_anchor1()) < 1e-6);
@@ -238,7 +238,7 @@ fn a_moved_local_anchor_is_in_the_world_at_once() {
 }
 
 #[test]
-fn joints_without_the_anchor_say_what_has_it() {
+fn joints_without_an_anchor_name_the_kinds_with_one() {
     let (mut simulator, a, b) = two_bodies();
     let joint = JointFactory::create_fixed_angle_joint(&mut simulator, a).unwrap();
     let refusals = [
@@ -271,7 +271,7 @@ fn a_joint_and_a_spring_can_be_given_to_other_bodies() {
     assert_eq!(simulator.set_joint_body1(joint, b), Err(Error::StaleId { argument: "body" }));
 }
 
-/// Both places of a joint or spring may be the same body: it has nothing to hold then.
+/// Both ends of a joint or spring may be the same body: it has no effect then.
 #[test]
 fn a_body_can_be_joined_to_itself() {
     let (mut simulator, a, _) = two_bodies();
@@ -285,16 +285,16 @@ fn a_body_can_be_joined_to_itself() {
     for _ in 0..10 {
         simulator.update(0.01);
     }
-    // Impulses to and fro on one velocity: what is left is rounding.
+    // Opposite impulses on one velocity: the difference is rounding.
     let change = simulator[a].linear_velocity() - v(1.0, -2.0);
     assert!(change.norm() < 1e-5, "{change}");
     assert!(plane::is_finite(&simulator));
 }
 
-/// Adds a joint that the next update fills with what is not finite.
+/// Adds a joint whose values become infinite or NaN in the next update.
 type MakesOverflow = fn(&mut PhysicsSimulator, BodyId, BodyId) -> Result<JointId>;
 
-/// By what overflows, and whether an event tells of it. The first body turns by an eighth before the update.
+/// Joints that overflow, and whether an event reports it. The first body turns by an eighth before the update.
 const OVERFLOWS: [(&str, bool, MakesOverflow); 13] = [
     ("the length of a pin joint", true, |s, a, b| {
         s[b].set_position(v(0.0, 0.0));
@@ -365,7 +365,7 @@ fn with_softness(
     Ok(joint)
 }
 
-/// What a joint makes anew in every update may overflow; what it is made from is finite all the same.
+/// Values that a joint computes in every update may overflow; its parameters are finite all the same.
 #[test]
 fn joints_that_overflow_are_saved_and_loaded_to_the_bit() {
     for (what, is_told, make) in OVERFLOWS {

@@ -1,5 +1,5 @@
-//! What holds for every joint and every spring, whatever the bodies: momentum between two free bodies, the state of
-//! rest, breaking, being disabled and going with a body.
+//! Properties of every joint and every spring, for any bodies: momentum between two free bodies, the state of rest, breaking,
+//! being disabled and removal with a body.
 
 use crate::joint_bench::Log;
 use crate::link_scenes::{self, DT, Kind, Link, Scene, check};
@@ -7,11 +7,11 @@ use conformance::fixtures::plane::{self, state, v};
 use farseer_core::{Event, PhysicsSimulator, WeldJoint};
 use proptest::prelude::*;
 
-/// Rounding errors of a momentum after a second, in terms of what the bodies carried at most. Measured are 1e-6 for
+/// Rounding errors of a momentum after a second, as a fraction of the greatest momentum of the bodies. Measured are 1e-6 for
 /// momentum and 2e-6 times the arms for angular momentum.
 const ROUNDING: f64 = 1e-5;
 
-/// Updates for a second, and gives the greatest size of what the bodies carried.
+/// Updates for a second, and returns the greatest momentum of the bodies.
 fn run(scene: &mut Scene) -> f64 {
     let mut scale = scene.scale();
     for _ in 0..60 {
@@ -55,7 +55,7 @@ fn keeps_angular_momentum(kind: Kind) {
     });
 }
 
-fn leaves_linear_velocities_alone(kind: Kind) {
+fn keeps_linear_velocities(kind: Kind) {
     check(|setup| {
         let mut scene = Scene::moving(kind, setup);
         run(&mut scene);
@@ -84,9 +84,9 @@ properties! { keeps_linear_momentum {
     a_linear_spring_keeps_linear_momentum: LinearSpring;
 }}
 
-properties! { leaves_linear_velocities_alone {
-    an_angle_joint_leaves_linear_velocities_alone: Angle;
-    an_angle_spring_leaves_linear_velocities_alone: AngleSpring;
+properties! { keeps_linear_velocities {
+    an_angle_joint_keeps_linear_velocities: Angle;
+    an_angle_spring_keeps_linear_velocities: AngleSpring;
 }}
 
 // Not the revolute and the weld joint, for which see below.
@@ -99,7 +99,7 @@ properties! { keeps_angular_momentum {
     an_undamped_angle_spring_keeps_angular_momentum: AngleSpring;
 }}
 
-/// The impulses act at two points that are as far apart as the error says.
+/// The impulses act at two points whose distance is the error.
 #[test]
 fn a_revolute_joint_changes_angular_momentum_by_its_error_times_its_impulse_at_most() {
     check(|setup| {
@@ -116,7 +116,7 @@ fn a_revolute_joint_changes_angular_momentum_by_its_error_times_its_impulse_at_m
     });
 }
 
-/// So angular momentum is not kept.
+/// So angular momentum is not conserved.
 #[test]
 fn the_pull_at_the_point_of_a_weld_joint_does_not_turn_the_first_body() {
     check(|setup| {
@@ -131,12 +131,12 @@ fn the_pull_at_the_point_of_a_weld_joint_does_not_turn_the_first_body() {
     });
 }
 
-/// From rest, with drag, for some seconds; drag takes away what the correction leaves in the free directions.
+/// From rest, with drag, for some seconds; drag removes the motion of the correction in the free directions.
 fn comes_to_rest(kind: Kind, tolerance: f32) {
     check(|setup| {
         let mut setup = setup.clone();
         if matches!(kind, Kind::LinearSpring | Kind::FixedLinearSpring) {
-            // Along the line of the springs only: they do not brake what swings about it.
+            // Along the line of the springs only: they do not damp swings about it.
             setup.anchors = [[0.0; 2]; 2];
         }
         let mut scene = Scene::new(kind, &setup);
@@ -222,8 +222,8 @@ properties! { breaks_once {
     a_linear_spring_breaks_once_beyond_its_breakpoint: LinearSpring;
 }}
 
-/// Disabled it does nothing, disposed it is not there, and both are the same to the bodies, which go straight on.
-fn rests_when_disabled(kind: Kind) {
+/// A disabled joint has no effect, a disposed one does not exist, and the bodies move straight on with both.
+fn has_no_effect_when_disabled(kind: Kind) {
     check(|setup| {
         let mut disabled = Scene::moving(kind, setup);
         disabled.set_enabled(false);
@@ -249,7 +249,7 @@ fn rests_when_disabled(kind: Kind) {
 
 /// After a save in the middle of a run every kind goes on with the same bits.
 #[test]
-fn what_is_loaded_goes_on_as_what_was_saved() {
+fn a_loaded_simulator_equals_the_saved_one() {
     check(|setup| {
         for kind in Kind::ALL {
             let mut scene = Scene::moving(kind, setup);
@@ -271,7 +271,7 @@ fn what_is_loaded_goes_on_as_what_was_saved() {
 }
 
 /// A correction or force that would be infinite is not applied, and the link works again when its settings allow it.
-fn is_out_of_an_update_that_would_not_be_finite(kind: Kind) {
+fn does_not_act_when_it_overflows(kind: Kind) {
     check(|setup| {
         let setup = link_scenes::Setup { violation: 2.0, ..setup.clone() };
         let mut scene = Scene::moving(kind, &setup);
@@ -297,7 +297,7 @@ fn is_out_of_an_update_that_would_not_be_finite(kind: Kind) {
 }
 
 // Not the joints and springs whose impulse or torque is limited to the greatest number there is.
-properties! { is_out_of_an_update_that_would_not_be_finite {
+properties! { does_not_act_when_it_overflows {
     an_angle_limit_joint_does_not_act_when_it_overflows: AngleLimit;
     a_fixed_angle_limit_joint_does_not_act_when_it_overflows: FixedAngleLimit;
     a_fixed_revolute_joint_does_not_act_when_it_overflows: FixedRevolute;
@@ -310,7 +310,7 @@ properties! { is_out_of_an_update_that_would_not_be_finite {
 }}
 
 /// Whichever of its bodies is disposed.
-fn goes_with_its_body(kind: Kind) {
+fn is_removed_with_its_body(kind: Kind) {
     check(|setup| {
         for which in 0..2 {
             let mut scene = Scene::moving(kind, setup);
@@ -331,34 +331,34 @@ fn goes_with_its_body(kind: Kind) {
     });
 }
 
-properties! { rests_when_disabled {
-    a_disabled_angle_joint_rests: Angle;
-    a_disabled_angle_limit_joint_rests: AngleLimit;
-    a_disabled_fixed_angle_joint_rests: FixedAngle;
-    a_disabled_fixed_angle_limit_joint_rests: FixedAngleLimit;
-    a_disabled_fixed_revolute_joint_rests: FixedRevolute;
-    a_disabled_pin_joint_rests: Pin;
-    a_disabled_revolute_joint_rests: Revolute;
-    a_disabled_slider_joint_rests: Slider;
-    a_disabled_weld_joint_rests: Weld;
-    a_disabled_angle_spring_rests: AngleSpring;
-    a_disabled_fixed_angle_spring_rests: FixedAngleSpring;
-    a_disabled_fixed_linear_spring_rests: FixedLinearSpring;
-    a_disabled_linear_spring_rests: LinearSpring;
+properties! { has_no_effect_when_disabled {
+    a_disabled_angle_joint_has_no_effect: Angle;
+    a_disabled_angle_limit_joint_has_no_effect: AngleLimit;
+    a_disabled_fixed_angle_joint_has_no_effect: FixedAngle;
+    a_disabled_fixed_angle_limit_joint_has_no_effect: FixedAngleLimit;
+    a_disabled_fixed_revolute_joint_has_no_effect: FixedRevolute;
+    a_disabled_pin_joint_has_no_effect: Pin;
+    a_disabled_revolute_joint_has_no_effect: Revolute;
+    a_disabled_slider_joint_has_no_effect: Slider;
+    a_disabled_weld_joint_has_no_effect: Weld;
+    a_disabled_angle_spring_has_no_effect: AngleSpring;
+    a_disabled_fixed_angle_spring_has_no_effect: FixedAngleSpring;
+    a_disabled_fixed_linear_spring_has_no_effect: FixedLinearSpring;
+    a_disabled_linear_spring_has_no_effect: LinearSpring;
 }}
 
-properties! { goes_with_its_body {
-    an_angle_joint_goes_with_its_body: Angle;
-    an_angle_limit_joint_goes_with_its_body: AngleLimit;
-    a_fixed_angle_joint_goes_with_its_body: FixedAngle;
-    a_fixed_angle_limit_joint_goes_with_its_body: FixedAngleLimit;
-    a_fixed_revolute_joint_goes_with_its_body: FixedRevolute;
-    a_pin_joint_goes_with_its_body: Pin;
-    a_revolute_joint_goes_with_its_body: Revolute;
-    a_slider_joint_goes_with_its_body: Slider;
-    a_weld_joint_goes_with_its_body: Weld;
-    an_angle_spring_goes_with_its_body: AngleSpring;
-    a_fixed_angle_spring_goes_with_its_body: FixedAngleSpring;
-    a_fixed_linear_spring_goes_with_its_body: FixedLinearSpring;
-    a_linear_spring_goes_with_its_body: LinearSpring;
+properties! { is_removed_with_its_body {
+    an_angle_joint_is_removed_with_its_body: Angle;
+    an_angle_limit_joint_is_removed_with_its_body: AngleLimit;
+    a_fixed_angle_joint_is_removed_with_its_body: FixedAngle;
+    a_fixed_angle_limit_joint_is_removed_with_its_body: FixedAngleLimit;
+    a_fixed_revolute_joint_is_removed_with_its_body: FixedRevolute;
+    a_pin_joint_is_removed_with_its_body: Pin;
+    a_revolute_joint_is_removed_with_its_body: Revolute;
+    a_slider_joint_is_removed_with_its_body: Slider;
+    a_weld_joint_is_removed_with_its_body: Weld;
+    an_angle_spring_is_removed_with_its_body: AngleSpring;
+    a_fixed_angle_spring_is_removed_with_its_body: FixedAngleSpring;
+    a_fixed_linear_spring_is_removed_with_its_body: FixedLinearSpring;
+    a_linear_spring_is_removed_with_its_body: LinearSpring;
 }}

@@ -1,4 +1,4 @@
-//! Bodies that the game moves and nothing pushes.
+//! Bodies that the game moves and no contact moves.
 
 use approx::assert_abs_diff_eq;
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
@@ -49,7 +49,7 @@ fn run(simulator: &mut PhysicsSimulator, steps: usize) {
 }
 
 #[test]
-fn a_kinematic_body_goes_on_with_its_velocity_whatever_acts_on_it() {
+fn forces_and_contacts_do_not_change_the_velocity_of_a_kinematic_body() {
     for mut simulator in both() {
         let (body, _) = add_kinematic(&mut simulator, (100.0, 10.0), 0.0, 0.0);
         add_crate(&mut simulator, 0.0, -50.0);
@@ -128,7 +128,7 @@ fn only_kinematic_bodies_have_targets_and_only_finite_ones() {
 }
 
 #[test]
-fn a_target_beyond_all_velocities_disables_the_body_where_it_was() {
+fn an_overflowing_target_disables_the_body_at_its_old_pose() {
     for mut simulator in both() {
         let (body, _) = add_kinematic(&mut simulator, (10.0, 10.0), 3.0, 4.0);
         simulator.update(DT);
@@ -235,7 +235,7 @@ fn a_platform_carries_a_crate_by_friction() {
 }
 
 #[test]
-fn a_turning_platform_takes_what_lies_on_it_along() {
+fn a_turning_platform_carries_its_load() {
     let mut simulator = precise();
     let (platform, _) = add_kinematic(&mut simulator, (400.0, 10.0), 0.0, 0.0);
     let rider = add_crate(&mut simulator, 100.0, -21.0);
@@ -305,7 +305,7 @@ fn a_ball_leaves_a_bat_that_turns_with_twice_the_speed_of_where_it_was_hit_more(
         set_surface(&mut simulator, of_ball, 0.0, 1.0);
         simulator[ball].set_linear_drag_coefficient(0.0);
         simulator[ball].set_linear_velocity(v(0.0, 200.0));
-        // It comes after 0.45 s: then the bat is level.
+        // It arrives after 0.45 s: then the bat is level.
         simulator[bat].set_rotation(0.45);
         simulator[bat].set_angular_velocity(-1.0);
         while simulator[ball].linear_velocity().y > 0.0 {

@@ -1,4 +1,4 @@
-//! What enters, leaves and is disposed, also in odd orders: nothing panics, and nothing refers to what is gone.
+//! Addition, removal and disposal, also in odd orders: no call panics, and no id refers to a removed object.
 
 use conformance::fixtures::plane::{
     add_box, add_floor, faithful, faithful_methods, is_finite, methods, pairs, simulator, simulator_with, v,
@@ -12,7 +12,7 @@ fn a_disposed_geom_may_be_moved_to_another_body() {
     let (other, _) = add_box(&mut simulator, (10.0, 10.0), v(50.0, 0.0));
     simulator.update(0.01);
     simulator.dispose(geom).unwrap();
-    // Refused or not, the other body must not be left with a geom that is gone.
+    // Refused or not, the other body must not have a disposed geom.
     let _ = simulator.set_body(geom, other);
     simulator.update(0.01);
     simulator[other].set_position(v(60.0, 0.0));
@@ -54,7 +54,7 @@ fn geom_of_a_lost_body() -> (farseer_core::PhysicsSimulator, Option<farseer_core
 }
 
 #[test]
-fn a_geom_attached_to_a_disposed_body_goes_with_it() {
+fn a_geom_attached_to_a_disposed_body_is_removed_with_it() {
     let (simulator, geom) = geom_of_a_lost_body();
     assert!(geom.is_none_or(|geom| simulator.geom(geom).is_none()));
     assert!(simulator.geom_list().is_empty());
@@ -89,7 +89,7 @@ fn a_geom_of_a_lost_body_may_get_another_body() {
 }
 
 #[test]
-fn what_leaves_between_two_stages_does_no_harm() {
+fn removals_between_two_stages_are_safe() {
     for methods in faithful_methods() {
         let mut simulator = simulator_with(100.0, methods);
         let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
@@ -124,7 +124,7 @@ fn a_disposed_id_stays_stale_when_its_slot_is_used_again() {
 }
 
 #[test]
-fn an_object_that_waits_may_be_disposed() {
+fn a_pending_object_may_be_disposed() {
     for methods in methods() {
         let mut simulator = simulator_with(0.0, methods);
         let (body, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));

@@ -1,4 +1,4 @@
-//! No small input takes minutes or gigabytes: what a simulator may cost, and what costs no more than it must.
+//! No small input takes minutes or gigabytes: limits of a simulator's cost, and cheap cases that must stay cheap.
 
 use conformance::fixtures::plane::{
     BROAD_PHASES, add_box, add_circle, add_floor, faithful, simulator, simulator_with, state, v,
@@ -13,10 +13,10 @@ use serde_json::{Value, json};
 use std::time::Instant;
 use twohalf::{SavedTwoHalfSimulator, TwoHalfPhysicsSimulator};
 
-/// For what would take minutes, and takes a tenth of a second.
+/// Seconds for a call that would take minutes without limits, and takes a tenth of a second.
 const DEADLINE_SECONDS: f32 = 20.0;
 
-/// Nodes times vertices of the grid of a square of 100 with cells of 1.
+/// Number of nodes times vertices of the grid of a square of 100 with cells of 1.
 const SQUARE_WORK: u64 = 101 * 101 * 4;
 
 fn limited(grid_work: u64, total_grid_work: u64) -> Limits {
@@ -27,7 +27,7 @@ fn corners(size: f32) -> Vertices {
     Vertices::create_simple_rectangle(size, size).unwrap()
 }
 
-/// A square of about 100, with cells of 1. Those of different `shift` have different grids of equal work.
+/// A square of about 100, with cells of 1. Squares of different `shift` have different grids of equal work.
 fn add_square(simulator: &mut PhysicsSimulator, shift: u8) -> Result<GeomId, Error> {
     let body = simulator.create_body(Body::new());
     let square = corners(100.0 - f32::from(shift) * 0.001);
@@ -48,7 +48,7 @@ fn exceeded(limit: &'static str, needed: u64, allowed: u64) -> Error {
 }
 
 #[test]
-fn a_grid_beyond_its_limit_is_refused_and_nothing_changes() {
+fn a_grid_beyond_its_limit_is_refused_without_effect() {
     let mut simulator = simulator(0.0);
     simulator.set_limits(limited(SQUARE_WORK - 1, u64::MAX));
     let body = simulator.create_body(Body::new());
@@ -93,7 +93,7 @@ fn all_grids_together_stay_within_their_limit() {
 }
 
 #[test]
-fn churn_does_not_use_the_limit_of_all_grids_up() {
+fn churn_does_not_exhaust_the_limit_of_all_grids() {
     let mut simulator = simulator(0.0);
     simulator.set_limits(limited(SQUARE_WORK, SQUARE_WORK * 3));
     for round in 0..200 {
@@ -103,7 +103,7 @@ fn churn_does_not_use_the_limit_of_all_grids_up() {
     }
 }
 
-/// What is refused must not depend on who else is alive.
+/// A refusal must not depend on other simulators.
 #[test]
 fn grids_that_only_a_clone_has_count_as_if_there_were_no_clone() {
     let outcomes = [true, false].map(|keeps_clone| {
@@ -120,7 +120,7 @@ fn grids_that_only_a_clone_has_count_as_if_there_were_no_clone() {
     assert_eq!(outcomes, [[true, false, true, true]; 2]);
 }
 
-/// What ordinary games need: the scenes that the original was recorded with.
+/// The cost of ordinary games: the scenes that the original was recorded with.
 #[test]
 fn recorded_scenes_need_a_fiftieth_of_the_limits() {
     let files = std::fs::read_dir(conformance::golden::folder()).expect("the folder is there");
@@ -270,7 +270,7 @@ fn a_handler_that_accepts_every_pair_of_brute_force_makes_no_search_of_each() {
 }
 
 #[test]
-fn an_update_with_nothing_to_solve_makes_no_passes() {
+fn an_update_without_constraints_makes_no_iterations() {
     let mut simulator = simulator(100.0);
     simulator.set_iterations(i32::MAX);
     simulator.update(0.01);
@@ -280,7 +280,7 @@ fn an_update_with_nothing_to_solve_makes_no_passes() {
 }
 
 #[test]
-fn passes_beyond_the_limit_are_not_made() {
+fn iterations_beyond_the_limit_are_not_made() {
     let run = |iterations, limit| {
         let mut simulator = simulator(100.0);
         simulator.set_iterations(iterations);
@@ -296,7 +296,7 @@ fn passes_beyond_the_limit_are_not_made() {
 }
 
 #[test]
-fn a_joint_alone_is_something_to_solve() {
+fn a_single_joint_is_solved() {
     let mut simulator = simulator(100.0);
     let (one, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     let (two, _) = add_box(&mut simulator, (10.0, 10.0), v(50.0, 0.0));
@@ -306,7 +306,7 @@ fn a_joint_alone_is_something_to_solve() {
 }
 
 #[test]
-fn what_only_the_25d_engine_solves_is_solved() {
+fn contacts_of_the_25d_engine_alone_are_solved() {
     let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, v(0.0, 100.0)).unwrap();
     simulator.set_depth_scheme(twohalf::DepthScheme::Faithful).unwrap();
     simulator.set_iterations(9);
@@ -338,7 +338,7 @@ fn many_objects_leave_in_one_update() {
                 (body, geom)
             })
             .collect();
-        // No step: only what enters and leaves.
+        // No step: only addition and removal.
         simulator.update(0.0);
         let start = Instant::now();
         for &(body, geom) in made.iter().rev().skip(1) {
@@ -433,7 +433,7 @@ fn snapshots_do_not_grow_while_an_object_is_used_again_and_again() {
     }
 }
 
-/// Nothing is swept out of lists while no step is made.
+/// Lists are not compacted while no step is made.
 #[test]
 fn snapshots_do_not_grow_while_objects_come_and_go_in_a_pause() {
     for methods in methods_of_grids() {

@@ -1,4 +1,4 @@
-//! Two bodies and a joint or spring of each kind between them, for what must hold whatever the bodies are.
+//! Two bodies and a joint or spring of each kind between them, for properties that hold for any bodies.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -11,7 +11,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRu
 use crate::joint_bench::add_body;
 use conformance::fixtures::plane::{self, v};
 
-/// Cases per property and kind.
+/// Number of cases per property and kind.
 const CASES: u32 = 64;
 pub(crate) const DT: f32 = 1.0 / 60.0;
 
@@ -77,9 +77,9 @@ pub(crate) struct Setup {
     pub(crate) first: ([f32; 2], f32),
     /// Distance and direction from the first, rotation.
     pub(crate) second: (f32, f32, f32),
-    /// Velocity x, y and angular velocity.
+    /// Velocity x, y in length units/s and angular velocity in rad/s.
     pub(crate) velocities: [[f32; 3]; 2],
-    /// Local, within 0.7 of the middle of the body.
+    /// Local, within 0.7 of the middle of the body, in length units.
     pub(crate) anchors: [[f32; 2]; 2],
     pub(crate) violation: f32,
     /// Stiffness and damping.
@@ -221,7 +221,7 @@ impl Scene {
         self.bodies.into_iter().map(momentum).sum()
     }
 
-    /// Sum of what the bodies carry, whatever its direction: the scale of rounding errors. Arms are below 10.
+    /// Sum of the absolute momenta of the bodies: the scale of rounding errors. Arms are below 10.
     pub(crate) fn scale(&self) -> f64 {
         let size = |body: BodyId| {
             let body = &self.simulator[body];

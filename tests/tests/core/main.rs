@@ -1,4 +1,4 @@
-//! The 2D engine: the checks of the behaviour chapters, and what must hold beside them.
+//! The 2D engine: the checks of the behaviour chapters, and further properties.
 
 mod box_not_finite;
 mod chapter_02_bodies;
@@ -30,6 +30,7 @@ mod engine_hooks;
 mod engine_solver;
 mod event_log;
 mod fixed_steps;
+mod former_names;
 mod gravity_scale;
 mod handlers;
 mod joint_bench;

@@ -41,7 +41,7 @@ fn the_body_follows_the_mouse_until_it_is_released() {
             mouse.drag(&mut simulator, v(200.0, 120.0)).unwrap();
             simulator.update(0.01);
         }
-        // A damping of 50 where 20 is critical: it comes near with a rate of 2.1 per second, for six seconds.
+        // A damping of 50 where 20 is critical: it approaches with a rate of 2.1 per second, for six seconds.
         assert!(
             (simulator[body].position() - v(200.0, 120.0)).norm() < 1.0,
             "{:?}",
@@ -73,7 +73,7 @@ fn empty_space_is_not_picked() {
 }
 
 #[test]
-fn picking_again_lets_go_of_what_was_held() {
+fn picking_again_releases_the_held_body() {
     for methods in both_sets() {
         let (mut simulator, ..) = scene(methods);
         let mut mouse = MousePicker::default();
@@ -101,7 +101,7 @@ fn a_static_body_is_held_but_stays() {
 }
 
 #[test]
-fn a_body_that_goes_is_forgotten() {
+fn a_removed_body_is_released() {
     for methods in both_sets() {
         let (mut simulator, body, _) = scene(methods);
         let mut mouse = MousePicker::default();
@@ -129,7 +129,7 @@ fn the_line_runs_from_the_body_to_the_mouse() {
 }
 
 #[test]
-fn a_picker_saved_with_the_simulator_lets_go_after_loading() {
+fn a_picker_saved_with_the_simulator_releases_after_loading() {
     for methods in both_sets() {
         let (mut simulator, ..) = scene(methods);
         let mut mouse = MousePicker::default();
@@ -185,7 +185,7 @@ fn a_spring_of_the_game_is_not_released() {
 }
 
 #[test]
-fn what_is_forgotten_is_left_as_it_is() {
+fn forgetting_the_body_leaves_the_simulator_unchanged() {
     for methods in both_sets() {
         let (mut simulator, ..) = scene(methods);
         let mut mouse = MousePicker::default();
@@ -210,7 +210,7 @@ fn a_saved_picker_without_finite_constants_is_refused() {
 }
 
 #[test]
-fn a_mouse_that_is_nowhere_is_refused() {
+fn a_non_finite_mouse_position_is_refused() {
     for methods in both_sets() {
         let (mut simulator, ..) = scene(methods);
         let mut mouse = MousePicker::default();

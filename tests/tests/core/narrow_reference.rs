@@ -81,7 +81,7 @@ fn add(simulator: &mut PhysicsSimulator, random: &mut Random, centre: (f32, f32)
     geom
 }
 
-/// Pairs of random geoms, of which `edit` changes the first or puts another one in its place before they meet.
+/// Pairs of random geoms, of which `edit` changes the first or replaces it by another one before they meet.
 fn pairs_touch_as_plain(edit: impl Fn(&mut PhysicsSimulator, &mut Random, GeomId) -> GeomId) {
     let mut touching = 0;
     for seed in 0..1500 {
@@ -111,13 +111,13 @@ fn pairs_touch_as_plain(edit: impl Fn(&mut PhysicsSimulator, &mut Random, GeomId
 }
 
 #[test]
-fn geoms_touch_as_if_every_vertex_were_looked_up() {
+fn contacts_equal_those_of_a_test_of_every_vertex() {
     pairs_touch_as_plain(|_, _, geom| geom);
 }
 
 /// The grid stays that of the old outline, however far that reaches beyond the new one.
 #[test]
-fn geoms_with_a_new_outline_touch_as_if_every_vertex_were_looked_up() {
+fn contacts_of_geoms_with_a_new_outline_equal_those_of_a_test_of_every_vertex() {
     pairs_touch_as_plain(|simulator, random, geom| {
         let new = Vertices::create_rectangle(random.between(2.0, 12.0), random.between(2.0, 12.0)).unwrap();
         simulator.set_vertices(geom, new).unwrap();
@@ -130,7 +130,7 @@ fn geoms_with_a_new_outline_touch_as_if_every_vertex_were_looked_up() {
 
 /// A matrix of the user's, which shears and scales, lasts until the body moves.
 #[test]
-fn geoms_with_a_matrix_touch_as_if_every_vertex_were_looked_up() {
+fn contacts_of_geoms_with_a_matrix_equal_those_of_a_test_of_every_vertex() {
     pairs_touch_as_plain(|simulator, random, geom| {
         simulator.process_added_and_removed();
         let mut matrix: Matrix = simulator.geom(geom).unwrap().matrix();
@@ -143,7 +143,7 @@ fn geoms_with_a_matrix_touch_as_if_every_vertex_were_looked_up() {
 
 /// A clone shares the grid of its source, whose outline may be another one by then.
 #[test]
-fn clones_of_geoms_with_a_new_outline_touch_as_if_every_vertex_were_looked_up() {
+fn contacts_of_clones_with_a_new_outline_equal_those_of_a_test_of_every_vertex() {
     pairs_touch_as_plain(|simulator, random, geom| {
         let new = Vertices::create_circle(random.between(2.0, 9.0), 9).unwrap();
         simulator.set_vertices(geom, new).unwrap();

@@ -1,15 +1,15 @@
-//! Extreme numbers: nothing panics, no body becomes infinite, and nobody else notices.
+//! Extreme numbers: no call panics, no body becomes infinite, and other bodies keep their bits.
 
 use conformance::fixtures::plane::{
     Random, add_box, add_circle, add_floor, body_bits, body_is_finite, faithful, is_finite, lively_scene,
     methods, not_finite, simulator_with, state, v,
 };
 use farseer_core::{
-    Body, BodyId, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, IslandChoice, Methods,
-    NarrowPhaseCollider, PhysicsSimulator,
+    Body, BodyId, BroadPhaseCollider, Event, GeomFactory, GeomPlacement, Methods, NarrowPhaseCollider,
+    PhysicsSimulator, SolverChoice,
 };
 
-/// What a body is given that it cannot bear.
+/// An extreme setting of a body.
 type Extreme = (&'static str, fn(&mut PhysicsSimulator, BodyId));
 
 fn set_friction(simulator: &mut PhysicsSimulator, body: BodyId, value: f32) {
@@ -50,7 +50,7 @@ const EXTREMES: [Extreme; 18] = [
     }),
 ];
 
-/// Two touching bodies in the first place, and far away a pile that has nothing to do with them.
+/// Two touching bodies that come first, and far away a pile that is independent of them.
 fn pair_and_pile(methods: Methods) -> (PhysicsSimulator, [BodyId; 2]) {
     let mut simulator = simulator_with(100.0, methods);
     let (a, _) = add_box(&mut simulator, (20.0, 20.0), v(-5000.0, 0.0));
@@ -84,7 +84,7 @@ fn bodies_given_extreme_numbers_stay_finite() {
     }
 }
 
-/// Whoever fails is disabled and reported in the same update; nobody else is disabled.
+/// A body that fails is disabled and reported in the same update; no other one is disabled.
 #[test]
 fn a_body_is_disabled_exactly_when_it_is_reported() {
     for methods in methods() {
@@ -116,9 +116,9 @@ fn simulator_bodies(simulator: &PhysicsSimulator) -> Vec<BodyId> {
     simulator.body_list().to_vec()
 }
 
-/// The pile is solved after the bad pair or before it, but never together with it. What depends on all geoms at once
-/// is only the order in which independent pairs are solved, which changes no bit; and, with the precise set, the update in which
-/// islands are asked whether they are solved as a whole: here none is.
+/// The pile is solved after the bad pair or before it, but never together with it. Two facts depend on all geoms at once. One
+/// is the order in which independent pairs are solved, which changes no bit. The other, with the precise set, is the update in
+/// which the solver of each island is chosen: here none goes to the direct solver.
 #[test]
 fn bodies_far_from_a_bad_pair_keep_the_bits_they_have_without_it() {
     for methods in methods() {
@@ -126,7 +126,7 @@ fn bodies_far_from_a_bad_pair_keep_the_bits_they_have_without_it() {
             let (mut with, pair) = pair_and_pile(methods);
             let (mut without, _) = pair_and_pile(methods);
             for simulator in [&mut with, &mut without] {
-                simulator.set_island_choice(IslandChoice::Passes);
+                simulator.set_solver_choice(SolverChoice::Iterative);
             }
             pair.into_iter().for_each(|body| give(&mut with, body));
             for step in 0..60 {
@@ -183,7 +183,7 @@ fn a_body_disabled_as_not_finite_may_be_enabled_again() {
     }
 }
 
-/// A number of any size, sign and kind that a setter takes.
+/// A number of any size, sign and kind that a setter accepts.
 fn any_number(random: &mut Random) -> f32 {
     match random.below(6) {
         0 => random.between(-10.0, 10.0),
@@ -298,7 +298,7 @@ fn random_scenes_of_extreme_numbers_stay_finite() {
                 }
                 for event in simulator.events() {
                     if let Event::NotFinite { body, disabled } = *event {
-                        // Of several that the precise set puts back it disables the fastest.
+                        // Of several bodies that the precise set restores, it disables the fastest.
                         let is_pardoned = methods == Methods::PRECISE && !disabled;
                         let is_right = is_pardoned || disabled != simulator[body].is_static();
                         assert!(is_right, "{methods:?} seed {seed} step {step}");

@@ -1,4 +1,4 @@
-//! Physics that must hold whatever the bits are: momentum, energy, friction.
+//! Laws of physics that do not depend on bits: momentum, energy, friction.
 
 use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, both_sets, simulator_with, v};
 use farseer_core::math::Vector2;
@@ -45,10 +45,12 @@ fn momentum(simulator: &PhysicsSimulator, bodies: &[BodyId]) -> [f64; 2] {
     [sum(|v| v.x), sum(|v| v.y)]
 }
 
-/// Every impulse is rounded three times on each side (times the normal, times 1/m, and the sum) by half an ulp of what
-/// it changes. Masses are 4 at most, velocities stay below 512, so one impulse changes the momentum by at most
-/// 2 sides * 3 roundings * 4 * 512 * 2^-24; an update has 2 * 4 contacts * 6 passes of them, and 1/m itself is off by
-/// half an ulp, which adds as much again.
+/// Bound of the change of momentum per update, in mass units * length units/s.
+///
+/// Every impulse is rounded three times on each side (times the normal, times 1/m, and the sum) by half an ulp of the result.
+/// Masses are 4 at most, velocities stay below 512, so one impulse changes the momentum by at most 2 sides * 3 roundings * 4 *
+/// 512 * 2^-24. An update has 2 * 4 contacts * 6 iterations of them. 1/m itself is off by half an ulp, which adds as much
+/// again.
 const MOMENTUM_ERROR_PER_UPDATE: f64 = 2.0 * (2.0 * 3.0 * 4.0 * 512.0 / 16_777_216.0) * (8.0 * 6.0);
 
 #[test]
@@ -93,9 +95,9 @@ fn momentum_is_exchanged_in_a_collision() {
 
 /// A ball that falls on a floor, with restitution 1 on both.
 ///
-/// The height above the floor can grow without velocity only by position correction, which moves the ball by at most the
-/// depth of an overlap; with speed s that is s * dt at most per bounce. Velocity is integrated before position, which keeps
-/// the energy below that of the exact parabola.
+/// Only position correction raises the ball without velocity. It moves the ball by at most the depth of an overlap; with speed
+/// s that is s * dt at most per bounce. Velocity is integrated before position, which keeps the energy below that of the exact
+/// parabola.
 #[test]
 fn a_perfectly_elastic_ball_gains_no_more_energy_than_position_correction_gives() {
     const GRAVITY: f32 = 100.0;

@@ -1,4 +1,4 @@
-//! What polygon tools keep, whatever the outline: area, corners, directions (behaviour chapter 15).
+//! Invariants of polygon tools for any outline: area, corners, directions (behaviour chapter 15).
 
 use conformance::fixtures::plane::v;
 use farseer_core::math::Vector2;
@@ -6,7 +6,7 @@ use farseer_core::math::calculator::distance_between_point_and_line_segment;
 use farseer_core::shape::{PolyUnionError, PolygonCreationAssistance, Vertices, WindingOrder};
 use proptest::prelude::*;
 
-/// Twice the shoelace area, in double precision: exact for the whole numbers used here.
+/// Twice the shoelace area, in double precision: exact for the integers used here.
 fn doubled_area(outline: &[Vector2]) -> f64 {
     let [.., mut before] = *outline else { return 0.0 };
     let mut sum = 0.0;
@@ -21,7 +21,7 @@ fn cross(a: Vector2, b: Vector2) -> f64 {
     f64::from(a.x) * f64::from(b.y) - f64::from(a.y) * f64::from(b.x)
 }
 
-/// On which side of the line from `a` to `b` a point lies.
+/// The side of the line from `a` to `b` on which a point lies.
 fn side(a: Vector2, b: Vector2, p: Vector2) -> f64 {
     doubled_area(&[a, b, p])
 }
@@ -71,7 +71,7 @@ fn star(corners: std::ops::Range<usize>, radii: std::ops::Range<f32>) -> impl St
     })
 }
 
-/// Corners on a circle: whole numbers, so that areas are exact. Rounding may leave a dent.
+/// Corners on a circle: integers, so that areas are exact. Rounding may leave a dent.
 fn polygon_in_whole_numbers() -> impl Strategy<Value = Vertices> {
     let centre = (-60.0_f32..60.0, -60.0_f32..60.0);
     (star(3..9, 1.0..1.001), 40.0_f32..150.0, centre).prop_map(|(mut outline, radius, (x, y))| {
@@ -219,7 +219,7 @@ proptest! {
     }
 
     #[test]
-    fn results_are_simple_in_whole_numbers_and_wound_as_the_input((a, b, _, _) in crossing_pair()) {
+    fn results_are_simple_in_integers_and_wound_like_the_input((a, b, _, _) in crossing_pair()) {
         for outline in [a.union(&b), a.intersect(&b), a.subtract(&b)].map(Result::unwrap) {
             prop_assert!(is_simple(&outline), "{outline}");
             prop_assert_eq!(outline.round(), outline.clone());
@@ -246,7 +246,7 @@ fn anything() -> impl Strategy<Value = Vertices> {
 
 proptest! {
     #[test]
-    fn boolean_operations_end_with_whole_finite_numbers(a in anything(), b in anything()) {
+    fn boolean_operations_end_with_finite_integers(a in anything(), b in anything()) {
         for result in [a.union(&b), a.subtract(&b), a.intersect(&b)] {
             let outline = match result {
                 Ok(outline) => outline,
@@ -265,7 +265,7 @@ proptest! {
     }
 
     #[test]
-    fn whatever_is_triangulated_has_its_own_corners(outline in anything(), hole in anything()) {
+    fn triangles_have_the_corners_of_the_outline(outline in anything(), hole in anything()) {
         let tools = [outline.triangulate(WindingOrder::Clockwise), outline.cut_hole_in_shape(&hole).map(|o| (o, vec![]))];
         for tool in tools {
             match tool {
@@ -324,7 +324,7 @@ proptest! {
         prop_assert!(outline.iter().all(|&corner| image.is_solid_pixel(corner)));
         prop_assert!(doubled_area(outline) > 0.0);
         for pixel in solid_pixels(&image) {
-            // Measured: in 40,000 runs a few pixels were left out by more than the tolerance, by at most 2.3 of it.
+            // Measured: in 40,000 runs a few pixels were off by more than the tolerance, by at most 2.3 of it.
             let left_out = if encloses(outline, pixel) { 0.0 } else { distance_to_outline(outline, pixel) };
             prop_assert!(left_out <= 2.5 * hull_tolerance, "{pixel}: {left_out}");
         }

@@ -1,12 +1,12 @@
-//! The precise set: bridges of planks between two fixed points, a twentieth longer than the way between these.
+//! The precise set: bridges of planks between two fixed points, a twentieth longer than their distance.
 
 use conformance::fixtures::plane::{precise, v};
-use farseer_core::{BodyFactory, BodyId, IslandChoice, JointFactory, JointId, PhysicsSimulator};
+use farseer_core::{BodyFactory, BodyId, JointFactory, JointId, PhysicsSimulator, SolverChoice};
 
 /// Length of a plank in px.
 const PLANK: f32 = 32.0;
 const GRAVITY: f32 = 320.0;
-/// Half of the angle of an arc whose chord is a twentieth shorter: sin(a) / a = 0.95.
+/// Half of the angle in rad of an arc whose chord is a twentieth shorter: sin(a) / a = 0.95.
 const HALF_ANGLE: f32 = 0.5509;
 
 fn add_post(simulator: &mut PhysicsSimulator, [x, y]: [f32; 2]) -> BodyId {
@@ -58,16 +58,16 @@ fn bridges_of_any_length_have_no_gaps_from_the_first_update_on() {
     }
 }
 
-/// Soft joints stretch the bridge by some px in a second, spread over its length. Corrections that take all of that in one step turn
-/// planks by a radian, and open gaps of 30 px.
+/// Soft joints stretch the bridge by some px in a second, spread over its length. Corrections that take all of that in one step
+/// turn planks by a radian, and open gaps of 30 px.
 #[test]
 fn a_bridge_that_was_soft_is_closed_without_larger_gaps() {
     for planks in [40, 80] {
         let mut simulator = precise(GRAVITY);
         let joints = add_bridge(&mut simulator, planks);
-        simulator.set_island_choice(IslandChoice::Passes);
+        simulator.set_solver_choice(SolverChoice::Iterative);
         let soft = widest_gap(&mut simulator, &joints, 60.0, 60);
-        simulator.set_island_choice(IslandChoice::ByItself);
+        simulator.set_solver_choice(SolverChoice::Auto);
         let widest = widest_gap(&mut simulator, &joints, 60.0, 300);
         assert!(widest < 0.1 * PLANK, "{planks} planks: {soft} px become {widest} px");
     }

@@ -10,7 +10,7 @@ use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Outl
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
-/// Of all capsules here.
+/// Height of all capsules here in px.
 const HEIGHT: f32 = 60.0;
 const RADIUS: f32 = 12.0;
 
@@ -38,7 +38,7 @@ fn contacts(simulator: &PhysicsSimulator) -> Vec<(Vector2, Vector2, f32)> {
     simulator.arbiters().flat_map(|arbiter| arbiter.contacts().map(of).collect::<Vec<_>>()).collect()
 }
 
-/// What two things touch at that hang where they are.
+/// Contacts of two bodies that are fixed in the air.
 fn touches(simulator: &mut PhysicsSimulator) -> Vec<(Vector2, Vector2, f32)> {
     simulator.update(1e-6);
     contacts(simulator)
@@ -65,7 +65,7 @@ fn the_moment_of_inertia_of_a_capsule_is_that_of_its_area() {
 }
 
 #[test]
-fn a_capsule_that_cannot_be_is_refused_and_nothing_is_made() {
+fn an_invalid_capsule_is_refused_and_no_geom_is_made() {
     let mut simulator = precise(GRAVITY);
     let body = simulator.create_body(farseer_core::Body::new());
     let placement = GeomPlacement::default();
@@ -123,7 +123,7 @@ fn a_capsule_that_lies_slides_as_far_as_friction_says() {
     assert_abs_diff_eq!(simulator[body].position().x - start, distance, epsilon = 0.002);
 }
 
-/// Balanced, no friction: its middle is right above the point it stands on, whose height its radius gives.
+/// Balanced, without friction: its middle is straight above its contact point, at the height of its radius.
 #[test]
 fn a_capsule_stands_on_its_round_end_on_one_point() {
     let mut simulator = precise(GRAVITY);
@@ -136,8 +136,8 @@ fn a_capsule_stands_on_its_round_end_on_one_point() {
     assert_eq!(contacts(&simulator).len(), 1);
 }
 
-/// Without friction its middle falls straight down, and energy gives the spin: with the middle h = s cos(a) + r above the
-/// floor, s half of the core, m g s (cos a0 - cos a) = (I + m s^2 sin^2 a) w^2 / 2.
+/// Without friction its middle falls straight down, and energy gives the spin. The middle is h = s cos(a) + r above the floor,
+/// with s half of the core: m g s (cos a0 - cos a) = (I + m s^2 sin^2 a) w^2 / 2.
 #[test]
 fn a_capsule_that_stands_askew_falls_as_its_energy_says() {
     let mut simulator = precise(GRAVITY);
@@ -182,7 +182,7 @@ fn a_ball_rolls_over_a_capsule_as_over_a_floor() {
 }
 
 #[test]
-fn parallel_capsules_touch_where_both_are() {
+fn parallel_capsules_touch_along_their_common_length() {
     let mut simulator = precise(0.0);
     add_capsule(&mut simulator, v(0.0, 0.0), 0.0);
     add_capsule(&mut simulator, v(2.0 * RADIUS - 0.25, 10.0), 0.0);
@@ -226,26 +226,26 @@ fn the_end_of_a_capsule_touches_the_side_of_another() {
 }
 
 #[test]
-fn capsules_that_cross_are_pushed_apart() {
+fn crossing_capsules_separate() {
     let mut simulator = precise(0.0);
     let (one, _) = add_capsule(&mut simulator, v(0.0, 0.0), 0.0);
     let (other, _) = add_capsule(&mut simulator, v(8.0, 0.0), FRAC_PI_2);
     run(&mut simulator, 240);
     let apart = simulator[other].position() - simulator[one].position();
-    // Both have turned on their way out; what counts is that nothing of them overlaps any more.
+    // Both have turned on their way out; the test is that they do not overlap any more.
     assert!(contacts(&simulator).iter().all(|&(.., separation)| separation > -0.1));
     assert!(apart.x > 2.0 * RADIUS && apart.norm() < 300.0, "{apart}");
 }
 
-/// The shortest way from the corner to the core is the normal, whatever the angle.
+/// The normal is along the shortest segment from the corner to the core, at every angle.
 #[test]
-fn a_capsule_touches_the_corner_of_a_box_along_the_shortest_way() {
+fn a_capsule_touches_the_corner_of_a_box_along_the_shortest_segment() {
     for angle in [0.3_f32, FRAC_PI_2 / 2.0, 1.2] {
         let mut simulator = precise(0.0);
         add_floor(&mut simulator, (100.0, 100.0), v(0.0, 0.0));
         let outward = v(angle.cos(), -angle.sin());
         let corner = v(50.0, -50.0);
-        // It lies across the way, or points along it.
+        // It lies across the path, or points along it.
         for along in [0.0, FRAC_PI_2] {
             let mut simulator = simulator.clone();
             let reach = if along == 0.0 { RADIUS } else { 0.5 * HEIGHT };

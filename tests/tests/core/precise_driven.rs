@@ -1,4 +1,4 @@
-//! The precise set: what is driven slowly does not fall asleep, and what is stalled does.
+//! The precise set: slowly driven bodies do not fall asleep, and stalled ones do.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -74,7 +74,7 @@ fn a_slow_motor_turns_as_far_as_its_speed_says() {
 }
 
 #[test]
-fn a_motor_at_rest_at_its_limit_or_too_weak_lets_its_body_sleep() {
+fn the_body_of_a_motor_at_its_limit_or_too_weak_sleeps() {
     let mut simulator = precise(900.0);
     let (at_rest, _) = lever(&mut simulator, 0.0, 1e6);
     run(&mut simulator, 3.0);
@@ -91,7 +91,7 @@ fn a_motor_at_rest_at_its_limit_or_too_weak_lets_its_body_sleep() {
     run(&mut simulator, 10.0);
     assert!(simulator.joint_travel(joint).unwrap().abs() < 2e-3);
 
-    // Its left end down on a block, it presses on that.
+    // Its left end is down on a block, and loads that.
     let mut simulator = precise(900.0);
     let (blocked, joint) = lever(&mut simulator, 0.5, 3e4);
     add_static(&mut simulator, v(35.0, 20.0), [10.0, 20.0]);
@@ -101,7 +101,7 @@ fn a_motor_at_rest_at_its_limit_or_too_weak_lets_its_body_sleep() {
 }
 
 #[test]
-fn a_slow_prismatic_motor_moves_its_body_and_what_stands_on_it() {
+fn a_slow_prismatic_motor_moves_its_body_and_the_load_on_it() {
     let mut simulator = precise(900.0);
     let post = add_post(&mut simulator, v(0.0, 0.0));
     let table = add_box(&mut simulator, v(0.0, 0.0), [80.0, 10.0]);
@@ -115,7 +115,7 @@ fn a_slow_prismatic_motor_moves_its_body_and_what_stands_on_it() {
     assert!((simulator[on_it].position().y + 25.0).abs() < 0.1);
 }
 
-/// A floor with its top at y = 0 whose surface moves by so much per second, and a box of 20 on it.
+/// A floor with its top at y = 0 and a surface velocity, and a box of 20 on it.
 fn on_belt(speed: f32) -> (PhysicsSimulator, BodyId, BodyId) {
     let mut simulator = precise(900.0);
     let belt = add_static(&mut simulator, v(0.0, 20.0), [800.0, 40.0]);
@@ -138,7 +138,7 @@ fn a_slow_belt_carries_a_stack_as_far_as_its_speed_says() {
 }
 
 #[test]
-fn a_belt_that_starts_slowly_wakes_what_sleeps_on_it_and_one_that_stops_lets_it_sleep() {
+fn a_slowly_starting_belt_wakes_its_load_and_a_stopped_one_does_not_keep_it_awake() {
     let (mut simulator, belt, body) = on_belt(0.0);
     run(&mut simulator, 2.0);
     assert!(simulator.is_asleep(body));
@@ -160,7 +160,7 @@ fn a_wall_on_a_belt_holds_back_a_body_that_then_sleeps() {
 }
 
 #[test]
-fn a_slow_kinematic_body_takes_along_what_lies_on_it_and_hangs_on_it() {
+fn a_slow_kinematic_body_carries_the_bodies_on_it_and_joined_to_it() {
     let mut simulator = precise(900.0);
     let lift = add_box(&mut simulator, v(0.0, 5.0), [100.0, 10.0]);
     simulator[lift].set_is_kinematic(true);

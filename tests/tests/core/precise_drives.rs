@@ -11,7 +11,7 @@ use farseer_core::{
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
 
-/// A box without drag that meets nothing.
+/// A box without drag and without collisions.
 fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) -> BodyId {
     let (body, geom) = add_box(simulator, size, position);
     simulator[geom].set_collision_enabled(false);
@@ -20,7 +20,7 @@ fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) 
     body
 }
 
-/// A static box that meets nothing.
+/// A static box without collisions.
 fn post(simulator: &mut PhysicsSimulator, position: Vector2) -> BodyId {
     let (body, geom) = add_floor(simulator, (10.0, 10.0), position);
     simulator[geom].set_collision_enabled(false);
@@ -92,7 +92,7 @@ fn arm(part: f32) -> (PhysicsSimulator, BodyId, JointId, f32) {
 }
 
 #[test]
-fn a_motor_holds_an_arm_that_asks_for_less_than_its_greatest_torque() {
+fn a_motor_holds_an_arm_whose_load_is_below_its_greatest_torque() {
     let (mut simulator, body, joint, torque) = arm(1.01);
     run(&mut simulator, 120);
     assert_abs_diff_eq!(simulator[body].rotation(), 0.0, epsilon = 1e-5);
@@ -101,7 +101,7 @@ fn a_motor_holds_an_arm_that_asks_for_less_than_its_greatest_torque() {
 }
 
 #[test]
-fn a_motor_yields_to_an_arm_that_asks_for_more_with_exactly_its_greatest_torque() {
+fn a_motor_yields_to_a_greater_load_with_exactly_its_greatest_torque() {
     let (mut simulator, body, joint, torque) = arm(0.9);
     run(&mut simulator, 6);
     assert_abs_diff_eq!(simulator[joint].torque(), -0.9 * torque, epsilon = 1e-4 * torque);
@@ -111,7 +111,7 @@ fn a_motor_yields_to_an_arm_that_asks_for_more_with_exactly_its_greatest_torque(
 }
 
 #[test]
-fn a_motor_that_asks_for_too_much_breaks_its_joint() {
+fn a_motor_with_too_great_a_torque_breaks_its_joint() {
     let (mut simulator, _, joint, torque) = arm(1.1);
     simulator[joint].set_greatest_torque(0.5 * torque).unwrap();
     simulator.update(DT);
@@ -158,7 +158,7 @@ fn limits_count_from_the_angle_at_which_bodies_were_joined() {
 }
 
 #[test]
-fn what_slides_down_an_incline_gets_there_as_fast_as_it_falls_along_it() {
+fn a_prismatic_joint_on_an_incline_has_the_acceleration_of_gravity_along_it() {
     let mut simulator = precise(GRAVITY);
     let (body, joint) = slider(&mut simulator, v(0.866_025_4, 0.5));
     run(&mut simulator, 60);
@@ -167,7 +167,7 @@ fn what_slides_down_an_incline_gets_there_as_fast_as_it_falls_along_it() {
     assert_abs_diff_eq!(simulator[body].linear_velocity().norm(), GRAVITY * 0.5, epsilon = 1e-3);
     assert_abs_diff_eq!(simulator[body].rotation(), 0.0, epsilon = 1e-6);
     assert_abs_diff_eq!(simulator[joint].joint_error(), 0.0, epsilon = 1e-4);
-    // The rail bears what of the weight is across it.
+    // The rail carries the component of the weight across it.
     let weight = simulator[body].mass() * GRAVITY;
     assert_abs_diff_eq!(simulator[joint].force().norm(), weight * 0.866_025_4, epsilon = 1e-3 * weight);
 }
@@ -186,7 +186,7 @@ fn a_lift_goes_up_at_its_speed_and_stops_at_its_limit() {
     assert_abs_diff_eq!(simulator.joint_travel(joint).unwrap(), speed * (1.0 - 4.0 * DT), epsilon = 1e-3);
     run(&mut simulator, 60);
     assert_abs_diff_eq!(simulator.joint_travel(joint).unwrap(), 50.0, epsilon = 1e-3);
-    // The limit bears what the motor has left.
+    // The limit carries the rest of the load of the motor.
     assert_abs_diff_eq!(simulator[joint].force().y, -weight, epsilon = 1e-3 * weight);
     simulator.set_joint_motor(joint, motor(-speed, 2.0 * weight)).unwrap();
     run(&mut simulator, 30);
@@ -231,7 +231,7 @@ fn two_bodies_that_slide_on_each_other_while_they_turn_keep_momentum_and_energy(
             simulator.update(DT);
             let now = state(&simulator);
             for at in 0..4 {
-                // Roundings; energy swings about the true one besides. Measured: 5e-7 and 9e-7.
+                // Roundings; besides, energy oscillates about the true one. Measured: 5e-7 and 9e-7.
                 let bound = 2e-6 * before[at].abs().max(100.0);
                 eprintln!("slide {at} {:e}", (now[at] - before[at]).abs() / before[at].abs().max(100.0));
                 assert!((now[at] - before[at]).abs() < bound, "{step} {at}: {before:?} {now:?}");
@@ -263,7 +263,7 @@ fn engine() -> (PhysicsSimulator, [JointId; 4], [BodyId; 3]) {
 }
 
 #[test]
-fn the_head_of_a_piston_goes_where_its_crank_and_rod_say() {
+fn the_head_of_a_piston_follows_the_closed_form_of_crank_and_rod() {
     let (mut simulator, joints, [crank, _, head]) = engine();
     let mut worst: f32 = 0.0;
     for _ in 0..240 {
@@ -292,7 +292,7 @@ fn engines_go_on_with_the_same_bits_after_a_restore_in_every_step() {
 }
 
 #[test]
-fn motors_and_limits_that_mean_nothing_are_refused_and_change_nothing() {
+fn invalid_motors_and_limits_are_refused_without_effect() {
     let (mut simulator, joints, [crank, rod, _]) = engine();
     let before = simulator.snapshot();
     let axle = joints[0];
@@ -317,7 +317,7 @@ fn motors_and_limits_that_mean_nothing_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn the_faithful_set_refuses_what_it_cannot_solve_by_name() {
+fn the_faithful_set_refuses_unsupported_joints_by_name() {
     let mut simulator = simulator(GRAVITY);
     let post = post(&mut simulator, v(0.0, 0.0));
     let body = ghost(&mut simulator, (16.0, 8.0), v(0.0, 0.0));
@@ -334,7 +334,7 @@ fn the_faithful_set_refuses_what_it_cannot_solve_by_name() {
 }
 
 #[test]
-fn the_faithful_set_cannot_be_chosen_while_something_takes_part_that_it_does_not_have() {
+fn the_faithful_set_cannot_be_chosen_while_an_unsupported_feature_is_in_use() {
     let (mut simulator, joints, _) = engine();
     run(&mut simulator, 3);
     let before = simulator.snapshot();
@@ -350,7 +350,7 @@ fn the_faithful_set_cannot_be_chosen_while_something_takes_part_that_it_does_not
 }
 
 #[test]
-fn saves_with_such_joints_under_the_faithful_set_or_with_values_that_mean_nothing_are_refused() {
+fn saves_with_unsupported_joints_or_invalid_values_are_refused() {
     let (simulator, ..) = engine();
     let text = serde_json::to_string(&simulator).unwrap();
     assert!(serde_json::from_str::<PhysicsSimulator>(&text).is_ok());

@@ -1,4 +1,4 @@
-//! The precise set: shapes and places that are edited where something touches them, rests on them or sleeps.
+//! The precise set: shapes and positions that are edited while bodies touch them, rest on them or sleep.
 
 use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
@@ -92,7 +92,7 @@ fn a_box_that_is_halved_sinks_to_the_floor_awake_and_asleep_and_at_all_steps() {
 }
 
 #[test]
-fn a_floor_that_is_halved_lets_down_the_stack_that_rests_on_it() {
+fn the_stack_on_a_floor_sinks_when_the_floor_is_halved() {
     let (mut simulator, floor, (low, _)) = box_on_floor();
     let (high, _) = add_box(&mut simulator, v(0.0, -48.0), [32.0, 32.0]);
     run(&mut simulator, 2.0);
@@ -119,7 +119,7 @@ fn queries_see_a_new_outline_where_its_body_is_at_once() {
 }
 
 #[test]
-fn a_static_box_that_was_made_small_holds_nothing_where_it_was_and_a_large_one_all_where_it_is() {
+fn a_resized_static_box_supports_bodies_on_its_new_shape_alone() {
     for is_restored in [false, true] {
         let mut simulator = precise(900.0);
         let (_, shrunk) = add_static(&mut simulator, v(0.0, 20.0), [400.0, 40.0]);
@@ -179,7 +179,7 @@ fn a_box_that_grows_in_a_gap_pushes_its_neighbours_out_without_throwing_them() {
 }
 
 #[test]
-fn a_floor_that_grows_lifts_what_sleeps_on_it() {
+fn a_floor_that_grows_lifts_bodies_asleep_on_it() {
     let (mut simulator, floor, (body, _)) = box_on_floor();
     run(&mut simulator, 2.0);
     assert!(simulator.is_asleep(body));
@@ -189,7 +189,7 @@ fn a_floor_that_grows_lifts_what_sleeps_on_it() {
 }
 
 #[test]
-fn a_polygon_that_becomes_concave_a_triangle_or_a_polygon_again_is_solid_as_it_is() {
+fn a_polygon_that_changes_its_kind_of_outline_collides_with_its_new_outline() {
     // A valley whose ground is at y = 10 in the middle, of several convex pieces; a roof with its ridge at y = -20.
     let valley = [[-100.0, 0.0], [-40.0, 10.0], [40.0, 10.0], [100.0, 0.0], [100.0, 40.0], [-100.0, 40.0]];
     let roof = [[0.0, -20.0], [100.0, 20.0], [-100.0, 20.0]];
@@ -248,7 +248,7 @@ fn several_edits_in_one_frame_count_as_the_last_one() {
     reshape(&mut simulator, floor, [800.0, 20.0]);
     run(&mut simulator, 2.0);
     assert_y(&simulator, body, 2.0);
-    // And back within a frame: nothing wakes.
+    // A change that is undone within a frame wakes no body.
     assert!(simulator.is_asleep(body));
     reshape(&mut simulator, geom, [32.0, 80.0]);
     reshape(&mut simulator, geom, [32.0, 16.0]);
@@ -256,7 +256,7 @@ fn several_edits_in_one_frame_count_as_the_last_one() {
     assert!(simulator.is_asleep(body));
 }
 
-/// Halves a geom when it touches something.
+/// Halves a geom when it touches another one.
 struct Halves(GeomId, bool);
 
 impl EventHandler for Halves {
@@ -285,7 +285,7 @@ fn an_edit_in_a_callback_counts() {
 }
 
 #[test]
-fn a_disabled_body_that_was_edited_is_as_it_was_edited_once_it_is_enabled() {
+fn edits_of_a_disabled_body_count_once_it_is_enabled() {
     let (mut simulator, floor, (body, geom)) = box_on_floor();
     run(&mut simulator, 2.0);
     simulator[body].set_enabled(false);
@@ -299,7 +299,7 @@ fn a_disabled_body_that_was_edited_is_as_it_was_edited_once_it_is_enabled() {
 }
 
 #[test]
-fn a_sleeper_that_is_put_elsewhere_and_one_whose_floor_is_do_not_float() {
+fn a_sleeping_body_falls_if_it_or_its_floor_is_teleported() {
     let (mut simulator, floor, (body, _)) = box_on_floor();
     let other = add_box(&mut simulator, v(100.0, -16.0), [32.0, 32.0]).0;
     run(&mut simulator, 2.0);

@@ -1,4 +1,4 @@
-//! The precise set: what is told, asked and refused, and what settings mean.
+//! The precise set: events, callbacks and refusals, and the meaning of settings.
 
 use conformance::fixtures::plane::{Refuses, add_box, add_circle, add_floor, simulator, v};
 use farseer_core::{
@@ -23,10 +23,10 @@ fn falling_box() -> (PhysicsSimulator, GeomId, (BodyId, GeomId)) {
     (simulator, floor, thing)
 }
 
-/// How far it falls in two seconds if the floor is not there: g t^2 / 2 less what drag takes, k g t^3 / 6.
+/// Distance of the fall in px in two seconds without the floor: g t^2 / 2 less the loss by drag, k g t^3 / 6.
 const FALL: f32 = 0.5 * 320.0 * 4.0 - 0.001 * 320.0 * 8.0 / 6.0;
 
-/// Counts what it is asked and told.
+/// Counts the calls of the handler.
 #[derive(Default)]
 struct Counter {
     collisions: Vec<(GeomId, GeomId, usize)>,
@@ -69,7 +69,7 @@ fn collisions(simulator: &PhysicsSimulator) -> Vec<(GeomId, GeomId)> {
 }
 
 #[test]
-fn a_collision_is_an_event_for_both_sides_when_it_begins_and_no_more() {
+fn a_collision_is_an_event_for_both_sides_only_when_it_begins() {
     let (mut simulator, floor, (_, geom)) = falling_box();
     let mut told = Vec::new();
     for _ in 0..240 {
@@ -98,7 +98,7 @@ fn a_separation_is_an_event_for_both_sides_when_a_touch_ends() {
 }
 
 #[test]
-fn a_handler_is_asked_in_every_update_in_which_two_touch() {
+fn a_handler_is_called_in_every_update_of_a_contact() {
     let (mut simulator, floor, (_, geom)) = falling_box();
     (0..120).for_each(|_| simulator.update(DT));
     let mut counter = Counter::default();
@@ -108,7 +108,7 @@ fn a_handler_is_asked_in_every_update_in_which_two_touch() {
 }
 
 #[test]
-fn what_a_handler_refuses_or_takes_off_the_list_pushes_nothing() {
+fn refused_and_removed_contacts_exert_no_impulse() {
     for (refuses, drops) in [(true, false), (false, true)] {
         let (mut simulator, _, (body, _)) = falling_box();
         let mut counter = Counter { refuses, drops, ..Counter::default() };
@@ -120,7 +120,7 @@ fn what_a_handler_refuses_or_takes_off_the_list_pushes_nothing() {
 }
 
 #[test]
-fn pairs_that_a_handler_filters_out_push_nothing() {
+fn pairs_that_a_handler_filters_exert_no_impulse() {
     let (mut simulator, _, (body, _)) = falling_box();
     (0..120).for_each(|_| simulator.update_with(DT, &mut Refuses::Pairs));
     let fallen = simulator[body].position().y + 40.0;
@@ -128,7 +128,7 @@ fn pairs_that_a_handler_filters_out_push_nothing() {
 }
 
 #[test]
-fn a_sensor_hears_of_what_passes_and_pushes_nothing() {
+fn a_sensor_reports_passing_bodies_without_an_impulse() {
     let mut simulator = precise();
     let (_, sensor) = add_floor(&mut simulator, (400.0, 20.0), v(0.0, 50.0));
     simulator.set_is_sensor(sensor, true).unwrap();
@@ -149,7 +149,7 @@ fn a_sensor_hears_of_what_passes_and_pushes_nothing() {
 }
 
 #[test]
-fn categories_groups_and_ignored_pairs_decide_who_meets() {
+fn categories_groups_and_ignored_pairs_decide_which_geoms_collide() {
     let apart: [fn(&mut PhysicsSimulator, GeomId, GeomId); 3] = [
         |simulator, a, b| {
             for (geom, own) in [(a, CollisionCategory::CAT1), (b, CollisionCategory::CAT2)] {
@@ -184,7 +184,7 @@ fn categories_that_change_count_from_the_next_update_on() {
 }
 
 #[test]
-fn what_is_moved_disabled_or_made_static_is_so_in_the_next_update() {
+fn moving_disabling_and_making_static_count_in_the_next_update() {
     let (mut simulator, _, (body, geom)) = falling_box();
     (0..120).for_each(|_| simulator.update(DT));
     simulator[body].set_position(v(50.0, -200.0));
@@ -205,11 +205,11 @@ fn what_is_moved_disabled_or_made_static_is_so_in_the_next_update() {
 }
 
 #[test]
-fn bodies_that_stand_still_are_not_told_of() {
+fn bodies_at_rest_are_not_reported_as_moved() {
     let mut simulator = precise();
     simulator.set_gravity(v(0.0, 0.0)).unwrap();
     let (body, _) = add_box(&mut simulator, (20.0, 20.0), v(0.0, 0.0));
-    // The first update tells that it was put there.
+    // The first update reports that it was put there.
     (0..2).for_each(|_| simulator.update(DT));
     assert!(!simulator.events().contains(&Event::BodyUpdated { body }));
     simulator[body].set_linear_velocity(v(1.0, 0.0));
@@ -220,7 +220,7 @@ fn bodies_that_stand_still_are_not_told_of() {
 }
 
 #[test]
-fn geoms_are_where_their_body_is_whenever_somebody_looks() {
+fn geoms_are_at_the_pose_of_their_body_at_every_query() {
     let (mut simulator, _, (body, geom)) = falling_box();
     for _ in 0..30 {
         simulator.update(DT);
@@ -232,7 +232,7 @@ fn geoms_are_where_their_body_is_whenever_somebody_looks() {
 }
 
 #[test]
-fn what_the_precise_set_has_not_is_refused() {
+fn features_that_the_precise_set_lacks_are_refused() {
     let (mut simulator, _, (body, _)) = falling_box();
     (0..3).for_each(|_| simulator.update(DT));
     let error = simulator.set_broad_phase_collider(BroadPhaseCollider::BruteForce).unwrap_err();
@@ -246,7 +246,7 @@ fn what_the_precise_set_has_not_is_refused() {
 }
 
 #[test]
-fn velocities_without_end_disable_their_body_and_leave_the_others_alone() {
+fn infinite_velocities_disable_their_body_alone() {
     let (mut simulator, _, (other, _)) = falling_box();
     let (body, _) = add_box(&mut simulator, (32.0, 32.0), v(200.0, -40.0));
     simulator.update(DT);

@@ -1,4 +1,4 @@
-//! Under the precise set nothing passes through what stands still, and a bullet through nothing.
+//! Under the precise set no body passes through a static one, and a bullet through no body.
 
 use approx::assert_abs_diff_eq;
 use farseer_core::math::Vector2;
@@ -43,7 +43,7 @@ fn add_wall(simulator: &mut PhysicsSimulator, thickness: f32) -> (BodyId, GeomId
 }
 
 #[test]
-fn nothing_passes_through_a_wall_however_fast_it_is_and_thin_the_wall() {
+fn no_body_tunnels_through_a_wall_of_any_thickness_at_any_speed() {
     for thickness in [0.5, 4.0, 32.0] {
         for speed in [1e3, 1e4, 1e5, 1e6] {
             for is_ball in [true, false] {
@@ -82,7 +82,7 @@ fn a_body_bounces_off_a_wall_it_would_have_passed_with_the_speed_it_came_with() 
 }
 
 #[test]
-fn what_grazes_loses_no_speed() {
+fn a_grazing_body_loses_no_speed() {
     let mut simulator = simulator(0.0);
     // Slabs side by side, as a floor is made of.
     for i in 0..20 {
@@ -115,7 +115,7 @@ fn a_plank_that_spins_does_not_pass_a_wall() {
 }
 
 #[test]
-fn a_long_frame_leaves_nothing_below_a_floor() {
+fn a_long_frame_leaves_no_body_below_a_floor() {
     for frame in [0.25, 1.0] {
         let mut simulator = simulator(1000.0);
         let (floor, _) = add_box(&mut simulator, v(0.0, 10.0), (2000.0, 20.0));
@@ -158,7 +158,7 @@ fn in_long_frames_a_box_slides_as_far_as_in_short_ones() {
 }
 
 #[test]
-fn only_a_bullet_stops_at_what_can_be_pushed() {
+fn only_a_bullet_has_ccd_against_dynamic_bodies() {
     for is_bullet in [true, false] {
         let mut simulator = simulator(0.0);
         let (target, _) = add_box(&mut simulator, v(0.0, 0.0), (4.0, 40.0));
@@ -188,7 +188,7 @@ fn two_bullets_meet_in_the_middle() {
 }
 
 #[test]
-fn what_comes_towards_a_bullet_does_not_pass_where_it_is_stopped() {
+fn a_body_against_a_bullet_does_not_pass_its_point_of_impact() {
     let mut simulator = simulator(0.0);
     let [bullet, other] = [-1.0, 1.0].map(|side| {
         let (body, _) = add_ball(&mut simulator, v(155.0 * side, 0.0), 2.0);
@@ -204,7 +204,7 @@ fn what_comes_towards_a_bullet_does_not_pass_where_it_is_stopped() {
 }
 
 #[test]
-fn what_may_not_meet_a_wall_flies_through_it() {
+fn a_body_filtered_from_a_wall_flies_through_it() {
     let mut simulator = simulator(0.0);
     let (_, wall) = add_wall(&mut simulator, 4.0);
     let wall = simulator.geom_mut(wall).unwrap();
@@ -217,7 +217,7 @@ fn what_may_not_meet_a_wall_flies_through_it() {
 }
 
 #[test]
-fn a_one_sided_edge_lets_pass_what_comes_from_behind() {
+fn a_body_from_behind_passes_a_one_sided_edge() {
     for (from, passes) in [(-100.0, false), (100.0, true)] {
         let mut simulator = simulator(0.0);
         let points = [v(-100.0, 0.0), v(100.0, 0.0)];
@@ -232,7 +232,7 @@ fn a_one_sided_edge_lets_pass_what_comes_from_behind() {
     }
 }
 
-/// Counts what it is told, by sensor.
+/// Counts the events of each sensor.
 #[derive(Default)]
 struct Ears {
     begun: usize,
@@ -251,7 +251,7 @@ impl EventHandler for Ears {
 }
 
 #[test]
-fn a_sensor_hears_once_of_what_flies_through_it_in_one_step() {
+fn a_sensor_reports_once_a_body_that_crosses_it_in_one_step() {
     let mut simulator = simulator(0.0);
     let (_, sensor) = add_wall(&mut simulator, 4.0);
     simulator.geom_mut(sensor).unwrap().set_collision_response_enabled(false);
@@ -271,7 +271,7 @@ fn a_sensor_hears_once_of_what_flies_through_it_in_one_step() {
 }
 
 #[test]
-fn fast_things_go_on_with_the_same_bits_after_a_restore_in_every_step() {
+fn fast_bodies_go_on_with_the_same_bits_after_a_restore_in_every_step() {
     let mut simulator = simulator(300.0);
     add_wall(&mut simulator, 4.0);
     for i in 0..6 {

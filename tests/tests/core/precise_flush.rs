@@ -118,7 +118,7 @@ impl Row {
         v(along * cosine - below * sine, along * sine + below * cosine)
     }
 
-    /// As seen from the row: along, and below its surface.
+    /// A vector in the frame of the row: along it, and below its surface.
     fn seen(&self, vector: Vector2) -> Vector2 {
         let (sine, cosine) = self.angle.sin_cos();
         v(vector.x * cosine + vector.y * sine, vector.y * cosine - vector.x * sine)
@@ -150,7 +150,7 @@ fn slide(simulator: &mut PhysicsSimulator, row: &Row, mover: Mover, speed: f32, 
 }
 
 #[test]
-fn what_slides_along_a_row_of_tiles_keeps_its_speed_and_height() {
+fn a_slide_along_a_row_of_tiles_keeps_its_speed_and_height() {
     for mover in MOVERS {
         for (angle, length, is_reversed) in [(0.0, 32.0, false), (0.3, 97.0, true), (-0.7, 10.0, false)] {
             for (speed, dt) in [
@@ -181,7 +181,7 @@ fn what_slides_along_a_row_of_tiles_keeps_its_speed_and_height() {
 }
 
 #[test]
-fn what_slides_down_a_wall_of_tiles_falls_freely() {
+fn a_body_along_a_wall_of_tiles_falls_freely() {
     for mover in MOVERS {
         for sign in [-1.0, 1.0] {
             let mut simulator = simulator(v(300.0 * sign, GRAVITY));
@@ -212,7 +212,7 @@ fn what_slides_down_a_wall_of_tiles_falls_freely() {
 }
 
 #[test]
-fn what_slides_along_a_ceiling_of_tiles_keeps_its_speed() {
+fn a_slide_along_a_ceiling_of_tiles_keeps_its_speed() {
     for mover in MOVERS {
         let mut simulator = simulator(v(0.0, -GRAVITY));
         for column in -2..12 {
@@ -229,7 +229,7 @@ fn what_slides_along_a_ceiling_of_tiles_keeps_its_speed() {
 }
 
 #[test]
-fn in_an_inner_corner_of_tiles_everything_stops_at_the_wall() {
+fn in_an_inner_corner_of_tiles_all_shapes_stop_at_the_wall() {
     let foot = polygon(&[(4.0, -10.0), (12.0, 10.0), (-12.0, 10.0), (-4.0, -10.0)]);
     for speed in [20.0, 150.0, 900.0, 2500.0] {
         for (kind, mover) in MOVERS.into_iter().map(Some).chain([None]).enumerate() {
@@ -267,7 +267,7 @@ fn in_an_inner_corner_of_tiles_everything_stops_at_the_wall() {
             for step in 0..if speed < 100.0 { 800 } else { 200 } {
                 simulator.update(DT);
                 let deep = simulator[body].position().x + reach - wall;
-                // Without speculation what goes 2.5 px in a step stops up to 0.64 px early or late.
+                // Without speculation a body with 2.5 px per step stops up to 0.64 px early or late.
                 assert!(deep < 0.64, "mover {kind} at {speed}, step {step}: {deep} in the wall");
             }
             let at = simulator[body].position();
@@ -281,7 +281,7 @@ fn in_an_inner_corner_of_tiles_everything_stops_at_the_wall() {
 
 #[test]
 fn a_step_in_the_floor_stops_a_box_if_it_is_higher_than_half_a_px() {
-    // In one step a box is carried over a step lower than it goes in that: it is in by more than the step is high.
+    // In one step a box is carried over an edge that is lower than its motion in it: it overlaps by more than the edge is high.
     for (step, speeds) in [
         (0.1, &[60.0, 300.0, 1500.0]),
         (0.3, &[60.0, 300.0, 1500.0]),
@@ -310,10 +310,10 @@ fn a_step_in_the_floor_stops_a_box_if_it_is_higher_than_half_a_px() {
 }
 
 #[test]
-fn the_outer_edges_of_a_row_of_tiles_stay_edges() {
+fn the_outer_edges_of_a_row_of_tiles_collide() {
     for mover in MOVERS {
         for speed in [60.0, 600.0, 2500.0] {
-            // Against the end face of a row, beside which nothing is.
+            // Against the end face of a row, with no tile beside it.
             let mut simulator = simulator(v(0.0, 0.0));
             for column in 4..8 {
                 add_square(&mut simulator, column, 0);
@@ -327,7 +327,7 @@ fn the_outer_edges_of_a_row_of_tiles_stay_edges() {
             }
         }
     }
-    // A ball that goes over the last tile falls past its end face.
+    // A ball that passes the last tile falls past its end face.
     let mut simulator = world();
     for column in -2..4 {
         add_square(&mut simulator, column, 0);
@@ -340,7 +340,7 @@ fn the_outer_edges_of_a_row_of_tiles_stay_edges() {
 }
 
 #[test]
-fn where_rows_meet_at_an_angle_a_ball_takes_the_turn_as_on_one_surface() {
+fn a_ball_passes_an_angle_between_two_rows_as_on_one_surface() {
     for (bend, order) in [(0.26, false), (0.26, true), (-0.26, false), (0.1, true), (-0.1, false)] {
         // The first row falls by half of the bend, the second one rises by it; negative: a peak.
         let half_bend = 0.5 * bend;
@@ -360,7 +360,7 @@ fn where_rows_meet_at_an_angle_a_ball_takes_the_turn_as_on_one_surface() {
         simulator[body].set_linear_velocity(first.place(200.0, 0.0));
         (0..50).for_each(|_| simulator.update(DT));
         let speed = simulator[body].linear_velocity().norm();
-        // In a valley what goes into the second row is lost; at a peak it goes straight on.
+        // In a valley the velocity component into the second row is lost; at a peak the body goes straight on.
         let wanted = if bend > 0.0 { 200.0 * bend.cos() } else { 200.0 };
         assert!((speed - wanted).abs() < 1.0, "bend {bend}, reversed {order}: {speed}, not {wanted}");
     }
@@ -423,7 +423,7 @@ fn kinematic_tiles_that_move_alike_and_geoms_of_one_body_are_flush() {
 }
 
 #[test]
-fn a_chain_goes_on_as_a_row_of_tiles_and_the_row_as_a_chain() {
+fn the_seam_between_a_chain_and_a_row_of_tiles_is_smooth() {
     for mover in MOVERS {
         for sign in [-1.0, 1.0] {
             let mut simulator = world();
@@ -459,7 +459,7 @@ fn a_chain_goes_on_as_a_row_of_tiles_and_the_row_as_a_chain() {
 }
 
 #[test]
-fn what_lands_on_a_seam_stays_where_it_lands() {
+fn a_body_that_lands_on_a_seam_stays_there() {
     for mover in [Mover::Figure, Mover::Ball, Mover::Capsule] {
         for offset in [-10.01, -9.99, -0.3, 0.0, 0.2, 5.0, 9.99, 10.3] {
             for speed in [50.0, 400.0, 2500.0] {
@@ -479,7 +479,7 @@ fn what_lands_on_a_seam_stays_where_it_lands() {
 }
 
 #[test]
-fn what_is_put_into_the_ground_does_not_fall_through_it() {
+fn a_body_placed_in_the_ground_does_not_fall_through_it() {
     for deep in [5.0, 20.0, 47.0] {
         let mut simulator = world();
         for column in -3..4 {
@@ -504,7 +504,7 @@ impl EventHandler for Refuses {
 }
 
 #[test]
-fn a_tile_that_a_handler_refuses_hides_no_wall_of_its_neighbours() {
+fn a_refused_tile_hides_no_side_of_its_neighbours() {
     for speed in [-40.0, -20.0, 20.0, 40.0] {
         let mut simulator = world();
         let columns: Vec<BodyId> = (0..5).map(|column| add_square(&mut simulator, column, 0)).collect();
@@ -517,7 +517,7 @@ fn a_tile_that_a_handler_refuses_hides_no_wall_of_its_neighbours() {
         simulator[body].set_linear_velocity(v(speed, 0.0));
         for step in 0..60 {
             simulator.update_with(DT, &mut Refuses(hole));
-            // It is 20 wide in a shaft of 32; contacts give way by less than 0.05 px.
+            // It is 20 wide in a shaft of 32; contacts yield by less than 0.05 px.
             let aside = (simulator[body].position().x - 2.0 * TILE).abs();
             assert!(
                 aside < 6.0 + LEVEL || simulator[body].position().y < 0.0,

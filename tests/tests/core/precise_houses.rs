@@ -2,7 +2,7 @@
 
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, precise, v};
 use farseer_core::math::Vector2;
-use farseer_core::{BodyId, IslandMethod, PhysicsSimulator, WhyMethod};
+use farseer_core::{BodyId, IslandSolver, PhysicsSimulator, SolverReason};
 
 const GRAVITY: f32 = 320.0;
 /// Length and thickness of a card in px.
@@ -53,8 +53,8 @@ fn placed(simulator: &PhysicsSimulator, cards: Vec<BodyId>) -> Vec<(BodyId, Vect
     cards.into_iter().map(|card| (card, simulator[card].position())).collect()
 }
 
-/// Overlaps of 0.5 px and gaps of 1 px let a card of the highest storey move by some px on its way to rest, and by tens where the house
-/// topples.
+/// Greatest shift in px of a card of a standing house. Overlaps of 0.5 px and gaps of 1 px let a card of the highest storey
+/// move by some px on its way to rest, and by tens where the house topples.
 const STANDING_SHIFT: f32 = 8.0;
 
 #[test]
@@ -71,10 +71,10 @@ fn houses_of_two_to_six_storeys_stand() {
     }
 }
 
-/// Islands are asked for in every sixteenth update where more than 64 bodies are awake or some are fast; slipping friction is noticed at
-/// once.
+/// The solver of an island is chosen in every sixteenth update where more than 64 bodies are awake or some are fast; slipping
+/// friction is detected at once.
 #[test]
-fn houses_stand_beside_other_houses_and_what_moves() {
+fn houses_stand_beside_other_houses_and_moving_bodies() {
     let mut simulator = precise(GRAVITY);
     let houses: Vec<_> = (0..5).flat_map(|at| add_house(&mut simulator, 3, 400.0 * at as f32)).collect();
     let cards = placed(&simulator, houses);
@@ -87,7 +87,7 @@ fn houses_stand_beside_other_houses_and_what_moves() {
 
 /// Pyramids stand with the iterative solver as they are: no Newton step is spent on them.
 #[test]
-fn a_small_pyramid_is_left_to_the_iterative_solver() {
+fn a_small_pyramid_uses_the_iterative_solver() {
     let mut simulator = precise(GRAVITY);
     add_floor(&mut simulator, (3000.0, 100.0), v(0.0, 50.0));
     for row in 0..6_u8 {
@@ -99,7 +99,7 @@ fn a_small_pyramid_is_left_to_the_iterative_solver() {
     for update in 0..120 {
         simulator.update(1.0 / 60.0);
         let island = &simulator.islands()[0];
-        assert!(island.is_asleep || island.why == WhyMethod::TooSmall, "update {update}: {island:?}");
+        assert!(island.is_asleep || island.why == SolverReason::TooSmall, "update {update}: {island:?}");
     }
 }
 
@@ -121,5 +121,8 @@ fn a_house_goes_on_with_the_same_bits_after_a_restore_with_either_solver() {
         (0..5).for_each(|_| same.update(1.0 / 60.0));
         assert_eq!(state(&other), state(&same));
     }
-    assert!(methods.contains(&IslandMethod::Whole) && methods.contains(&IslandMethod::Passes), "{methods:?}");
+    assert!(
+        methods.contains(&IslandSolver::Direct) && methods.contains(&IslandSolver::Iterative),
+        "{methods:?}"
+    );
 }

@@ -1,15 +1,15 @@
-//! The precise set: what it tells of islands, and what the game may choose for them.
+//! The precise set: reports of islands, and the choice of their solver by the game.
 
 use conformance::fixtures::plane::{add_box, add_circle, add_floor, simulator, v};
 use farseer_core::{
-    BodyId, DebugShape, Island, IslandChoice, IslandMethod, JointFactory, Methods, PhysicsSimulator,
-    PhysicsSimulatorView, SpringFactory, WhyMethod,
+    BodyId, DebugShape, Island, IslandSolver, JointFactory, Methods, PhysicsSimulator, PhysicsSimulatorView,
+    SolverChoice, SolverReason, SpringFactory,
 };
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
 
-/// With a floor whose surface is at y = 0.
+/// A simulator with a floor whose surface is at y = 0.
 fn precise() -> PhysicsSimulator {
     let mut simulator = simulator(GRAVITY);
     simulator.set_methods(Methods::PRECISE).unwrap();
@@ -59,25 +59,25 @@ fn only(simulator: &PhysicsSimulator) -> Island {
     islands.into_iter().next().unwrap()
 }
 
-fn told(simulator: &PhysicsSimulator) -> (IslandMethod, WhyMethod) {
+fn told(simulator: &PhysicsSimulator) -> (IslandSolver, SolverReason) {
     let island = only(simulator);
     (island.method, island.why)
 }
 
 #[test]
-fn a_body_in_the_air_flies_and_costs_nothing_but_its_step() {
+fn a_body_in_the_air_is_ballistic_and_has_no_solver_cost() {
     let mut simulator = precise();
     add_box(&mut simulator, (32.0, 32.0), v(0.0, -500.0));
     run(&mut simulator, 3);
     let island = only(&simulator);
-    assert_eq!((island.method, island.why), (IslandMethod::Flight, WhyMethod::NothingTouches));
+    assert_eq!((island.method, island.why), (IslandSolver::Ballistic, SolverReason::NothingTouches));
     let cost = island.cost;
     assert_eq!((cost.rows, cost.joints, cost.parts, cost.newton_steps), (0, 0, 1, 0));
     assert_eq!(simulator.island_residual(&island), Default::default());
 }
 
 #[test]
-fn a_chain_in_the_air_swings_in_as_many_parts_as_it_asks_for() {
+fn a_chain_in_the_air_is_an_articulation_with_its_own_number_of_substeps() {
     let mut simulator = precise();
     add_chain(&mut simulator, 12);
     // It begins slowly, and is fast when it is through.
@@ -85,7 +85,10 @@ fn a_chain_in_the_air_swings_in_as_many_parts_as_it_asks_for() {
         .map(|_| {
             simulator.update(DT);
             let island = only(&simulator);
-            assert_eq!((island.method, island.why), (IslandMethod::Swing, WhyMethod::NothingTouches));
+            assert_eq!(
+                (island.method, island.why),
+                (IslandSolver::Articulated, SolverReason::NothingTouches)
+            );
             assert_eq!((island.cost.joints, island.bodies.len()), (12, 12));
             island.cost.parts
         })
@@ -96,7 +99,7 @@ fn a_chain_in_the_air_swings_in_as_many_parts_as_it_asks_for() {
 }
 
 #[test]
-fn the_gap_of_a_joint_is_told_as_it_is() {
+fn the_gap_of_a_joint_is_reported() {
     let mut simulator = precise();
     let bodies = add_chain(&mut simulator, 2);
     run(&mut simulator, 1);
@@ -105,13 +108,13 @@ fn the_gap_of_a_joint_is_told_as_it_is() {
     let place = simulator[bodies[1]].position();
     simulator[bodies[1]].set_position(place + v(0.0, 200.0));
     run(&mut simulator, 1);
-    // Of an error as great as this half a unit is undone in each substep.
+    // Half of a gap of one length unit is corrected in each substep.
     let left = gap(&simulator);
     assert!((200.0 - 4.0 * 16.0 - 1.0..200.0).contains(&left), "{left}");
 }
 
 #[test]
-fn the_gap_of_a_chain_that_sleeps_is_told_too() {
+fn the_gap_of_a_sleeping_chain_is_reported_too() {
     let mut simulator = precise();
     let bodies = add_chain(&mut simulator, 3);
     for (at, &body) in bodies.iter().enumerate() {
@@ -119,19 +122,19 @@ fn the_gap_of_a_chain_that_sleeps_is_told_too() {
         simulator[body].set_position(v(-500.0, -492.0 + 16.0 * at as f32));
     }
     run(&mut simulator, 60);
-    assert_eq!(told(&simulator), (IslandMethod::Asleep, WhyMethod::AtRest));
+    assert_eq!(told(&simulator), (IslandSolver::Asleep, SolverReason::AtRest));
     let gap = simulator.island_residual(&only(&simulator)).gap;
     assert!(gap > 0.0 && gap < 0.01, "{gap}");
 }
 
 #[test]
-fn a_column_that_was_built_is_solved_as_a_whole_since_that_pays() {
+fn a_column_built_in_place_uses_the_direct_solver() {
     let mut simulator = precise();
     simulator.set_sleep_enabled(false);
     add_column(&mut simulator, 0.0, 5);
     run(&mut simulator, 1);
     let first = only(&simulator);
-    assert_eq!((first.method, first.why), (IslandMethod::Whole, WhyMethod::Pays));
+    assert_eq!((first.method, first.why), (IslandSolver::Direct, SolverReason::Pays));
     assert!(first.is_solved_whole && !first.is_asleep);
     assert_eq!((first.cost.rows, first.cost.parts), (5, 1));
     assert!(first.cost.newton_steps > 0, "the load is found");
@@ -144,43 +147,43 @@ fn a_column_that_was_built_is_solved_as_a_whole_since_that_pays() {
 }
 
 #[test]
-fn a_heap_that_falls_is_solved_by_passes_since_it_moves() {
+fn a_falling_heap_uses_the_iterative_solver() {
     let mut simulator = precise();
     add_heap(&mut simulator, 60);
     run(&mut simulator, 40);
     let islands = simulator.islands();
     let heap = islands.iter().max_by_key(|island| island.bodies.len()).unwrap();
     assert!(heap.bodies.len() >= 40, "{}", heap.bodies.len());
-    assert_eq!((heap.method, heap.why), (IslandMethod::Passes, WhyMethod::Moves));
+    assert_eq!((heap.method, heap.why), (IslandSolver::Iterative, SolverReason::Moves));
     assert_eq!(heap.cost.parts, 4, "the substeps");
     assert!(heap.cost.rows >= heap.bodies.len());
 }
 
 #[test]
-fn what_sleeps_costs_nothing() {
+fn sleeping_bodies_have_no_solver_cost() {
     let mut simulator = precise();
     add_column(&mut simulator, 0.0, 3);
     run(&mut simulator, 120);
     let island = only(&simulator);
-    assert_eq!((island.method, island.why), (IslandMethod::Asleep, WhyMethod::AtRest));
+    assert_eq!((island.method, island.why), (IslandSolver::Asleep, SolverReason::AtRest));
     assert!(island.is_asleep && !island.is_solved_whole);
     assert_eq!(island.cost, Default::default());
 }
 
 #[test]
-fn why_passes_says_what_speaks_against_a_whole() {
+fn the_reason_for_the_iterative_solver_is_reported() {
     type Build = fn(&mut PhysicsSimulator);
-    let scenes: [(Build, WhyMethod); 4] = [
-        (|simulator| drop(add_column(simulator, 0.0, 1)), WhyMethod::OneBody),
-        (add_small_ring, WhyMethod::TooSmall),
-        (|simulator| drop(add_column(simulator, 0.0, 401)), WhyMethod::TooLarge),
-        (add_tied_column, WhyMethod::Joints),
+    let scenes: [(Build, SolverReason); 4] = [
+        (|simulator| drop(add_column(simulator, 0.0, 1)), SolverReason::OneBody),
+        (add_small_ring, SolverReason::TooSmall),
+        (|simulator| drop(add_column(simulator, 0.0, 401)), SolverReason::TooLarge),
+        (add_tied_column, SolverReason::Joints),
     ];
     for (build, why) in scenes {
         let mut simulator = precise();
         build(&mut simulator);
         run(&mut simulator, 2);
-        assert_eq!(told(&simulator), (IslandMethod::Passes, why));
+        assert_eq!(told(&simulator), (IslandSolver::Iterative, why));
     }
 }
 
@@ -199,7 +202,7 @@ fn add_tied_column(simulator: &mut PhysicsSimulator) {
 }
 
 #[test]
-fn a_ball_that_bounces_leaves_its_column_to_the_passes_for_a_while() {
+fn a_bouncing_ball_moves_its_column_to_the_iterative_solver_for_a_while() {
     let mut simulator = precise();
     add_column(&mut simulator, 0.0, 2);
     let (_, geom) = add_circle(&mut simulator, 10.0, 32, v(0.0, -64.0 - 10.0 - 50.0));
@@ -210,13 +213,13 @@ fn a_ball_that_bounces_leaves_its_column_to_the_passes_for_a_while() {
         reasons.extend(simulator.islands().iter().map(|island| island.why));
     }
     reasons.dedup();
-    assert!(reasons.contains(&WhyMethod::Bounces), "{reasons:?}");
-    let rests = |why: &WhyMethod| matches!(why, WhyMethod::Rests { updates: 1..=16 });
+    assert!(reasons.contains(&SolverReason::Bounces), "{reasons:?}");
+    let rests = |why: &SolverReason| matches!(why, SolverReason::Rests { updates: 1..=16 });
     assert!(reasons.iter().any(rests), "{reasons:?}");
 }
 
 #[test]
-fn a_spring_between_a_column_and_what_flies_leaves_the_column_whole() {
+fn a_spring_to_a_flying_body_keeps_its_column_in_the_direct_solver() {
     let mut simulator = precise();
     let column = add_column(&mut simulator, 0.0, 3);
     let (body, _) = add_box(&mut simulator, (32.0, 32.0), v(300.0, -500.0));
@@ -225,11 +228,11 @@ fn a_spring_between_a_column_and_what_flies_leaves_the_column_whole() {
         .unwrap();
     run(&mut simulator, 2);
     let island = only(&simulator);
-    assert_eq!((island.bodies.len(), island.method), (4, IslandMethod::Whole));
+    assert_eq!((island.bodies.len(), island.method), (4, IslandSolver::Direct));
 }
 
 #[test]
-fn an_overlap_and_an_approach_are_told_as_they_are() {
+fn an_overlap_and_an_approach_speed_are_reported() {
     let mut simulator = precise();
     simulator.set_gravity(v(0.0, 0.0)).unwrap();
     let (body, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -15.0));
@@ -237,7 +240,7 @@ fn an_overlap_and_an_approach_are_told_as_they_are() {
     simulator[body].set_position(v(0.0, -14.0));
     run(&mut simulator, 1);
     let left = simulator.island_residual(&only(&simulator));
-    // Of 2 px; an overlap is undone by at most three units a second.
+    // The overlap was 2 px, and its correction has a speed of at most three units a second.
     assert!(left.overlap > 2.0 - 3.0 * 32.0 * DT - 0.01 && left.overlap < 2.0, "{left:?}");
     simulator[body].set_linear_velocity(v(0.0, 50.0));
     simulator[body].set_angular_velocity(0.0);
@@ -245,36 +248,36 @@ fn an_overlap_and_an_approach_are_told_as_they_are() {
 }
 
 #[test]
-fn forced_passes_solve_a_column_by_passes_and_forced_wholes_solve_a_heap_as_a_whole() {
+fn a_forced_solver_choice_applies_to_columns_and_heaps() {
     let mut simulator = precise();
     simulator.set_sleep_enabled(false);
-    simulator.set_island_choice(IslandChoice::Passes);
+    simulator.set_solver_choice(SolverChoice::Iterative);
     add_column(&mut simulator, 0.0, 5);
     run(&mut simulator, 60);
-    assert_eq!(told(&simulator), (IslandMethod::Passes, WhyMethod::Chosen));
-    simulator.set_island_choice(IslandChoice::ByItself);
+    assert_eq!(told(&simulator), (IslandSolver::Iterative, SolverReason::Chosen));
+    simulator.set_solver_choice(SolverChoice::Auto);
     run(&mut simulator, 1);
-    assert_eq!(told(&simulator), (IslandMethod::Whole, WhyMethod::Pays));
+    assert_eq!(told(&simulator), (IslandSolver::Direct, SolverReason::Pays));
 
     let mut simulator = precise();
-    simulator.set_island_choice(IslandChoice::Whole);
+    simulator.set_solver_choice(SolverChoice::Direct);
     add_heap(&mut simulator, 30);
     for _ in 0..120 {
         simulator.update(DT);
         for island in simulator.islands().iter().filter(|island| !island.is_asleep) {
-            let is_alone = island.why == WhyMethod::OneBody || island.method == IslandMethod::Flight;
-            let is_chosen = (island.method, island.why) == (IslandMethod::Whole, WhyMethod::Chosen);
+            let is_alone = island.why == SolverReason::OneBody || island.method == IslandSolver::Ballistic;
+            let is_chosen = (island.method, island.why) == (IslandSolver::Direct, SolverReason::Chosen);
             assert!(is_chosen || is_alone, "{island:?}");
         }
     }
 }
 
 #[test]
-fn what_slides_onto_something_light_in_a_whole_does_not_push_it_faster_than_itself() {
+fn a_body_that_slides_onto_a_light_one_does_not_push_it_faster_than_itself() {
     for rate in [30.0, 60.0, 120.0] {
         for mass in [3.0, 6.0, 20.0] {
             let mut simulator = precise();
-            simulator.set_island_choice(IslandChoice::Whole);
+            simulator.set_solver_choice(SolverChoice::Direct);
             let light = add_box(&mut simulator, (40.0, 40.0), v(0.0, -20.0)).0;
             let heavy = add_box(&mut simulator, (24.0, 60.0), v(-6.0, -73.0)).0;
             simulator[light].set_mass(mass).unwrap();
@@ -291,10 +294,10 @@ fn what_slides_onto_something_light_in_a_whole_does_not_push_it_faster_than_itse
 }
 
 #[test]
-fn what_bounces_does_so_though_wholes_are_forced() {
+fn restitution_acts_with_the_direct_solver_forced() {
     let highest = |choice| {
         let mut simulator = precise();
-        simulator.set_island_choice(choice);
+        simulator.set_solver_choice(choice);
         let (low, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -16.0));
         simulator[low].set_mass(1e4).unwrap();
         simulator[low].set_moment_of_inertia(1e4 * 32.0 * 32.0 / 6.0).unwrap();
@@ -307,25 +310,25 @@ fn what_bounces_does_so_though_wholes_are_forced() {
         };
         (0..40).map(place).fold(0.0, f32::min)
     };
-    assert_eq!(highest(IslandChoice::Whole), highest(IslandChoice::ByItself));
-    // A quarter of the 100 px that it falls, from where it lies; of the 253 px/s that it comes with a step's gravity of
-    // 5.3 px/s may be missing, and drag takes some. Measured: 1.54 px.
-    assert!((highest(IslandChoice::Whole) + 42.0 + 25.0).abs() < 2.0, "{}", highest(IslandChoice::Whole));
+    assert_eq!(highest(SolverChoice::Direct), highest(SolverChoice::Auto));
+    // A quarter of the 100 px that it falls, from where it lies; of the 253 px/s of the impact the velocity of a step's
+    // gravity, 5.3 px/s, may be missing, and drag takes some. Measured: 1.54 px.
+    assert!((highest(SolverChoice::Direct) + 42.0 + 25.0).abs() < 2.0, "{}", highest(SolverChoice::Direct));
 }
 
 #[test]
-fn a_choice_is_saved_and_what_was_loaded_goes_on_with_the_same_bits() {
-    for choice in [IslandChoice::ByItself, IslandChoice::Passes, IslandChoice::Whole] {
+fn a_choice_is_saved_and_a_loaded_simulator_goes_on_with_the_same_bits() {
+    for choice in [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct] {
         let mut plain = precise();
         add_heap(&mut plain, 30);
         add_column(&mut plain, -200.0, 6);
         run(&mut plain, 40);
-        plain.set_island_choice(choice);
-        // At once, and after an update that knows of it.
+        plain.set_solver_choice(choice);
+        // At once, and after an update with the new choice.
         for _ in 0..2 {
             let mut loaded = PhysicsSimulator::default();
             loaded.restore(&plain.snapshot()).unwrap();
-            assert_eq!(loaded.island_choice(), choice);
+            assert_eq!(loaded.solver_choice(), choice);
             let mut plain = plain.clone();
             for _ in 0..60 {
                 [&mut plain, &mut loaded].into_iter().for_each(|simulator| simulator.update(DT));
@@ -337,13 +340,13 @@ fn a_choice_is_saved_and_what_was_loaded_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn a_choice_that_comes_back_before_the_next_update_changes_no_bit() {
+fn a_choice_undone_before_the_next_update_changes_no_bit() {
     let mut plain = precise();
     add_heap(&mut plain, 30);
     run(&mut plain, 30);
     let mut other = plain.clone();
-    other.set_island_choice(IslandChoice::Whole);
-    other.set_island_choice(IslandChoice::ByItself);
+    other.set_solver_choice(SolverChoice::Direct);
+    other.set_solver_choice(SolverChoice::Auto);
     for simulator in [&mut plain, &mut other] {
         run(simulator, 30);
     }
@@ -351,21 +354,21 @@ fn a_choice_that_comes_back_before_the_next_update_changes_no_bit() {
 }
 
 #[test]
-fn the_faithful_set_keeps_a_choice_and_makes_nothing_of_it() {
+fn the_faithful_set_keeps_a_solver_choice_without_effect() {
     let mut plain = simulator(GRAVITY);
     add_floor(&mut plain, (400.0, 20.0), v(0.0, 10.0));
     let column = add_column(&mut plain, 0.0, 3);
     let mut chosen = plain.clone();
-    chosen.set_island_choice(IslandChoice::Whole);
+    chosen.set_solver_choice(SolverChoice::Direct);
     for simulator in [&mut plain, &mut chosen] {
         run(simulator, 60);
     }
-    assert_eq!(chosen.island_choice(), IslandChoice::Whole);
+    assert_eq!(chosen.solver_choice(), SolverChoice::Direct);
     assert!(column.iter().all(|&body| plain[body].position() == chosen[body].position()));
 }
 
 #[test]
-fn each_method_has_a_colour_of_its_own() {
+fn each_solver_has_a_colour_of_its_own() {
     let mut simulator = precise();
     let asleep = add_column(&mut simulator, 300.0, 1);
     run(&mut simulator, 120);

@@ -3,12 +3,12 @@
 use conformance::fixtures::plane::{simulator_with, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, GeomFactory, GeomPlacement, IslandChoice, JointFactory, Methods, PhysicsSimulator,
+    BodyFactory, BodyId, GeomFactory, GeomPlacement, JointFactory, Methods, PhysicsSimulator, SolverChoice,
 };
 
 /// Length units per second squared.
 const GRAVITY: f32 = 900.0;
-/// How far things fall before they touch the floor, length units.
+/// Fall height of the bodies before they touch the floor, length units.
 const FALL: f32 = 200.0;
 const STEPS: [f32; 3] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0];
 
@@ -31,8 +31,8 @@ fn add_box(
     body
 }
 
-/// How high the common centre of bodies rises after their first blow on a floor at y = 0, as a part of the closed form, e² times
-/// the fall.
+/// Height that the common centre of bodies reaches after their first impact on a floor at y = 0, as a fraction of the closed
+/// form, e² times the fall.
 fn rebound(simulator: &mut PhysicsSimulator, bodies: &[BodyId], restitution: f32, dt: f32) -> f32 {
     let floor = add_box(simulator, v(0.0, 20.0), [2000.0, 40.0], 1.0, restitution);
     simulator[floor].set_is_static(true);
@@ -57,9 +57,9 @@ fn rebound(simulator: &mut PhysicsSimulator, bodies: &[BodyId], restitution: f32
     top / (restitution * restitution * FALL)
 }
 
-fn precise(choice: IslandChoice) -> PhysicsSimulator {
+fn precise(choice: SolverChoice) -> PhysicsSimulator {
     let mut simulator = simulator_with(GRAVITY, Methods::PRECISE);
-    simulator.set_island_choice(choice);
+    simulator.set_solver_choice(choice);
     simulator
 }
 
@@ -67,7 +67,7 @@ fn precise(choice: IslandChoice) -> PhysicsSimulator {
 fn two_boxes_that_are_welded_on_top_of_or_beside_each_other_rebound_as_one_body() {
     for restitution in [1.0, 0.5] {
         for dt in STEPS {
-            for choice in [IslandChoice::ByItself, IslandChoice::Passes, IslandChoice::Whole] {
+            for choice in [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct] {
                 for [x, y] in [[0.0, 20.0], [20.0, 0.0]] {
                     let mut simulator = precise(choice);
                     let at = v(0.0, -FALL - 10.0);
@@ -90,13 +90,13 @@ fn two_boxes_that_are_welded_on_top_of_or_beside_each_other_rebound_as_one_body(
 #[test]
 fn a_heavy_box_on_a_light_one_that_it_is_welded_to_rebounds_as_one_body() {
     for mass in [0.25, 4.0] {
-        let mut simulator = precise(IslandChoice::ByItself);
+        let mut simulator = precise(SolverChoice::Auto);
         let at = v(0.0, -FALL - 10.0);
         let low = add_box(&mut simulator, at, [20.0, 20.0], 1.0, 1.0);
         let high = add_box(&mut simulator, at - v(0.0, 20.0), [20.0, 20.0], mass, 1.0);
         JointFactory::create_weld_joint_in(&mut simulator, low, high, at - v(0.0, 10.0)).unwrap();
         let part = rebound(&mut simulator, &[low, high], 1.0, STEPS[1]);
-        // Each of 32 passes leaves 4 / 5 of what is missing.
+        // Each of 32 iterations leaves 4 / 5 of the remaining error.
         assert!((part - 1.0).abs() < 0.02, "{part} with {mass}");
     }
 }

@@ -1,4 +1,4 @@
-//! The precise set: continuous collision of bodies that joints tie together. They stop as one.
+//! The precise set: continuous collision of jointed bodies. They stop as one.
 
 use conformance::fixtures::plane::{add_box, energy, precise, v};
 use farseer_core::math::Vector2;

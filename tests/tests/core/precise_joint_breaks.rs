@@ -1,18 +1,17 @@
-//! The precise set: joints break at the load that their greatest force or torque says, whichever solver has them, and slip at their
-//! greatest impulse.
+//! The precise set: joints break at their greatest force or torque with either solver, and slip at their greatest impulse.
 
 use conformance::fixtures::plane::{simulator_with, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, Event, GeomFactory, GeomPlacement, IslandChoice, JointFactory, JointId, Methods,
-    PhysicsSimulator, WeldJoint,
+    BodyFactory, BodyId, Event, GeomFactory, GeomPlacement, JointFactory, JointId, Methods, PhysicsSimulator,
+    SolverChoice, WeldJoint,
 };
 
 /// Length units per second squared.
 const GRAVITY: f32 = 900.0;
 const STEPS: [f32; 3] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0];
 const LOAD: f32 = 5.0;
-/// From the joint to the centre of the load, length units.
+/// Distance from the joint to the centre of the load, length units.
 const ARM: f32 = 30.0;
 
 fn add_box(simulator: &mut PhysicsSimulator, at: Vector2, [w, h]: [f32; 2], mass: f32) -> BodyId {
@@ -33,7 +32,7 @@ fn add_solid(simulator: &mut PhysicsSimulator, at: Vector2, size: [f32; 2], mass
 /// The support of a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum On {
-    /// A static body: nothing touches what moves.
+    /// A static body: it collides with no dynamic one.
     Post,
     /// A mast that stands on a floor.
     Mast,
@@ -41,13 +40,13 @@ enum On {
 
 /// A load below its joint, or beside it, on a post or mast that it does not touch.
 fn loaded(
-    choice: IslandChoice,
+    choice: SolverChoice,
     on: On,
     is_weld: bool,
     is_beside: bool,
 ) -> (PhysicsSimulator, JointId, BodyId) {
     let mut simulator = simulator_with(GRAVITY, Methods::PRECISE);
-    simulator.set_island_choice(choice);
+    simulator.set_solver_choice(choice);
     let at = v(0.0, -100.0);
     let holder = match on {
         On::Post => {
@@ -80,8 +79,8 @@ fn count_broken(simulator: &mut PhysicsSimulator, dt: f32, seconds: f32) -> usiz
     count
 }
 
-const SOLVERS: [(IslandChoice, On); 3] =
-    [(IslandChoice::ByItself, On::Post), (IslandChoice::Passes, On::Mast), (IslandChoice::Whole, On::Mast)];
+const SOLVERS: [(SolverChoice, On); 3] =
+    [(SolverChoice::Auto, On::Post), (SolverChoice::Iterative, On::Mast), (SolverChoice::Direct, On::Mast)];
 
 #[test]
 fn a_joint_breaks_once_above_its_greatest_force_and_never_below_whichever_solver_has_it() {
@@ -121,7 +120,7 @@ fn a_joint_that_sleeps_wakes_and_breaks_when_its_greatest_force_or_torque_falls_
         let (mut simulator, joint, load) = loaded(choice, on, true, true);
         assert_eq!(count_broken(&mut simulator, STEPS[1], 4.0), 0);
         assert!(simulator.is_asleep(load), "{choice:?}");
-        // More than it holds with wakes nothing.
+        // A greater limit wakes no body.
         simulator[joint].set_greatest_force(1.02 * LOAD * GRAVITY).unwrap();
         simulator[joint].set_greatest_torque(1.02 * LOAD * GRAVITY * ARM).unwrap();
         simulator.update(STEPS[1]);
@@ -140,7 +139,7 @@ fn a_joint_that_sleeps_wakes_and_breaks_when_its_greatest_force_or_torque_falls_
 fn a_weld_on_the_floor_slips_with_its_greatest_torque_and_holds_with_more_than_its_load() {
     for dt in STEPS {
         for (part, expected) in [(1.05, 0.0), (0.9, 0.7864)] {
-            let (mut simulator, joint, load) = loaded(IslandChoice::Whole, On::Mast, true, true);
+            let (mut simulator, joint, load) = loaded(SolverChoice::Direct, On::Mast, true, true);
             simulator[load].set_linear_drag_coefficient(0.0);
             simulator[load].set_rotational_drag_coefficient(0.0);
             let substeps = simulator.iterations() as f32;
@@ -151,8 +150,8 @@ fn a_weld_on_the_floor_slips_with_its_greatest_torque_and_holds_with_more_than_i
                 simulator.update(dt);
                 farthest = farthest.max(simulator[load].total_rotation());
             }
-            // With a constant torque of 0.9 of its load it swings between 0 and the angle at which sin a = 0.9 a; a step of 1/30 s
-            // turns it by up to 0.05 rad.
+            // With a constant torque of 0.9 of its load it swings between 0 and the angle at which sin a = 0.9 a; a step of
+            // 1/30 s turns it by up to 0.05 rad.
             assert!((farthest - expected).abs() < 0.02, "{farthest} with {part}, {dt} s");
         }
     }

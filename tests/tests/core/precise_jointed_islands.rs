@@ -1,9 +1,9 @@
-//! The precise set: islands in which joints hold what contacts touch, or close loops. Their rows are one system.
+//! The precise set: islands whose bodies have joints and contacts, or whose joints close loops. Their rows are one system.
 
 use conformance::fixtures::plane::{precise, run, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, IslandMethod, JointFactory, JointId, JointMotor,
+    BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, IslandSolver, JointFactory, JointId, JointMotor,
     PhysicsSimulator,
 };
 
@@ -103,7 +103,7 @@ fn add_girder(simulator: &mut PhysicsSimulator, panels: usize) -> Vec<[(BodyId, 
 }
 
 #[test]
-fn a_girder_of_bars_bears_itself_whatever_its_length() {
+fn a_girder_of_bars_of_any_length_carries_its_own_weight() {
     for panels in [2, 4, 7, 10, 14] {
         let mut simulator = precise(GRAVITY);
         let anchors = add_girder(&mut simulator, panels);
@@ -147,7 +147,7 @@ fn a_net_of_hinges_stretches_by_less_than_a_hundredth_of_a_pixel_at_any_size() {
 }
 
 #[test]
-fn a_block_welded_on_a_light_plate_stands_whatever_it_weighs() {
+fn a_block_of_any_mass_welded_on_a_light_plate_stands() {
     for mass in [0.5, 2.0, 10.0, 30.0, 100.0, 300.0] {
         let mut simulator = precise(GRAVITY);
         add_floor(&mut simulator);
@@ -161,7 +161,7 @@ fn a_block_welded_on_a_light_plate_stands_whatever_it_weighs() {
 }
 
 #[test]
-fn a_cart_stands_on_light_wheels_whatever_it_weighs() {
+fn a_cart_of_any_mass_stands_on_light_wheels() {
     for mass in [1.0, 20.0, 50.0, 200.0] {
         let mut simulator = precise(GRAVITY);
         add_floor(&mut simulator);
@@ -178,7 +178,7 @@ fn a_cart_stands_on_light_wheels_whatever_it_weighs() {
 }
 
 #[test]
-fn a_plank_on_two_hinged_posts_tells_half_of_its_weight_at_each_hinge() {
+fn each_hinge_of_a_plank_on_two_posts_reports_half_of_its_weight() {
     let mut simulator = precise(GRAVITY);
     add_floor(&mut simulator);
     let (plank, _) = add_rectangle(&mut simulator, v(0.0, -45.0), [200.0, 10.0], 6.0);
@@ -190,8 +190,8 @@ fn a_plank_on_two_hinged_posts_tells_half_of_its_weight_at_each_hinge() {
     run(&mut simulator, 100);
     for joint in joints {
         let force = simulator.joint(joint).unwrap().force();
-        // A velocity error of 1e-4 units of 32 per second is left as it is, of a mass of 10 per step: 2 of 2,700 at each hinge, and
-        // as much of its neighbour's.
+        // A velocity error of 1e-4 units of 32 per second is not corrected, of a mass of 10 per step: 2 of 2,700 at each hinge,
+        // and as much of its neighbour's.
         assert!((force.y + 0.5 * 6.0 * GRAVITY).abs() < 4.0, "{force:?}");
     }
 }
@@ -239,7 +239,8 @@ fn welded_pieces_that_overlap_do_not_spin_up() {
         let before = energy(&simulator);
         run(&mut simulator, 300);
         let (after, mass) = (energy(&simulator), 26.0);
-        // A pair that is still pushed apart after five seconds moves with a length unit per second at most, and does not gain.
+        // A pair that is still pushed apart after five seconds moves with a length unit per second at most, and does not gain
+        // energy.
         assert!(after <= 1.05 * before + 1.0 && after < mass * 32.0 * 32.0, "{size}: {before}, then {after}");
     }
 }
@@ -267,7 +268,7 @@ fn an_island_with_joints_that_is_saved_in_any_step_goes_on_with_the_same_bits() 
 }
 
 #[test]
-fn a_jointed_island_that_stands_costs_no_newton_steps_and_falls_asleep() {
+fn a_jointed_island_at_rest_makes_no_newton_steps_and_falls_asleep() {
     let mut simulator = precise(GRAVITY);
     add_floor(&mut simulator);
     let (plate, _) = add_rectangle(&mut simulator, v(0.0, -5.0), [60.0, 10.0], 1.0);
@@ -275,7 +276,7 @@ fn a_jointed_island_that_stands_costs_no_newton_steps_and_falls_asleep() {
     JointFactory::create_weld_joint_in(&mut simulator, plate, block, v(0.0, -10.0)).unwrap();
     run(&mut simulator, 20);
     let island = &simulator.islands()[0];
-    assert_eq!((island.method, island.cost.newton_steps), (IslandMethod::Whole, 0));
+    assert_eq!((island.method, island.cost.newton_steps), (IslandSolver::Direct, 0));
     run(&mut simulator, 60);
     assert!(simulator.is_asleep(block));
 }

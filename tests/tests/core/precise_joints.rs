@@ -1,4 +1,4 @@
-//! The precise set: what joints hold, how exactly, and when they break.
+//! The precise set: the accuracy of joints, and the loads that break them.
 
 use approx::assert_abs_diff_eq;
 use conformance::fixtures::plane::{Random, add_box, add_floor, not_finite, precise, run, simulator, v};
@@ -11,7 +11,7 @@ use farseer_core::{
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
 
-/// A box without drag that meets nothing.
+/// A box without drag and without collisions.
 fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) -> BodyId {
     let (body, geom) = add_box(simulator, size, position);
     simulator[geom].set_collision_enabled(false);
@@ -69,7 +69,7 @@ fn a_pendulum_that_falls_from_level_keeps_its_energy_for_a_minute() {
 }
 
 #[test]
-fn a_chain_of_200_that_swings_down_is_torn_by_less_than_a_fifth_of_a_px() {
+fn joint_gaps_of_a_swinging_chain_of_200_are_below_a_fifth_of_a_px() {
     let mut simulator = precise(GRAVITY);
     // As if it began 30 degrees below level.
     simulator.set_gravity(v(0.5 * GRAVITY, 0.866 * GRAVITY)).unwrap();
@@ -101,7 +101,7 @@ fn a_ball_ten_thousand_times_as_heavy_hangs_on_a_chain_of_20() {
 }
 
 #[test]
-fn a_heavy_ball_that_falls_into_its_chain_does_not_burst_it() {
+fn a_heavy_ball_that_falls_into_its_chain_opens_no_joint() {
     let mut simulator = precise(0.0);
     // As if the chain began 30 degrees above level: the ball falls freely until the chain is taut.
     simulator.set_gravity(v(-0.5 * GRAVITY, 0.866 * GRAVITY)).unwrap();
@@ -120,7 +120,7 @@ fn a_heavy_ball_that_falls_into_its_chain_does_not_burst_it() {
 }
 
 /// The greatest and the last change of the energy of a chain of 20 that swings for ten seconds from 30 degrees below level, as
-/// parts of its greatest kinetic energy.
+/// fractions of its greatest kinetic energy.
 fn changes_of_energy(has_weld: bool) -> [f64; 2] {
     let mut simulator = precise(0.0);
     let (mut bodies, _) = chain(&mut simulator, 20);
@@ -151,8 +151,8 @@ fn changes_of_energy(has_weld: bool) -> [f64; 2] {
 fn a_chain_of_20_that_swings_from_30_degrees_below_level_keeps_its_energy() {
     for has_weld in [false, true] {
         let [gained, at_last] = changes_of_energy(has_weld);
-        // It pulls so hard that steps must be stiffened against it, which may cost energy. Measured: 0.007 to and fro, and 0.004
-        // lost at last.
+        // It pulls so hard that steps must be stiffened against it, which may cost energy. Measured: 0.007 to and fro, and
+        // 0.004 lost at last.
         assert!(gained < 0.01 && at_last > -0.01, "welded {has_weld}: {gained}, {at_last}");
     }
 }
@@ -216,7 +216,7 @@ fn joints_between_two_bodies_keep_momentum_and_angular_momentum() {
 }
 
 #[test]
-fn every_joint_between_two_bodies_holds_what_it_keeps() {
+fn every_joint_between_two_bodies_keeps_its_constraint() {
     for (name, mut simulator, bodies, joint) in pairs() {
         simulator[bodies[0]].set_linear_velocity(v(30.0, -20.0));
         simulator[bodies[1]].set_linear_velocity(v(-10.0, 40.0));
@@ -224,7 +224,8 @@ fn every_joint_between_two_bodies_holds_what_it_keeps() {
         for _ in 0..240 {
             simulator.update(DT);
             let error = simulator[joint].joint_error();
-            // In px and radians: roundings, and as much of what a predicted rotation misses. Beyond a limit its slop, of 0.01, is left, and as much of what a step misses.
+            // In px and radians: roundings, and as much for the error of a predicted rotation. A limit has a slop of 0.01, and
+            // as much for the error of a step.
             let has_limits = ["slider", "angle limit"].contains(&name);
             assert!(error.abs() < if has_limits { 0.03 } else { 4e-5 }, "{name}: {error}");
         }
@@ -260,7 +261,7 @@ fn a_body_turns_as_far_as_its_limit_and_stays_there() {
 }
 
 #[test]
-fn a_bridge_of_20_between_two_shores_bears_a_heavy_load() {
+fn a_bridge_of_20_between_two_shores_carries_a_heavy_load() {
     let mut simulator = precise(GRAVITY);
     let (bodies, mut joints) = chain(&mut simulator, 20);
     let shore = JointFactory::create_fixed_revolute_joint(&mut simulator, bodies[19], v(320.0, 0.0));
@@ -274,15 +275,15 @@ fn a_bridge_of_20_between_two_shores_bears_a_heavy_load() {
     }
     // Measured: 0.0046 when the load has come up, and 0.0003 at rest.
     assert!(worst < 0.01, "{worst} px");
-    // A taut bridge sags by the root of twice its half length, 160, and what half of its 21 joints yield: 3.2e-4 each, a millionth of
-    // the coordinates. Measured: 0.89.
+    // A taut bridge sags by the root of twice its half length, 160, and the yield of half of its 21 joints: 3.2e-4 each, a
+    // millionth of the coordinates. Measured: 0.89.
     let sag = (2.0 * 160.0 * 10.5 * 3.2e-4_f32).sqrt();
     assert!(simulator[bodies[10]].position().y < sag);
     assert!(bodies.iter().all(|&body| simulator.is_asleep(body)));
 }
 
 #[test]
-fn a_rope_lets_a_ball_as_far_as_it_is_long() {
+fn a_rope_limits_the_distance_of_a_ball_to_its_length() {
     let mut simulator = precise(GRAVITY);
     let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     let ball = ghost(&mut simulator, (10.0, 10.0), v(30.0, 0.0));
@@ -298,12 +299,12 @@ fn a_rope_lets_a_ball_as_far_as_it_is_long() {
 }
 
 #[test]
-fn a_joint_breaks_when_it_has_to_hold_with_more_than_its_greatest_force() {
+fn a_joint_breaks_when_its_load_exceeds_its_greatest_force() {
     let mut simulator = precise(GRAVITY);
     let (bodies, joints) = chain(&mut simulator, 3);
     (0..3).for_each(|at| simulator[bodies[at]].set_rotation(0.0));
     let weight = simulator[bodies[0]].mass() * GRAVITY;
-    // At the lowest point of the swing the first one bears more than their weight.
+    // At the lowest point of the swing the first one carries more than their weight.
     simulator[joints[0]].set_greatest_force(1.5 * 3.0 * weight).unwrap();
     let mut broken = Vec::new();
     for _ in 0..120 {
@@ -319,7 +320,7 @@ fn a_joint_breaks_when_it_has_to_hold_with_more_than_its_greatest_force() {
 }
 
 #[test]
-fn what_hangs_still_holds_with_its_weight() {
+fn the_force_of_a_joint_at_rest_is_the_hanging_weight() {
     let mut simulator = precise(GRAVITY);
     let body = ghost(&mut simulator, (16.0, 16.0), v(0.0, 8.0));
     let joint = JointFactory::create_fixed_revolute_joint(&mut simulator, body, v(0.0, 0.0));
@@ -357,7 +358,7 @@ fn an_edited_anchor_counts_from_the_next_update_on() {
     assert_abs_diff_eq!(simulator[bodies[0]].angular_velocity(), 4.0, epsilon = 1e-3);
 }
 
-/// Hangs something on a static body at the origin, and moves that.
+/// Hangs a body on a static one at the origin, and moves that.
 fn assert_is_followed(mut simulator: PhysicsSimulator, post: BodyId) {
     let body = ghost(&mut simulator, (10.0, 10.0), v(0.0, 20.0));
     let joint = JointFactory::create_revolute_joint(&mut simulator, post, body, v(0.0, 0.0));
@@ -369,14 +370,14 @@ fn assert_is_followed(mut simulator: PhysicsSimulator, post: BodyId) {
 }
 
 #[test]
-fn what_hangs_on_a_static_body_follows_it() {
+fn bodies_joined_to_a_static_body_follow_it() {
     let mut simulator = precise(GRAVITY);
     let (post, _) = add_floor(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     assert_is_followed(simulator, post);
 }
 
 #[test]
-fn what_hangs_on_a_static_body_without_geoms_follows_it() {
+fn bodies_joined_to_a_static_body_without_geoms_follow_it() {
     let mut simulator = precise(GRAVITY);
     let post = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 10.0, 1.0).unwrap();
     simulator[post].set_is_static(true);
@@ -398,7 +399,7 @@ fn a_soft_joint_yields_to_a_load_as_far_as_with_the_faithful_set() {
         simulator[body].position().y - 50.0
     };
     let (precise, faithful) = (sag(Methods::PRECISE), sag(Methods::default()));
-    // Softness times the impulse of an update, by the part of an error that an update undoes.
+    // Softness times the impulse of an update, divided by the fraction of an error that an update corrects.
     let law = 2.0 * GRAVITY * DT * DT / 0.2;
     assert!((precise / law - 1.0).abs() < 0.01, "{precise} {law}");
     assert!((faithful / law - 1.0).abs() < 0.01, "{faithful} {law}");
@@ -469,7 +470,7 @@ fn ragdolls_go_on_with_the_same_bits_after_a_restore_in_every_step() {
 }
 
 #[test]
-fn a_chain_swings_the_same_way_whether_its_joints_are_all_hinges_or_not() {
+fn a_chain_swings_alike_with_hinges_alone_and_with_other_joints() {
     let swing = |has_limit: bool| {
         let mut simulator = precise(GRAVITY);
         let (bodies, _) = chain(&mut simulator, 5);
@@ -497,7 +498,7 @@ fn a_chain_swings_the_same_way_whether_its_joints_are_all_hinges_or_not() {
 }
 
 #[test]
-fn what_holds_with_more_than_there_are_numbers_goes_on_with_the_same_bits_after_a_restore() {
+fn overflowing_joint_forces_go_on_with_the_same_bits_after_a_restore() {
     let heavy = || {
         let mut simulator = precise(GRAVITY);
         let (bodies, joints) = chain(&mut simulator, 2);
@@ -516,7 +517,7 @@ fn what_holds_with_more_than_there_are_numbers_goes_on_with_the_same_bits_after_
         next.restore(&restored.snapshot()).unwrap();
         restored = next;
     }
-    // It is no number, so it is not told.
+    // It is not a number, so it is not reported.
     assert_eq!(plain[joints[0]].force().y, 0.0);
 }
 
@@ -552,7 +553,7 @@ fn contradictions(seed: u64) -> PhysicsSimulator {
 }
 
 #[test]
-fn joints_that_contradict_each_other_reach_no_number_that_is_not_finite() {
+fn contradictory_joints_keep_all_numbers_finite() {
     for seed in 0..100 {
         let mut simulator = contradictions(seed);
         for step in 0..60 {
@@ -563,7 +564,7 @@ fn joints_that_contradict_each_other_reach_no_number_that_is_not_finite() {
 }
 
 #[test]
-fn joints_without_their_bodies_are_refused_and_bodies_that_go_take_their_joints_along() {
+fn joints_without_bodies_are_refused_and_removed_bodies_remove_their_joints() {
     let mut simulator = precise(GRAVITY);
     let empty = simulator.create_empty_joint::<RevoluteJoint>();
     assert!(simulator.add(empty).is_err());
@@ -577,7 +578,8 @@ fn joints_without_their_bodies_are_refused_and_bodies_that_go_take_their_joints_
     assert!(simulator[bodies[4]].position().y > before + 20.0);
 }
 
-/// Greatest gain and loss of energy of a chain that begins at an angle in radians from level, as a fraction of its greatest kinetic energy.
+/// Greatest gain and loss of energy of a chain that begins at an angle in radians from level, as a fraction of its greatest
+/// kinetic energy.
 fn energy_error(links: usize, angle: f32, rate: f32) -> [f64; 2] {
     let mut simulator = precise(0.0);
     simulator.set_gravity(v(GRAVITY * angle.sin(), GRAVITY * angle.cos())).unwrap();
@@ -644,7 +646,7 @@ fn a_free_chain_keeps_energy_momentum_and_angular_momentum() {
         for _ in 0..(5.0 * rate) as usize {
             simulator.update(rate.recip());
             let now = sums(&simulator);
-            // Roundings of velocities and of places up to 200 px away. Measured of energy: 0.001.
+            // Roundings of velocities and of positions up to 200 px away. Measured of energy: 0.001.
             for (i, slack) in [0.02, 0.02, 4.0, 3e-3 * begun[3]].into_iter().enumerate() {
                 assert!((now[i] - begun[i]).abs() < slack, "1/{rate} s, {i}: {} after {}", now[i], begun[i]);
             }
@@ -654,7 +656,8 @@ fn a_free_chain_keeps_energy_momentum_and_angular_momentum() {
 
 #[test]
 fn a_push_against_a_joint_loses_its_energy() {
-    // A body that may not turn, and falls with a spin of 5: the joint takes the spin alone, whatever the body does beside.
+    // A body with locked rotation that falls with a spin of 5: the joint removes the spin alone, for any other motion of the
+    // body.
     for spin in [0.5, 5.0, 50.0] {
         let mut simulator = precise(GRAVITY);
         let body = ghost(&mut simulator, (20.0, 20.0), v(0.0, 0.0));
@@ -669,7 +672,7 @@ fn a_push_against_a_joint_loses_its_energy() {
 }
 
 #[test]
-fn a_pendulum_whose_post_is_moved_to_and_fro_is_set_swinging() {
+fn a_pendulum_on_an_oscillating_post_swings() {
     let mut simulator = precise(GRAVITY);
     let post = BodyFactory::create_body_in(&mut simulator, 1.0, 1.0).unwrap();
     simulator[post].set_is_static(true);
@@ -677,8 +680,8 @@ fn a_pendulum_whose_post_is_moved_to_and_fro_is_set_swinging() {
     simulator[bob].set_moment_of_inertia(1.0).unwrap();
     let joint = JointFactory::create_revolute_joint(&mut simulator, post, bob, v(0.0, 0.0));
     joined(&mut simulator, joint);
-    // At its own frequency, sqrt(g / l) = 3.16 radians/s: forced by a motion of amplitude a its angle grows by a / (2 l) per radian. Measured:
-    // 0.84 of that, as the greatest angle lags behind the growth by up to half a period.
+    // At its own frequency, sqrt(g / l) = 3.16 radians/s: forced by a motion of amplitude a its angle grows by a / (2 l) per
+    // radian. Measured: 0.84 of that, as the greatest angle lags behind the growth by up to half a period.
     let mut swing = 0.0_f32;
     for step in 0..240 {
         let phase = (GRAVITY / 32.0).sqrt() * step as f32 * DT;
@@ -692,7 +695,7 @@ fn a_pendulum_whose_post_is_moved_to_and_fro_is_set_swinging() {
 }
 
 #[test]
-fn a_pendulum_of_two_links_swings_within_its_limits_with_all_of_its_energy() {
+fn a_pendulum_of_two_links_within_its_limits_conserves_energy() {
     let mut simulator = precise(GRAVITY);
     let (bodies, joints) = chain(&mut simulator, 2);
     simulator.set_joint_limits(joints[1], Some(JointLimits { lower: -99.0, upper: 99.0 })).unwrap();

@@ -1,4 +1,4 @@
-//! The precise set: what rests, slides, rolls, bounces and flies, against closed forms.
+//! The precise set: resting, sliding, rolling, bouncing and flying bodies, against closed forms.
 
 use approx::assert_abs_diff_eq;
 use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, simulator, v};
@@ -51,7 +51,7 @@ fn drag_slows_a_body_by_the_exponential_law() {
     simulator[body].set_linear_drag_coefficient(0.5);
     simulator[body].set_linear_velocity(v(100.0, 0.0));
     run(&mut simulator, 120);
-    // 120 steps, each right to a few units in the last place.
+    // 120 steps, each exact up to a few units in the last place.
     assert_abs_diff_eq!(simulator[body].linear_velocity().x, 100.0 * (-1.0_f32).exp(), epsilon = 0.002);
 }
 
@@ -87,7 +87,7 @@ fn boxes_of_1_to_10_000_px_come_to_rest_on_each_other_under_any_gravity_from_1_t
             for (body, at) in boxes.into_iter().zip([0.5, 1.5, 2.5]) {
                 let (place, speed) = (simulator[body].position(), simulator[body].linear_velocity().norm());
                 let off = (place.y + at * size).abs();
-                // Measured: 0.68 px under the greatest gravity, which lets fall by 2.8 px in a step, and a 130,000th of the size.
+                // Measured: 0.68 px under the greatest gravity, whose motion in a step is 2.8 px, and a 130,000th of the size.
                 let most = 0.002 * size + 0.25 * gravity * DT * DT;
                 assert!(off < most && speed < 0.1, "{size} px, {gravity} px/s2: {off} px, {speed} px/s");
             }
@@ -112,8 +112,8 @@ fn column(count: usize) -> (PhysicsSimulator, Vec<BodyId>) {
     (simulator, boxes)
 }
 
-/// Each box is still, over the first, and as high as if nothing gave way, but for these numbers of px, along and up, and
-/// px/s.
+/// Each box is at rest, above the first, and as high as rigid contacts would have it, but for these tolerances in px, along and
+/// up, and px/s.
 fn assert_stands(simulator: &PhysicsSimulator, boxes: &[BodyId], [along, up, fastest]: [f32; 3]) {
     let mut worst = [0.0_f32; 3];
     for (i, &body) in boxes.iter().enumerate() {
@@ -129,8 +129,11 @@ fn assert_stands(simulator: &PhysicsSimulator, boxes: &[BodyId], [along, up, fas
     );
 }
 
-/// Two or three times what was measured: 1.8e-4 px/s; 0.015 px, 9e-5 px/s; 0.79 px, 0.13 px/s; 0.0044 px, 3.1e-4 px/s after
-/// a load; 0.0016 px, 0.029 px/s under one; 6e-5 px/s after a change of method. Along nothing moves at all.
+/// Tolerances of two or three times the measured values, in px and px/s. There is no motion along x at all.
+///
+/// - Columns: 1.8e-4 px/s; 0.015 px, 9e-5 px/s; 0.79 px, 0.13 px/s.
+/// - After a load: 0.0044 px, 3.1e-4 px/s. Under one: 0.0016 px, 0.029 px/s.
+/// - After a change of method: 6e-5 px/s.
 const TWENTY: [f32; 3] = [1e-3, 1e-3, 5e-4];
 const FORTY: [f32; 3] = [1e-3, 0.03, 3e-4];
 const TWO_HUNDRED: [f32; 3] = [1e-3, 1.6, 0.3];
@@ -148,7 +151,7 @@ fn columns_of_boxes_stand_for_a_minute() {
 }
 
 #[test]
-fn a_column_stands_still_again_after_a_hundred_times_the_mass_of_a_box_was_put_on_and_taken_off() {
+fn a_column_comes_to_rest_after_a_load_of_a_hundred_box_masses_was_put_on_and_removed() {
     for count in [20, 40] {
         let (mut simulator, boxes) = column(count);
         run(&mut simulator, 600);
@@ -162,7 +165,7 @@ fn a_column_stands_still_again_after_a_hundred_times_the_mass_of_a_box_was_put_o
 }
 
 #[test]
-fn boxes_bear_ten_thousand_times_their_mass() {
+fn boxes_carry_ten_thousand_times_their_mass() {
     let (mut simulator, boxes) = column(10);
     load(&mut simulator, 10, 1e4);
     run(&mut simulator, 600);
@@ -194,7 +197,7 @@ fn wall(simulator: &mut PhysicsSimulator, [rows, in_a_row]: [usize; 2], corner: 
 }
 
 #[test]
-fn columns_and_high_walls_are_solved_as_a_whole_and_low_ones_are_not() {
+fn columns_and_high_walls_use_the_direct_solver_and_low_walls_do_not() {
     let (mut simulator, _) = column(5);
     wall(&mut simulator, [14, 3], v(-190.0, 0.0), v(0.0, 0.0));
     wall(&mut simulator, [3, 3], v(90.0, 0.0), v(0.0, 0.0));
@@ -203,7 +206,7 @@ fn columns_and_high_walls_are_solved_as_a_whole_and_low_ones_are_not() {
 }
 
 #[test]
-fn a_wall_that_has_fallen_into_place_is_not_solved_as_a_whole() {
+fn a_wall_that_fell_into_place_uses_the_iterative_solver() {
     let (mut simulator, _) = column(5);
     wall(&mut simulator, [14, 3], v(-190.0, -2.0), v(0.0, 20.0));
     run(&mut simulator, 120);
@@ -212,7 +215,7 @@ fn a_wall_that_has_fallen_into_place_is_not_solved_as_a_whole() {
 }
 
 #[test]
-fn a_column_that_changes_its_method_does_not_notice() {
+fn a_change_of_solver_does_not_move_a_column() {
     let (mut simulator, boxes) = column(8);
     run(&mut simulator, 120);
     for _ in 0..2 {
@@ -229,7 +232,7 @@ fn a_column_that_changes_its_method_does_not_notice() {
             100.0,
         )
         .unwrap();
-        // A soft joint is for the passes.
+        // A soft joint goes to the iterative solver.
         simulator[rope].set_softness(0.1).unwrap();
         run(&mut simulator, 3);
         assert_eq!(are_solved_whole(&simulator), [false]);
@@ -254,8 +257,8 @@ fn a_ball_that_falls_on_a_column_leaves_it_as_fast_as_its_restitution_says() {
         simulator.update(DT);
         simulator[ball].position().y
     });
-    // The mean of the coefficients is a half: a quarter of the height. Of the speed that it comes with, 179 px/s, a step's
-    // gravity of 5.3 px/s may be missing.
+    // The mean of the coefficients is a half: a quarter of the height. Of the speed of the impact, 179 px/s, the velocity of a
+    // step's gravity, 5.3 px/s, may be missing.
     assert_abs_diff_eq!(
         highest.fold(0.0, f32::min),
         -64.0 - 10.0 - 12.5,
@@ -264,7 +267,7 @@ fn a_ball_that_falls_on_a_column_leaves_it_as_fast_as_its_restitution_says() {
 }
 
 #[test]
-fn a_ball_that_loses_nothing_bounces_as_high_after_a_thousand_steps() {
+fn a_ball_of_restitution_1_bounces_as_high_after_a_thousand_steps() {
     let mut simulator = precise();
     let (_, floor) = add_floor(&mut simulator, (400.0, 20.0), v(0.0, 10.0));
     let (ball, geom) = add_circle(&mut simulator, 10.0, 32, v(0.0, -110.0));
@@ -277,7 +280,7 @@ fn a_ball_that_loses_nothing_bounces_as_high_after_a_thousand_steps() {
             simulator[ball].position().y
         })
         .fold(0.0, f32::min);
-    // The top of the arc lies between two steps: within g dt^2 / 8, and rounding.
+    // The top of the arc is between two steps: within g dt^2 / 8, and rounding.
     assert_abs_diff_eq!(highest, -110.0, epsilon = GRAVITY * DT * DT / 8.0 + 0.01);
 }
 
@@ -298,8 +301,8 @@ fn a_ball_bounces_off_a_wall_wherever_in_a_step_it_reaches_it() {
     }
 }
 
-/// A disc of 16 px and mass 1 flies along x at 200 px/s, past or against one of mass 2 that rests so far below its path. It
-/// sets out at so many parts of a step from where they meet. Answers the velocities after a second.
+/// A disc of 16 px and mass 1 flies along x at 200 px/s, past or against one of mass 2 that rests at a distance below its path.
+/// Its start sets the phase of the step at which they meet. Returns the velocities after a second.
 fn two_discs(offset: f32, phase: f32, rate: f32) -> [Vector2; 2] {
     let mut simulator = precise();
     simulator.set_gravity(v(0.0, 0.0)).unwrap();
@@ -316,11 +319,11 @@ fn two_discs(offset: f32, phase: f32, rate: f32) -> [Vector2; 2] {
     discs.map(|body| simulator[body].linear_velocity())
 }
 
-/// Parts of a step at which things meet.
+/// Fractions of a step at which bodies meet.
 const PHASES: [f32; 5] = [0.0, 0.2, 0.4, 0.6, 0.8];
 
 #[test]
-fn discs_that_meet_obliquely_part_as_the_line_of_their_middles_at_that_moment_says() {
+fn oblique_hits_of_discs_act_along_the_line_of_centres_at_the_impact() {
     for (offset, rate) in [(4.0, 30.0), (16.0, 30.0), (4.0, 60.0), (28.0, 60.0), (16.0, 120.0)] {
         let sine: f32 = offset / 32.0;
         let normal = v((1.0 - sine * sine).sqrt(), sine);
@@ -328,7 +331,7 @@ fn discs_that_meet_obliquely_part_as_the_line_of_their_middles_at_that_moment_sa
         let law = [v(200.0, 0.0) - normal * impulse, normal * (0.5 * impulse)];
         for phase in PHASES {
             let is = two_discs(offset, phase, rate);
-            // Where they meet is known to a few units in the last place of 100 px: directions to a few 1e-6, and velocities
+            // Their contact point is known to a few units in the last place of 100 px: directions to a few 1e-6, and velocities
             // to a thousandth of a px/s. The line at the beginning of the step, or at its end, is off by 1 to 30 px/s.
             is.into_iter()
                 .zip(law)
@@ -378,7 +381,7 @@ fn a_circle_of_the_factory_rolls_as_a_disc_and_not_as_a_polygon() {
 }
 
 #[test]
-fn a_concave_body_holds_what_lies_in_it() {
+fn a_concave_body_holds_the_bodies_in_it() {
     use farseer_core::{Body, GeomFactory, GeomPlacement, math::Vector2, shape::Vertices};
     let mut simulator = precise();
     let bowl = simulator.create_body(Body::new());
@@ -406,7 +409,7 @@ fn a_concave_body_holds_what_lies_in_it() {
 }
 
 #[test]
-fn a_belt_carries_what_lies_on_it_at_its_speed() {
+fn a_belt_carries_its_load_at_its_speed() {
     let mut simulator = precise();
     let (belt, floor) = add_floor(&mut simulator, (4000.0, 20.0), v(0.0, 10.0));
     let (body, geom) = add_box(&mut simulator, (32.0, 32.0), v(0.0, -16.0));
@@ -442,7 +445,7 @@ fn on_a_spring(frequency: f32) -> (PhysicsSimulator, BodyId) {
     (simulator, body)
 }
 
-/// How long a swing takes, and how wide the last ones are of so many seconds in steps of these lengths.
+/// Period of a swing, and the last amplitude, over a number of seconds in steps of these lengths.
 fn swing(frequency: f32, seconds: f32, mut step: impl FnMut() -> f32) -> [f32; 2] {
     let (mut simulator, body) = on_a_spring(frequency);
     let (mut time, mut last, mut widest, mut crossings) = (0.0, 40.0, 0.0_f32, Vec::new());
@@ -462,17 +465,17 @@ fn swing(frequency: f32, seconds: f32, mut step: impl FnMut() -> f32) -> [f32; 2
     [(crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f32, widest]
 }
 
-/// The force of the first step acts as a whole, half a step late: that widens the swing by 1 / cos(omega dt / 2).
+/// The force of the first step acts at full length, half a step late: that widens the swing by 1 / cos(omega dt / 2).
 fn width(frequency: f32, dt: f32) -> f32 {
     40.0 / (std::f32::consts::PI * frequency * dt).cos()
 }
 
 #[test]
-fn an_undamped_spring_swings_with_its_own_frequency_and_keeps_its_swing() {
-    // 1 Hz, and 8 Hz, of which a step sees an eighth.
+fn an_undamped_spring_keeps_its_frequency_and_amplitude() {
+    // 1 Hz, and 8 Hz, of which a step covers an eighth.
     for frequency in [1.0_f32, 8.0] {
         let [period, widest] = swing(frequency, 20.0, || DT);
-        // Places between steps are taken from a straight line: within a hundredth of a step of each crossing.
+        // Positions between steps are interpolated linearly: within a hundredth of a step of each crossing.
         assert_abs_diff_eq!(period * frequency, 1.0, epsilon = 1e-3);
         let width = width(frequency, DT);
         assert!(widest < 1.01 * width && widest > 0.9 * width, "{frequency} Hz: {widest} px of {width}");
@@ -480,7 +483,7 @@ fn an_undamped_spring_swings_with_its_own_frequency_and_keeps_its_swing() {
 }
 
 #[test]
-fn an_undamped_spring_swings_with_its_own_frequency_and_keeps_its_swing_whatever_steps_come() {
+fn an_undamped_spring_keeps_its_frequency_and_amplitude_in_unequal_steps() {
     let mut random = Random::new(7);
     for frequency in [1.0_f32, 4.0, 8.0] {
         let mut longest = 0.0_f32;
@@ -497,7 +500,7 @@ fn an_undamped_spring_swings_with_its_own_frequency_and_keeps_its_swing_whatever
 }
 
 #[test]
-fn a_spring_that_is_too_stiff_for_steps_that_are_not_equal_comes_to_rest_in_them() {
+fn a_spring_too_stiff_for_unequal_steps_comes_to_rest() {
     let mut random = Random::new(8);
     for frequency in [12.0, 15.0, 20.0, 30.0, 100.0, 1e4, 1e8] {
         let (mut simulator, body) = on_a_spring(frequency);
@@ -508,13 +511,13 @@ fn a_spring_that_is_too_stiff_for_steps_that_are_not_equal_comes_to_rest_in_them
             left = (simulator[body].position().norm() - 100.0).abs();
             widest = widest.max(left);
         }
-        // The first step acts as a whole, so that in equal steps of x = 1.4 it would swing to 40 / cos(x) = 235 px.
+        // The first step acts at full length, so that in equal steps of x = 1.4 it would swing to 40 / cos(x) = 235 px.
         assert!(widest < 400.0 && left < 0.01, "{frequency} Hz: {widest} px, {left} px at last");
     }
 }
 
 #[test]
-fn a_spring_that_is_too_stiff_for_any_step_stays_where_it_is() {
+fn a_spring_too_stiff_for_any_step_does_not_move() {
     let mut simulator = precise();
     let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(0.0, 100.0));
     simulator[geom].set_collision_enabled(false);
@@ -531,7 +534,7 @@ fn a_spring_that_is_too_stiff_for_any_step_stays_where_it_is() {
     simulator.add(spring).unwrap();
     run(&mut simulator, 600);
     let place = simulator[body].position();
-    // As stiff as a step bears, it stretches by its weight: below g dt^2 / 1.94.
+    // At the stiffness limit of the step, it stretches by its weight: below g dt^2 / 1.94.
     assert!((100.0..100.0 + GRAVITY * DT * DT / 1.94).contains(&place.y), "{place}");
     assert_abs_diff_eq!(place.x, 0.0, epsilon = 0.01);
 }

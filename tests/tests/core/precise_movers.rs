@@ -1,5 +1,5 @@
-//! Kinematic bodies that move, under the precise set: nothing passes through them, and what falls on them or flies after them
-//! meets them in their own frame.
+//! Kinematic bodies that move, under the precise set: no body passes through them, and bodies that fall on them or fly after
+//! them collide in their frame.
 
 use approx::assert_abs_diff_eq;
 use farseer_core::math::Vector2;
@@ -57,7 +57,7 @@ enum Form {
 
 const FORMS: [Form; 4] = [Form::Disc, Form::Box, Form::Polygon, Form::Capsule];
 
-/// A dynamic body whose outline reaches by `radius` from its origin along x.
+/// A dynamic body whose outline extends by `radius` from its origin along x.
 fn add(simulator: &mut PhysicsSimulator, form: Form, at: Vector2, radius: f32) -> (BodyId, GeomId) {
     let placement = GeomPlacement::default();
     match form {
@@ -83,7 +83,7 @@ fn add(simulator: &mut PhysicsSimulator, form: Form, at: Vector2, radius: f32) -
     }
 }
 
-/// Lifts go as far as what is above them falls in the meantime, and then as long again.
+/// Lifts go as far as the body above them falls in the meantime, and then as long again.
 fn assert_lands(form: Form, direction: Vector2, speed: f32, rate: f32, is_bullet: bool) {
     const GRAVITY: f32 = 900.0;
     let mut simulator = simulator(direction * GRAVITY);
@@ -91,7 +91,7 @@ fn assert_lands(form: Form, direction: Vector2, speed: f32, rate: f32, is_bullet
     let (lift, _) = add_plate(&mut simulator, direction * 126.0, size, direction * speed);
     let (body, _) = add(&mut simulator, form, Vector2::zeros(), 16.0);
     simulator[body].set_is_bullet(is_bullet);
-    // It has caught up when the way of its fall is that of the lift and 100 px: after less than 2 speed / g and half a second.
+    // It has caught up when its fall is the distance of the lift and 100 px: after less than 2 speed / g and half a second.
     let steps = ((4.0 * speed / GRAVITY + 2.0) * rate) as usize;
     (0..steps).for_each(|_| simulator.update(1.0 / rate));
     let case = (form, direction, speed, rate, is_bullet);
@@ -104,7 +104,7 @@ fn assert_lands(form: Form, direction: Vector2, speed: f32, rate: f32, is_bullet
 }
 
 #[test]
-fn what_falls_on_a_lift_that_moves_away_lands_and_has_its_velocity() {
+fn a_body_that_falls_on_a_receding_lift_lands_and_has_its_velocity() {
     for direction in [v(0.0, 1.0), v(0.0, -1.0), v(1.0, 0.0), v(-1.0, 0.0)] {
         for rate in RATES {
             for form in FORMS {
@@ -122,7 +122,7 @@ fn what_falls_on_a_lift_that_moves_away_lands_and_has_its_velocity() {
 }
 
 #[test]
-fn what_flies_after_a_faster_mover_keeps_its_motion() {
+fn a_body_behind_a_faster_mover_keeps_its_motion() {
     for rate in RATES {
         for (speed, of_mover) in [(600.0, 700.0), (3000.0, 3010.0), (5000.0, 9000.0)] {
             for form in FORMS {
@@ -133,7 +133,7 @@ fn what_flies_after_a_faster_mover_keeps_its_motion() {
                     simulator[body].set_linear_velocity(v(speed, 0.0));
                     simulator[body].set_angular_velocity(spin);
                     (0..20).for_each(|_| simulator.update(1.0 / rate));
-                    // Sums of 20 ways of up to 167 px, each rounded.
+                    // Sums of 20 displacements of up to 167 px, each rounded.
                     assert_abs_diff_eq!(simulator[body].position().x, 20.0 * speed / rate, epsilon = 0.01);
                     assert_eq!(simulator[body].linear_velocity(), v(speed, 0.0));
                 }
@@ -143,7 +143,7 @@ fn what_flies_after_a_faster_mover_keeps_its_motion() {
 }
 
 #[test]
-fn a_bullet_meets_what_moves_away_from_it() {
+fn a_bullet_hits_a_receding_target() {
     for (speed, of_target) in [(6000.0, 1200.0), (3000.0, 600.0), (20_000.0, 10_000.0)] {
         for rate in RATES {
             for is_target_marked in [false, true] {
@@ -158,7 +158,7 @@ fn a_bullet_meets_what_moves_away_from_it() {
                 let [one, other] = [bullet, target].map(|body| simulator[body].linear_velocity().x);
                 let case = (speed, of_target, rate, is_target_marked);
                 assert!(simulator[bullet].position().x < simulator[target].position().x, "{case:?}");
-                // Without restitution they go on together; a step after a hit up to 1.42 % of the speed is left.
+                // Without restitution they go on together; a step after a hit up to 1.42 % of the speed remains.
                 assert!((one - other).abs() < 0.0142 * (speed - of_target), "{one}, {other}: {case:?}");
                 assert_abs_diff_eq!(one + other, speed + of_target, epsilon = 0.1);
             }
@@ -174,7 +174,7 @@ struct Strike {
     speed: f32,
     rate: f32,
     phase: f32,
-    /// Velocity of the struck body along the way of the plate, in parts of the plate's.
+    /// Velocity of the struck body along the plate's direction, as a fraction of the plate's speed.
     before: f32,
     restitution: f32,
 }
@@ -193,7 +193,7 @@ impl Strike {
         let distance = 0.5 * thickness + 1.5 * radius + (1.0 + phase) * (1.0 - before) * speed / rate;
         let (body, geom) = add(&mut simulator, form, direction * distance, radius);
         simulator.geom_mut(geom).unwrap().set_restitution_coefficient(restitution);
-        // A face lies flat against the plate: nothing turns it.
+        // A face lies flat against the plate: it gets no torque.
         simulator[body].set_rotation(direction.y.atan2(direction.x));
         simulator[body].set_linear_velocity(direction * (before * speed));
         let case = (form, radius, thickness, speed, (rate, phase, before, restitution));
@@ -201,14 +201,14 @@ impl Strike {
             simulator.update(1.0 / rate);
             let ahead = (simulator[body].position() - simulator[plate].position()).dot(&direction);
             let least = 0.5 * thickness + radius * if form == Form::Polygon { 0.866 } else { 1.0 };
-            // The reach of contacts, and what soft contacts leave of the relative speed: measured, 2.1 % of its way in a step.
+            // The reach of contacts, and the relative speed that soft contacts leave: measured, 2.1 % of its motion in a step.
             let deepest = 0.64 + 0.04 * (1.0 - before) * speed / rate;
             assert!(ahead > 0.5 * thickness, "{ahead}: {case:?}");
             assert!(ahead > least - deepest, "{ahead} of {least}: {case:?}");
         }
         let along = simulator[body].linear_velocity().dot(&direction);
         let expected = speed + restitution * (1.0 - before) * speed;
-        // A step after a hit up to 1.42 % of the relative speed is left.
+        // A step after a hit up to 1.42 % of the relative speed remains.
         assert!(
             (along - expected).abs() < 0.0142 * (1.0 - before) * speed,
             "{along} of {expected}: {case:?}"
@@ -217,7 +217,7 @@ impl Strike {
 }
 
 #[test]
-fn a_plate_that_moves_drives_before_it_what_it_hits_whatever_their_sizes() {
+fn a_moving_plate_pushes_bodies_of_any_size() {
     for radius in [3.0, 16.0, 60.0] {
         for thickness in [2.0, 10.0] {
             for speed in [200.0, 2000.0, 6000.0] {
@@ -238,7 +238,7 @@ fn a_plate_that_moves_drives_before_it_what_it_hits_whatever_their_sizes() {
 }
 
 #[test]
-fn what_is_struck_with_restitution_leaves_faster_than_the_plate() {
+fn a_body_struck_with_restitution_leaves_faster_than_the_plate() {
     for restitution in [0.5, 1.0] {
         for speed in [200.0, 2000.0] {
             for rate in RATES {
@@ -269,7 +269,7 @@ fn a_plate_strikes_a_bullet_in_every_phase_of_the_step() {
 }
 
 #[test]
-fn a_plate_passes_by_what_is_beside_its_way() {
+fn a_plate_does_not_touch_bodies_beside_its_path() {
     for speed in [600.0, 3000.0, 10_000.0] {
         for form in FORMS {
             let mut simulator = simulator(Vector2::zeros());
@@ -315,7 +315,7 @@ fn a_flipper_strikes_every_ball_before_it() {
 }
 
 #[test]
-fn a_plate_that_is_brought_to_places_strikes_as_one_with_a_velocity() {
+fn a_plate_with_targets_strikes_like_one_with_a_velocity() {
     let mut simulator = simulator(Vector2::zeros());
     let (plate, _) = add_plate(&mut simulator, v(-300.0, 0.0), (10.0, 100.0), Vector2::zeros());
     let (ball, _) = add(&mut simulator, Form::Disc, Vector2::zeros(), 5.0);
@@ -339,7 +339,7 @@ fn sleeper() -> (PhysicsSimulator, BodyId) {
 }
 
 #[test]
-fn a_plate_wakes_and_drives_what_sleeps() {
+fn a_plate_wakes_and_pushes_sleeping_bodies() {
     for speed in [300.0, 2000.0, 6000.0] {
         let (mut simulator, body) = sleeper();
         let (plate, _) = add_plate(&mut simulator, v(-200.0, -20.0), (10.0, 30.0), v(speed, 0.0));
@@ -352,7 +352,7 @@ fn a_plate_wakes_and_drives_what_sleeps() {
 }
 
 #[test]
-fn a_plate_that_passes_above_what_sleeps_leaves_it_asleep() {
+fn a_plate_that_passes_above_sleeping_bodies_wakes_none() {
     let (mut simulator, body) = sleeper();
     let before = simulator[body].position();
     add_plate(&mut simulator, v(-200.0, -40.0), (10.0, 30.0), v(3000.0, 0.0));
@@ -400,7 +400,7 @@ fn two_plates_press_a_body_and_hold_it_between_them() {
 }
 
 #[test]
-fn what_a_mover_takes_along_is_stopped_by_a_wall() {
+fn a_body_carried_by_a_mover_is_stopped_by_a_wall() {
     for rate in RATES {
         let mut simulator = simulator(Vector2::zeros());
         let (wall, _) = add_box(&mut simulator, v(2.0, 0.0), (4.0, 400.0));
@@ -442,7 +442,7 @@ fn a_scene_of_movers_goes_on_with_the_same_bits_after_a_restore_in_every_step() 
     }
 }
 
-/// Four fast balls fly over a row of sleeping boxes: the most pairs that an update looks at.
+/// Four fast balls fly over a row of sleeping boxes: the greatest number of pairs that an update tests.
 fn most_pairs_beside(sleepers: usize) -> usize {
     let mut simulator = simulator(Vector2::zeros());
     let boxes: Vec<BodyId> =

@@ -1,4 +1,4 @@
-//! The precise set: queries of a simulator ask its grid, and answer as those of `Objects`, which look at every geom.
+//! The precise set: queries of a simulator use its grid, and return the same as those of `Objects`, which test every geom.
 
 use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, simulator, v};
 use farseer_core::math::Vector2;
@@ -45,7 +45,7 @@ fn random_scene(random: &mut Random, centre: Vector2) -> PhysicsSimulator {
     simulator
 }
 
-/// Asks both in all ways at a random place.
+/// Compares all queries of both at a random position.
 fn compare(simulator: &PhysicsSimulator, random: &mut Random, centre: Vector2) -> usize {
     let objects: &Objects = simulator;
     let mut place = || centre + v(random.between(-600.0, 600.0), random.between(-600.0, 600.0));
@@ -81,7 +81,7 @@ fn edit(simulator: &mut PhysicsSimulator, random: &mut Random, centre: Vector2) 
 }
 
 #[test]
-fn a_grid_answers_as_looking_at_every_geom_does() {
+fn grid_queries_equal_a_test_of_every_geom() {
     let mut answers = 0;
     for (seed, centre) in [v(0.0, 0.0), v(3000.0, -900.0), v(1e6, 1e6), v(-4e7, 0.0)].into_iter().enumerate()
     {
@@ -99,7 +99,7 @@ fn a_grid_answers_as_looking_at_every_geom_does() {
     assert!(answers > 5000, "{answers}");
 }
 
-/// A box, of a body that takes part or does not, or two of one body.
+/// Adds a box of an enabled or disabled body, or two of one body.
 fn put_in(simulator: &mut PhysicsSimulator, random: &mut Random) {
     let place = v(random.between(-500.0, 500.0), random.between(-500.0, 500.0));
     let (body, _) = match random.below(3) {
@@ -114,7 +114,7 @@ fn put_in(simulator: &mut PhysicsSimulator, random: &mut Random) {
 }
 
 #[test]
-fn a_grid_answers_as_looking_at_every_geom_does_while_things_come_and_go() {
+fn grid_queries_equal_a_test_of_every_geom_while_geoms_are_added_and_removed() {
     let mut answers = 0;
     for seed in 0..4 {
         let random = &mut Random::new(seed);
@@ -134,7 +134,7 @@ fn a_grid_answers_as_looking_at_every_geom_does_while_things_come_and_go() {
 }
 
 #[test]
-fn a_grid_answers_in_callbacks_as_looking_at_every_geom_does() {
+fn grid_queries_in_callbacks_equal_a_test_of_every_geom() {
     struct Asks(Random, usize);
     impl EventHandler for Asks {
         fn on_body_updated(&mut self, context: &mut Context<'_>, _: farseer_core::BodyId) {
@@ -162,7 +162,7 @@ fn a_grid_answers_in_callbacks_as_looking_at_every_geom_does() {
 
 /// Row by row, or column by column, there would be four thousand million cells to look at.
 #[test]
-fn boxes_that_are_the_wrong_way_round_are_asked_about_as_others() {
+fn inverted_query_boxes_are_handled_like_others() {
     let mut random = Random::new(3);
     let mut simulator = random_scene(&mut random, v(0.0, 0.0));
     (0..10).for_each(|_| simulator.update(DT));

@@ -1,5 +1,5 @@
-//! The precise set: polygons that roll from corner to corner gain no energy, and lose what their corners take. Lengths in px, y
-//! down.
+//! The precise set: polygons that roll from corner to corner gain no energy, and lose as much as the impacts of their corners
+//! take. Lengths in px, y down.
 
 use std::f32::consts::TAU;
 
@@ -26,11 +26,11 @@ struct Rolling {
     speed: f32,
     gravity: f32,
     rate: f32,
-    /// Of the ground, down in the direction of rolling, rad.
+    /// Inclination of the ground in rad, positive downhill in the direction of rolling.
     slope: f32,
     mass: f32,
     friction: f32,
-    /// Width of the tiles of the floor.
+    /// Width of the tiles of the floor in px.
     tile: f32,
 }
 
@@ -94,7 +94,7 @@ impl Rolling {
     fn assert_gains_nothing(&self, seconds: f32) {
         let (mut simulator, body) = self.world();
         let first = self.energy(&simulator, body);
-        // A spring of a contact holds what has sunk by up to its sag.
+        // A contact spring carries a body that is deeper by up to its sag.
         let lift = 0.02 * self.mass * self.gravity;
         for step in 0..(seconds * self.rate) as usize {
             simulator.update(1.0 / self.rate);
@@ -125,7 +125,7 @@ fn a_rolling_polygon_never_gains_energy() {
 }
 
 #[test]
-fn on_slopes_and_with_other_masses_it_gains_none_either() {
+fn a_rolling_polygon_gains_no_energy_on_slopes_and_with_other_masses() {
     for corners in [6, 24, 96] {
         for slope in [0.05, 0.2, -0.1] {
             for mass in [0.01, 1000.0] {
@@ -135,11 +135,11 @@ fn on_slopes_and_with_other_masses_it_gains_none_either() {
     }
 }
 
-/// Followed for 10 s, or until it has so little energy left that it soon rocks.
+/// Tracks a rolling polygon for 10 s, or until it has so little energy that it soon rocks.
 ///
-/// From corner to corner a wheel keeps its angular momentum about the new corner, and with that
-/// (I + m r^2 cos(2 pi / n)) / (I + m r^2) of its spin. Between two strikes its energy is constant. So the kinetic energy that
-/// it has when it lies on an edge falls by the square of that at each strike.
+/// From corner to corner a wheel keeps its angular momentum about the new corner. So each strike multiplies its spin by `(I + m
+/// r^2 cos(2 pi / n)) / (I + m r^2)`. Between two strikes its energy is constant. So its kinetic energy when it lies on an edge
+/// falls by the square of that factor at each strike.
 fn assert_loses_what_its_corners_take(rolling: &Rolling) {
     let (mut simulator, body) = rolling.world();
     let (mass, inertia) = (simulator[body].mass(), simulator[body].moment_of_inertia());
@@ -166,7 +166,7 @@ fn assert_loses_what_its_corners_take(rolling: &Rolling) {
 }
 
 #[test]
-fn what_rolls_too_slowly_to_hop_loses_what_its_corners_take() {
+fn a_rolling_polygon_that_does_not_hop_loses_the_energy_of_its_corner_impacts() {
     for corners in [12, 16, 24, 48, 96] {
         for radius in [8.0_f32, 16.0, 64.0] {
             for (gravity, rate) in [(900.0_f32, 30.0), (900.0, 60.0), (200.0, 120.0), (2000.0, 60.0)] {
@@ -181,7 +181,7 @@ fn what_rolls_too_slowly_to_hop_loses_what_its_corners_take() {
 }
 
 #[test]
-fn on_flush_tiles_it_loses_no_more_than_on_one_floor() {
+fn a_rolling_polygon_loses_no_more_on_flush_tiles_than_on_one_floor() {
     for (corners, tile) in [(24, 32.0), (48, 32.0), (96, 32.0), (48, 100.0), (96, 7.0)] {
         for (radius, speed) in [(16.0, 90.0), (64.0, 60.0), (8.0, 40.0)] {
             for rate in [30.0, 60.0] {
@@ -192,7 +192,7 @@ fn on_flush_tiles_it_loses_no_more_than_on_one_floor() {
 }
 
 #[test]
-fn what_it_weighs_and_how_rough_it_is_change_nothing_while_it_does_not_slip() {
+fn mass_and_friction_have_no_effect_on_rolling_without_slip() {
     for (mass, friction) in [(0.01, 1.0), (1000.0, 1.0), (1.0, 0.3), (50.0, 0.5)] {
         for corners in [16, 48] {
             assert_loses_what_its_corners_take(&Rolling { corners, mass, friction, speed: 80.0, ..LEVEL });

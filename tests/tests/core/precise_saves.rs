@@ -1,4 +1,4 @@
-//! The precise set: what is saved, cloned and chosen in the middle of a run.
+//! The precise set: saves, clones and changes of method in the middle of a run.
 
 use conformance::fixtures::plane::{Refuses, add_box, add_circle, add_floor, simulator, v};
 use farseer_core::{
@@ -30,7 +30,7 @@ fn throw_in(simulator: &mut PhysicsSimulator, number: usize) {
     simulator[geom].set_restitution_coefficient(0.1 * (number % 4) as f32);
 }
 
-/// Steps both alike: a thing is thrown in every ten steps, and one is taken out now and then.
+/// Steps both alike: a body is thrown in every ten steps, and one is removed now and then.
 fn play(simulator: &mut PhysicsSimulator, step: usize) {
     if step.is_multiple_of(10) && step < 300 {
         throw_in(simulator, step / 10);
@@ -63,7 +63,8 @@ fn a_pile_that_builds_up_goes_on_with_the_same_bits_after_a_restore_in_every_ste
     assert!(plain.arbiter_count() > 20);
 }
 
-/// Small boxes on a plate, more than there are colours for rows, and one more thing in every few steps while others go.
+/// Small boxes on a plate, more than there are colours for constraints, and one more body every few steps while others are
+/// removed.
 fn laden_plate() -> PhysicsSimulator {
     let mut simulator = filling_pit();
     add_floor(&mut simulator, (900.0, 20.0), v(0.0, 200.0));
@@ -76,7 +77,7 @@ fn laden_plate() -> PhysicsSimulator {
 }
 
 #[test]
-fn rows_that_no_colour_was_left_for_keep_their_order_when_things_come_and_go() {
+fn overflow_constraints_keep_their_order_when_bodies_are_added_and_removed() {
     let (mut plain, mut restored) = (laden_plate(), laden_plate());
     let mut most = 0;
     for step in 0..150 {
@@ -112,10 +113,10 @@ fn a_clone_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn what_touches_is_known_before_the_first_update_after_a_restore() {
+fn contacts_are_readable_before_the_first_update_after_a_restore() {
     let mut plain = filling_pit();
     (0..200).for_each(|step| play(&mut plain, step));
-    // What is edited counts from the next update on.
+    // An edit counts from the next update on.
     let last = *plain.body_list().last().unwrap();
     for is_edited in [false, true] {
         if is_edited {
@@ -134,7 +135,7 @@ fn what_touches_is_known_before_the_first_update_after_a_restore() {
 }
 
 #[test]
-fn circles_that_were_refused_are_the_same_after_a_restore_and_a_pause() {
+fn refused_circles_are_the_same_after_a_restore_and_a_pause() {
     let mut plain = simulator(320.0);
     plain.set_methods(Methods::PRECISE).unwrap();
     for x in [0.0, 15.0] {
@@ -150,7 +151,7 @@ fn circles_that_were_refused_are_the_same_after_a_restore_and_a_pause() {
     }
 }
 
-/// Disposes a joint while it is told of a collision.
+/// Disposes a joint in a collision callback.
 struct Disposes(JointId);
 
 impl EventHandler for Disposes {
@@ -167,7 +168,7 @@ impl EventHandler for Disposes {
 }
 
 #[test]
-fn a_joint_that_is_disposed_while_collisions_are_told_does_not_act_restored_or_not() {
+fn a_joint_disposed_in_a_collision_callback_does_not_act_restored_or_not() {
     let mut plain = filling_pit();
     let (lying, _) = add_box(&mut plain, (20.0, 20.0), v(0.0, -10.0));
     let (hanging, _) = add_box(&mut plain, (20.0, 20.0), v(40.0, -100.0));
@@ -219,7 +220,7 @@ fn methods_may_change_in_the_middle_of_a_run() {
 }
 
 #[test]
-fn a_length_that_is_no_length_is_refused() {
+fn an_invalid_length_unit_is_refused() {
     let mut simulator = simulator(320.0);
     for length_unit in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         assert!(simulator.set_methods(Methods::Precise { length_unit }).is_err(), "{length_unit}");

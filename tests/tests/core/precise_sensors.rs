@@ -1,4 +1,4 @@
-//! The precise set: sensors hear of static and kinematic bodies, and every touch that begins is told to end.
+//! The precise set: sensors report static and kinematic bodies, and every touch that begins is reported to end.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -44,7 +44,7 @@ fn add_sensor(simulator: &mut PhysicsSimulator, at: Vector2, size: f32) -> (Body
     added
 }
 
-/// How often a geom was told that a touch with another one begins, and ends, in the last update.
+/// Numbers of touches with another geom that began and ended in the last update.
 fn told(simulator: &PhysicsSimulator, this: GeomId, other: GeomId) -> [usize; 2] {
     let sides = |event: &Event| match *event {
         Event::Collision { this, other, .. } => Some((0, this, other)),
@@ -58,7 +58,7 @@ fn told(simulator: &PhysicsSimulator, this: GeomId, other: GeomId) -> [usize; 2]
     counts
 }
 
-/// Updates so often, and adds up what a geom was told.
+/// Makes a number of updates, and adds up the events of a geom.
 fn told_in(simulator: &mut PhysicsSimulator, updates: usize, this: GeomId, other: GeomId) -> [usize; 2] {
     (0..updates).fold([0; 2], |sum, _| {
         simulator.update(DT);
@@ -74,7 +74,7 @@ fn restored(simulator: &PhysicsSimulator) -> PhysicsSimulator {
 }
 
 #[test]
-fn a_sensor_hears_once_of_each_kind_of_body_that_is_in_it_from_the_beginning() {
+fn a_sensor_reports_once_bodies_of_each_type_that_are_in_it_from_the_start() {
     let mut simulator = precise(0.0);
     let (_, sensor) = add_sensor(&mut simulator, v(0.0, 0.0), 100.0);
     let inside = [
@@ -96,7 +96,7 @@ fn a_sensor_hears_once_of_each_kind_of_body_that_is_in_it_from_the_beginning() {
 }
 
 #[test]
-fn a_sensor_hears_of_what_is_created_put_or_moved_into_it_and_out_of_it() {
+fn a_sensor_reports_bodies_created_in_it_or_moved_into_and_out_of_it() {
     let mut simulator = precise(0.0);
     let (_, sensor) = add_sensor(&mut simulator, v(0.0, 0.0), 100.0);
     simulator.update(DT);
@@ -118,7 +118,7 @@ fn a_sensor_hears_of_what_is_created_put_or_moved_into_it_and_out_of_it() {
 }
 
 #[test]
-fn a_geom_that_becomes_a_sensor_hears_of_what_is_there_and_is_told_of_all_it_loses() {
+fn a_geom_that_becomes_a_sensor_reports_present_touches_and_all_that_end() {
     let mut simulator = precise(0.0);
     let (body, geom) = add_static(&mut simulator, v(0.0, 0.0), 100.0);
     let (_, tile) = add_static(&mut simulator, v(30.0, 0.0), 20.0);
@@ -181,7 +181,7 @@ fn every_touch_ends_by_categories_groups_ignored_pairs_disabling_removal_and_dis
 }
 
 #[test]
-fn a_touch_that_pushes_ends_as_well_and_one_whose_pieces_change_goes_on() {
+fn a_contact_with_impulses_lasts_through_changes_of_pieces_and_body_type_and_ends() {
     let mut simulator = precise(900.0);
     let (_, floor) = add_static(&mut simulator, v(0.0, 50.0), 100.0);
     let (body, geom) = add_box(&mut simulator, v(0.0, -10.0), 20.0);
@@ -191,7 +191,7 @@ fn a_touch_that_pushes_ends_as_well_and_one_whose_pieces_change_goes_on() {
     let notched = notched.into_iter().map(|[x, y]| v(x, y)).collect::<farseer_core::shape::Vertices>();
     simulator.set_vertices(floor, notched).unwrap();
     assert_eq!(told_in(&mut simulator, 30, floor, geom), [0, 0]);
-    // Of another kind it is told nothing new either.
+    // A change of the body type causes no new event, either.
     simulator[body].set_is_kinematic(true);
     simulator[body].set_is_kinematic(false);
     assert_eq!(told_in(&mut simulator, 30, floor, geom), [0, 0]);
@@ -200,7 +200,7 @@ fn a_touch_that_pushes_ends_as_well_and_one_whose_pieces_change_goes_on() {
     assert_eq!(told_in(&mut simulator, 30, floor, geom), [0, 1]);
 }
 
-/// Counts what it is asked and told.
+/// Counts the calls of the handler.
 #[derive(Default)]
 struct Counter {
     begun: usize,
@@ -221,14 +221,14 @@ impl EventHandler for Counter {
     }
 
     fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, _: GeomId) {
-        // Each geom that a handler is told of is there.
+        // Each geom of a callback exists.
         assert!(context.geom(this).is_some());
         self.ended += 1;
     }
 }
 
 #[test]
-fn a_handler_is_told_once_of_a_sensor_and_a_static_body_and_when_that_is_disposed() {
+fn a_sensor_reports_a_static_body_once_and_its_disposal() {
     let mut simulator = precise(0.0);
     add_sensor(&mut simulator, v(0.0, 0.0), 100.0);
     let (tile, _) = add_static(&mut simulator, v(0.0, 0.0), 20.0);
@@ -241,7 +241,7 @@ fn a_handler_is_told_once_of_a_sensor_and_a_static_body_and_when_that_is_dispose
 }
 
 #[test]
-fn a_sensor_over_a_thousand_static_tiles_looks_at_each_once() {
+fn a_sensor_over_a_thousand_static_tiles_tests_each_once() {
     let mut simulator = precise(900.0);
     let (_, sensor) = add_sensor(&mut simulator, v(500.0, 0.0), 2000.0);
     for tile in 0..1000 {
@@ -258,7 +258,7 @@ fn a_sensor_over_a_thousand_static_tiles_looks_at_each_once() {
 }
 
 #[test]
-fn what_moves_amid_sensors_has_the_same_bits_after_each_restore() {
+fn bodies_amid_sensors_have_the_same_bits_after_each_restore() {
     let play = |is_restored: bool| {
         let mut simulator = precise(900.0);
         let bodies: Vec<BodyId> = (0..20)

@@ -1,4 +1,4 @@
-//! The precise set: what each setting means to it, line by line of the table of `Methods::Precise`.
+//! The precise set: the meaning of each setting, line by line of the table of `Methods::Precise`.
 
 use approx::assert_abs_diff_eq;
 use conformance::fixtures::plane::{add_box, add_floor, simulator, v};
@@ -29,7 +29,7 @@ fn contact_count(simulator: &PhysicsSimulator) -> usize {
 }
 
 #[test]
-fn nothing_moves_while_the_simulator_is_disabled() {
+fn no_body_moves_while_the_simulator_is_disabled() {
     let (mut simulator, body, _) = box_on_floor();
     simulator[body].set_position(v(0.0, -100.0));
     simulator.set_enabled(false);
@@ -67,7 +67,7 @@ fn another_friction_type_counts_at_once() {
 }
 
 #[test]
-fn bias_factor_and_allowed_penetration_stay_what_they_are() {
+fn bias_factor_and_allowed_penetration_are_refused_and_keep_their_values() {
     let mut simulator = simulator(GRAVITY);
     simulator.set_bias_factor(0.3).unwrap();
     simulator.set_allowed_penetration(0.01).unwrap();
@@ -107,13 +107,13 @@ fn the_deepest_contact_is_the_one_that_is_kept() {
         simulator[body].set_position(v(0.0, -16.0));
         simulator.update(DT);
         let contact = simulator.arbiters().next().unwrap().contacts().next().unwrap();
-        // The middle between the corner and the floor, seen from the turned box. Measured: 0.135 px.
+        // The middle between the corner and the floor, in the frame of the turned box. Measured: 0.135 px.
         assert_abs_diff_eq!(contact.position.x, side * 16.0, epsilon = 0.15);
     }
 }
 
 #[test]
-fn things_with_no_contacts_fall_through_each_other() {
+fn bodies_with_a_contact_limit_of_zero_fall_through_each_other() {
     let (mut simulator, body, _) = box_on_floor();
     simulator.set_max_contacts_to_detect(0);
     run(&mut simulator, 30);
@@ -121,7 +121,7 @@ fn things_with_no_contacts_fall_through_each_other() {
 }
 
 #[test]
-fn a_limit_of_contacts_is_known_after_loading() {
+fn a_limit_of_contacts_is_kept_by_a_save() {
     let (mut plain, ..) = box_on_floor();
     plain.set_max_contacts_to_detect(1);
     run(&mut plain, 3);
@@ -145,7 +145,7 @@ fn a_narrow_phase_is_refused_and_reported() {
 }
 
 #[test]
-fn distance_grids_are_made_and_kept_and_not_asked() {
+fn distance_grids_are_made_and_kept_and_not_used() {
     let (mut simulator, body, geom) = box_on_floor();
     assert!(simulator.geom(geom).unwrap().distance_grid().is_none());
     simulator.create_distance_grid(geom).unwrap();
@@ -184,7 +184,7 @@ fn a_matrix_of_the_user_is_for_queries_alone() {
 }
 
 #[test]
-fn nothing_pushes_a_body_of_negative_mass() {
+fn no_impulse_acts_on_a_body_of_negative_mass() {
     let (mut simulator, body, _) = box_on_floor();
     simulator[body].set_mass(-1.0).unwrap();
     simulator[body].set_ignore_gravity(true);
@@ -205,7 +205,7 @@ fn the_greatest_moment_of_inertia_keeps_a_body_from_turning() {
 }
 
 #[test]
-fn what_an_inactivity_controller_puts_to_rest_and_wakes_takes_part_accordingly() {
+fn bodies_disabled_and_enabled_by_an_inactivity_controller_leave_and_join_the_simulation() {
     let (mut simulator, body, _) = box_on_floor();
     let mut controller = InactivityController::new();
     controller.set_max_idle_time(100.0).unwrap();

@@ -1,9 +1,9 @@
-//! What has come to rest under the precise set sleeps, and wakes when something could move it.
+//! Bodies at rest under the precise set sleep, and wake when a disturbance could move them.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    Body, BodyFactory, BodyId, CollisionCategory, Event, EventHandler, FrictionType, GeomFactory,
-    GeomPlacement, JointFactory, Methods, PhysicsSimulator, PhysicsSimulatorView, SpringFactory, WhyAwake,
+    AwakeReason, Body, BodyFactory, BodyId, CollisionCategory, Event, EventHandler, FrictionType,
+    GeomFactory, GeomPlacement, JointFactory, Methods, PhysicsSimulator, PhysicsSimulatorView, SpringFactory,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -31,7 +31,7 @@ fn add_floor(simulator: &mut PhysicsSimulator) -> BodyId {
     floor
 }
 
-/// A column of this many boxes of 20 at a place.
+/// A column of this many boxes of 20 at an x.
 fn add_column(simulator: &mut PhysicsSimulator, x: f32, count: usize) -> Vec<BodyId> {
     (0..count).map(|i| add_box(simulator, [x, -10.0 - 20.0 * i as f32], [20.0, 20.0])).collect()
 }
@@ -55,7 +55,7 @@ fn sleeping_columns() -> (PhysicsSimulator, BodyId, [Vec<BodyId>; 3]) {
 }
 
 #[test]
-fn what_sleeps_stays_where_it_is_to_the_last_bit() {
+fn a_sleeping_body_keeps_its_pose_to_the_last_bit() {
     let (mut simulator, _, columns) = sleeping_columns();
     let places = |simulator: &PhysicsSimulator| -> Vec<(u32, u32, u32)> {
         let bits = |body: &Body| {
@@ -70,7 +70,7 @@ fn what_sleeps_stays_where_it_is_to_the_last_bit() {
 }
 
 #[test]
-fn a_step_in_which_all_sleep_looks_at_no_pair_and_solves_nothing() {
+fn a_step_in_which_all_sleep_tests_no_pair_and_solves_no_constraint() {
     let (mut simulator, ..) = sleeping_columns();
     simulator.update(DT);
     let counters = simulator.counters();
@@ -101,13 +101,13 @@ fn fat_aabbs_are_renewed_for_new_shapes_and_where_bodies_fall() {
     assert!((1..=30).contains(&renewed) && simulator[falling].position().y < -500.0, "{renewed}");
 }
 
-/// Hears of nothing; but with a handler all stages are gone through, whatever sleeps.
+/// A handler without callbacks; but with a handler all stages run, even if all bodies sleep.
 struct Listens;
 
 impl EventHandler for Listens {}
 
 #[test]
-fn updates_in_which_all_sleeps_and_those_after_them_have_the_same_bits_where_somebody_listens() {
+fn updates_of_a_sleeping_world_and_later_ones_have_the_same_bits_with_a_handler() {
     let (mut alone, floor, columns) = sleeping_columns();
     let mut heard = alone.clone();
     let mut both = |updates: usize, edit: &dyn Fn(&mut PhysicsSimulator)| {
@@ -129,7 +129,7 @@ fn updates_in_which_all_sleeps_and_those_after_them_have_the_same_bits_where_som
 }
 
 #[test]
-fn a_body_that_lands_wakes_what_it_lands_on_and_nothing_else() {
+fn a_landing_body_wakes_only_the_island_below_it() {
     let (mut simulator, _, columns) = sleeping_columns();
     add_box(&mut simulator, [0.0, -90.0], [20.0, 20.0]);
     run(&mut simulator, 0.1);
@@ -141,7 +141,7 @@ fn a_body_that_lands_wakes_what_it_lands_on_and_nothing_else() {
 }
 
 #[test]
-fn an_island_sleeps_and_wakes_as_a_whole() {
+fn all_bodies_of_an_island_sleep_and_wake_together() {
     let (mut simulator, _, [left, ..]) = sleeping_columns();
     simulator[left[0]].apply_impulse(Vector2::new(30.0, 0.0));
     simulator.update(DT);
@@ -153,7 +153,7 @@ fn an_island_sleeps_and_wakes_as_a_whole() {
 }
 
 #[test]
-fn what_loses_its_support_falls() {
+fn a_body_that_loses_its_support_wakes_and_falls() {
     type Remove = fn(&mut PhysicsSimulator, BodyId);
     let removals: [(&str, Remove); 6] = [
         ("disposed", |simulator, floor| simulator.dispose(floor).unwrap()),
@@ -182,7 +182,7 @@ fn what_loses_its_support_falls() {
 }
 
 #[test]
-fn a_lift_that_starts_wakes_what_stands_on_it() {
+fn a_lift_that_starts_wakes_its_load() {
     let mut simulator = simulator();
     let lift = add_floor(&mut simulator);
     simulator[lift].set_is_kinematic(true);
@@ -192,12 +192,12 @@ fn a_lift_that_starts_wakes_what_stands_on_it() {
     simulator[lift].set_linear_velocity(Vector2::new(0.0, -30.0));
     run(&mut simulator, 2.0);
     assert_eq!(asleep(&simulator, &column), 0, "what is carried does not sleep");
-    // 60 px up, within what contacts give.
+    // 60 px up, within the yield of contacts.
     assert!((simulator[column[0]].position().y + 70.0).abs() < 0.2, "{}", simulator[column[0]].position());
 }
 
 #[test]
-fn a_belt_that_starts_wakes_what_lies_on_it() {
+fn a_belt_that_starts_wakes_its_load() {
     let (mut simulator, floor, columns) = sleeping_columns();
     simulator[floor].set_linear_velocity(Vector2::new(10.0, 0.0));
     run(&mut simulator, 1.0);
@@ -205,7 +205,7 @@ fn a_belt_that_starts_wakes_what_lies_on_it() {
 }
 
 #[test]
-fn gravity_that_changes_wakes_everything() {
+fn a_change_of_gravity_wakes_all_bodies() {
     let (mut simulator, _, columns) = sleeping_columns();
     simulator.set_gravity(Vector2::new(0.0, -320.0)).unwrap();
     run(&mut simulator, 0.5);
@@ -213,16 +213,16 @@ fn gravity_that_changes_wakes_everything() {
 }
 
 #[test]
-fn with_sleep_switched_off_everything_is_awake() {
+fn with_sleep_disabled_all_bodies_are_awake() {
     let (mut simulator, _, columns) = sleeping_columns();
     simulator.set_sleep_enabled(false);
     run(&mut simulator, 3.0);
     assert!(columns.iter().all(|column| asleep(&simulator, column) == 0));
-    assert_eq!(simulator.why_awake(columns[0][0]), Some(WhyAwake::NothingSleeps));
+    assert_eq!(simulator.why_awake(columns[0][0]), Some(AwakeReason::SleepDisabled));
 }
 
 #[test]
-fn a_wind_that_blows_on_lets_things_sleep_and_a_gust_wakes_them() {
+fn bodies_sleep_in_a_constant_wind_and_a_gust_wakes_them() {
     let mut simulator = simulator();
     add_floor(&mut simulator);
     let body = add_box(&mut simulator, [0.0, -10.0], [20.0, 20.0]);
@@ -244,7 +244,7 @@ fn a_wind_that_blows_on_lets_things_sleep_and_a_gust_wakes_them() {
 }
 
 #[test]
-fn what_hangs_on_a_spring_sleeps_and_falls_when_the_spring_goes() {
+fn a_body_on_a_spring_sleeps_and_falls_when_the_spring_is_removed() {
     let mut simulator = simulator();
     let body = add_box(&mut simulator, [0.0, 0.0], [20.0, 20.0]);
     let spring = SpringFactory::create_fixed_linear_spring_in(
@@ -264,7 +264,7 @@ fn what_hangs_on_a_spring_sleeps_and_falls_when_the_spring_goes() {
 }
 
 #[test]
-fn what_hangs_on_a_joint_sleeps_and_falls_when_the_joint_goes() {
+fn a_body_on_a_joint_sleeps_and_falls_when_the_joint_is_removed() {
     let mut simulator = simulator();
     let bodies: Vec<BodyId> =
         (0..3).map(|i| add_box(&mut simulator, [0.0, 30.0 * i as f32], [10.0, 20.0])).collect();
@@ -295,7 +295,7 @@ fn sleeping_on_a_post() -> (PhysicsSimulator, [BodyId; 2]) {
 }
 
 #[test]
-fn what_hangs_on_a_body_without_geoms_wakes_when_that_is_moved_also_after_a_restore() {
+fn a_body_joined_to_one_without_geoms_wakes_when_that_is_moved_also_after_a_restore() {
     let (mut plain, [post, hanging]) = sleeping_on_a_post();
     plain[post].set_position(Vector2::new(0.0, 10.0));
     let mut restored = simulator();
@@ -308,7 +308,7 @@ fn what_hangs_on_a_body_without_geoms_wakes_when_that_is_moved_also_after_a_rest
 }
 
 #[test]
-fn what_is_woken_right_after_a_restore_wakes_whatever_was_edited_before() {
+fn bodies_woken_right_after_a_restore_wake_after_any_earlier_edit() {
     let (mut plain, _, [_, middle, right]) = sleeping_columns();
     plain[middle[2]].set_position(Vector2::new(0.0, -60.0));
     let mut restored = simulator();
@@ -322,7 +322,7 @@ fn what_is_woken_right_after_a_restore_wakes_whatever_was_edited_before() {
 }
 
 #[test]
-fn a_new_joint_wakes_what_it_holds() {
+fn a_new_joint_wakes_its_bodies() {
     let (mut simulator, _, [left, middle, _]) = sleeping_columns();
     JointFactory::create_pin_joint_in(&mut simulator, left[2], Vector2::zeros(), middle[2], Vector2::zeros())
         .unwrap();
@@ -354,24 +354,24 @@ fn a_pendulum_does_not_fall_asleep_where_it_turns() {
 }
 
 #[test]
-fn the_reason_for_being_awake_is_told() {
+fn the_reason_for_being_awake_is_reported() {
     let mut simulator = simulator();
     let floor = add_floor(&mut simulator);
     let column = add_column(&mut simulator, 0.0, 2);
     let falling = add_box(&mut simulator, [200.0, -300.0], [20.0, 20.0]);
     run(&mut simulator, 0.3);
-    assert!(matches!(simulator.why_awake(falling), Some(WhyAwake::Moves { .. })));
-    assert_eq!(simulator.why_awake(floor), Some(WhyAwake::NeverSleeps));
-    assert!(matches!(simulator.why_awake(column[0]), Some(WhyAwake::RestsSince { .. })));
+    assert!(matches!(simulator.why_awake(falling), Some(AwakeReason::Moves { .. })));
+    assert_eq!(simulator.why_awake(floor), Some(AwakeReason::NeverSleeps));
+    assert!(matches!(simulator.why_awake(column[0]), Some(AwakeReason::RestsSince { .. })));
     run(&mut simulator, 3.0);
     assert_eq!(simulator.why_awake(column[0]), None);
     simulator[column[1]].set_linear_velocity(Vector2::new(20.0, 0.0));
     (0..2).for_each(|_| simulator.update(DT));
-    assert_eq!(simulator.why_awake(column[0]), Some(WhyAwake::HangsTogether { with: column[1] }));
+    assert_eq!(simulator.why_awake(column[0]), Some(AwakeReason::HangsTogether { with: column[1] }));
 }
 
 #[test]
-fn what_a_handler_refuses_wakes_nothing() {
+fn a_refused_contact_wakes_no_body() {
     struct Refuser(farseer_core::GeomId);
     impl farseer_core::EventHandler for Refuser {
         fn on_collision(
@@ -393,7 +393,7 @@ fn what_a_handler_refuses_wakes_nothing() {
 }
 
 #[test]
-fn a_handler_is_asked_about_what_sleeps_and_wakes_it_by_another_answer() {
+fn a_handler_is_called_for_sleeping_contacts_and_wakes_them_by_another_answer() {
     struct Asked {
         count: usize,
         refuses: bool,
@@ -420,7 +420,7 @@ fn a_handler_is_asked_about_what_sleeps_and_wakes_it_by_another_answer() {
 }
 
 #[test]
-fn nothing_is_told_of_what_sleeps_but_when_it_ceases_to_touch() {
+fn sleeping_bodies_have_no_events_but_separations() {
     let (mut simulator, _, [left, ..]) = sleeping_columns();
     simulator.dispose(left[2]).unwrap();
     simulator.update(DT);
@@ -432,7 +432,7 @@ fn nothing_is_told_of_what_sleeps_but_when_it_ceases_to_touch() {
 }
 
 #[test]
-fn islands_are_what_hangs_together() {
+fn islands_are_the_bodies_connected_by_contacts_and_joints() {
     let (mut simulator, _, [left, middle, right]) = sleeping_columns();
     simulator.wake(middle[0]);
     simulator.update(DT);
@@ -446,7 +446,7 @@ fn islands_are_what_hangs_together() {
 }
 
 #[test]
-fn what_lies_still_keeps_its_contacts_from_step_to_step() {
+fn a_body_at_rest_keeps_its_contacts_from_step_to_step() {
     let mut simulator = simulator();
     simulator.set_sleep_enabled(false);
     add_floor(&mut simulator);
@@ -487,7 +487,7 @@ fn a_scene_that_sleeps_and_wakes_goes_on_with_the_same_bits_after_a_restore_in_e
     for step in 0..600 {
         for simulator in [&mut simulator, &mut restored] {
             match step {
-                // The rope is struck, a column pushed, a support goes, and the hook breaks.
+                // An impulse on the rope, then one on a column; a support is removed, and the hook breaks.
                 150 => simulator[bodies[6]].apply_impulse(Vector2::new(200.0, 0.0)),
                 300 => simulator[bodies[0]].set_linear_velocity(Vector2::new(60.0, 0.0)),
                 400 => simulator.dispose(bodies[3]).unwrap(),

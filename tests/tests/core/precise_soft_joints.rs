@@ -1,10 +1,10 @@
-//! The precise set: joints as soft rows of the iterative solver, which has what the direct solver does not take.
+//! The precise set: joints as soft rows of the iterative solver, for islands that the direct solver does not take.
 
 use conformance::fixtures::plane::{simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyFactory, BodyId, Event, GeomFactory, GeomId, GeomPlacement, IslandChoice, IslandMethod, JointFactory,
-    JointId, JointLimits, JointMotor, Methods, PhysicsSimulator, PinJoint, WeldJoint,
+    BodyFactory, BodyId, Event, GeomFactory, GeomId, GeomPlacement, IslandSolver, JointFactory, JointId,
+    JointLimits, JointMotor, Methods, PhysicsSimulator, PinJoint, SolverChoice, WeldJoint,
 };
 
 /// Length units per second squared; 32 length units are a metre.
@@ -13,11 +13,11 @@ const STEPS: [f32; 3] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0];
 const DT: f32 = STEPS[1];
 
 /// A simulator that leaves islands to the iterative solver, or chooses by itself.
-fn precise(gravity: f32, choice: IslandChoice) -> PhysicsSimulator {
+fn precise(gravity: f32, choice: SolverChoice) -> PhysicsSimulator {
     let mut simulator = simulator(gravity);
     simulator.set_methods(Methods::PRECISE).unwrap();
     simulator.set_iterations(4);
-    simulator.set_island_choice(choice);
+    simulator.set_solver_choice(choice);
     simulator
 }
 
@@ -75,17 +75,17 @@ fn greatest_error(simulator: &PhysicsSimulator, joints: &[JointId]) -> f32 {
     joints.iter().map(|&joint| simulator[joint].joint_error().abs()).fold(0.0, f32::max)
 }
 
-fn method(simulator: &PhysicsSimulator) -> IslandMethod {
+fn method(simulator: &PhysicsSimulator) -> IslandSolver {
     simulator.islands()[0].method
 }
 
 #[test]
-fn pulls_that_contradict_each_other_balance_whichever_was_made_first() {
+fn contradictory_joints_balance_in_any_order_of_creation() {
     for dt in STEPS {
         for (reach, wanted, is_turned) in
             [(100.0, 50.0, false), (100.0, 50.0, true), (30.0, 5.0, true), (400.0, 390.0, false)]
         {
-            let mut simulator = precise(0.0, IslandChoice::ByItself);
+            let mut simulator = precise(0.0, SolverChoice::Auto);
             let mut posts = [-reach, reach].map(|x| add_post(&mut simulator, v(x, 0.0)));
             if is_turned {
                 posts.reverse();
@@ -98,7 +98,7 @@ fn pulls_that_contradict_each_other_balance_whichever_was_made_first() {
                 rod.set_target_distance(wanted).unwrap();
             }
             run(&mut simulator, dt, 2.0);
-            // Each rod is as much too long: the middle is where their springs, which are alike, pull with equal forces.
+            // Each rod is too long by as much: equilibrium is in the middle, where their equal springs pull with equal forces.
             let x = simulator[ball].position().x;
             assert!(x.abs() < 0.01, "{reach}, {wanted}, {is_turned}, {dt}: {x}");
         }
@@ -121,10 +121,10 @@ fn chain(simulator: &mut PhysicsSimulator, links: usize) -> (BodyId, Vec<JointId
 }
 
 #[test]
-fn a_chain_that_was_pulled_too_far_is_loose_at_once_when_its_end_comes_back() {
+fn an_overstretched_chain_is_slack_at_once_when_its_end_returns() {
     for dt in STEPS {
         for (links, excess) in [(4, 5.0), (10, 20.0), (10, 60.0), (30, 20.0)] {
-            let mut simulator = precise(GRAVITY, IslandChoice::ByItself);
+            let mut simulator = precise(GRAVITY, SolverChoice::Auto);
             let (end, joints) = chain(&mut simulator, links);
             let length = 20.0 * links as f32;
             let moves = (0.5 / dt).round() as usize;
@@ -168,7 +168,7 @@ fn add_figure(simulator: &mut PhysicsSimulator, at: Vector2) -> Vec<JointId> {
 #[test]
 fn a_figure_that_falls_on_the_floor_stays_in_one_piece_and_falls_asleep() {
     for dt in STEPS {
-        let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+        let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
         add_floor(&mut simulator);
         let joints = add_figure(&mut simulator, v(0.0, -60.0));
         let mut worst = 0.0_f32;
@@ -176,8 +176,8 @@ fn a_figure_that_falls_on_the_floor_stays_in_one_piece_and_falls_asleep() {
             simulator.update(dt);
             worst = worst.max(greatest_error(&simulator, &joints));
         }
-        assert_eq!(method(&simulator), IslandMethod::Asleep, "{dt} s");
-        // A fall of 60 is a blow at 330 length units/s: the feet stop within a step in which all else goes on.
+        assert_eq!(method(&simulator), IslandSolver::Asleep, "{dt} s");
+        // A fall of 60 is an impact at 330 length units/s: the feet stop within a step in which all else goes on.
         assert!(worst < 330.0 * dt, "{dt} s: gap {worst}");
         // Measured: 0.13 in steps of 1/30 s, else 0.04.
         assert!(greatest_error(&simulator, &joints) < 0.3, "{dt} s");
@@ -185,8 +185,8 @@ fn a_figure_that_falls_on_the_floor_stays_in_one_piece_and_falls_asleep() {
 }
 
 #[test]
-fn what_soft_rows_hold_goes_on_with_the_same_bits_after_a_restore_in_every_step() {
-    let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+fn soft_rows_go_on_with_the_same_bits_after_a_restore_in_every_step() {
+    let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
     add_floor(&mut simulator);
     add_figure(&mut simulator, v(-100.0, -20.0));
     let (_, _) = chain(&mut simulator, 5);
@@ -210,7 +210,7 @@ fn what_soft_rows_hold_goes_on_with_the_same_bits_after_a_restore_in_every_step(
     );
     simulator[rope.unwrap()].set_softness(0.01).unwrap();
     for step in 0..200 {
-        let mut restored = precise(0.0, IslandChoice::Passes);
+        let mut restored = precise(0.0, SolverChoice::Iterative);
         restored.restore(&simulator.snapshot()).unwrap();
         simulator.update(DT);
         restored.update(DT);
@@ -221,7 +221,7 @@ fn what_soft_rows_hold_goes_on_with_the_same_bits_after_a_restore_in_every_step(
 #[test]
 fn a_ring_of_hinges_that_spins_freely_keeps_its_momentum_and_gains_no_energy() {
     for dt in STEPS {
-        let mut simulator = precise(0.0, IslandChoice::Passes);
+        let mut simulator = precise(0.0, SolverChoice::Iterative);
         let places = [0.0_f32, 0.5, 1.0, 1.5].map(|part| {
             let angle = part * std::f32::consts::PI;
             v(40.0 * angle.cos(), 40.0 * angle.sin())
@@ -255,9 +255,9 @@ fn a_ring_of_hinges_that_spins_freely_keeps_its_momentum_and_gains_no_energy() {
         let before = sums(&simulator);
         run(&mut simulator, dt, 5.0);
         let after = sums(&simulator);
-        assert_eq!(method(&simulator), IslandMethod::Passes);
-        // Roundings of velocities, and in the angular momentum the gaps of joints: their impulses act at two points. Measured: 0.035,
-        // 0.0053 and 0.0019.
+        assert_eq!(method(&simulator), IslandSolver::Iterative);
+        // Roundings of velocities, and in the angular momentum the gaps of joints: their impulses act at two points. Measured:
+        // 0.035, 0.0053 and 0.0019.
         for axis in 0..2 {
             assert!((after[axis] - before[axis]).abs() < 1e-3 * before[0], "{before:?} {after:?}");
         }
@@ -272,7 +272,7 @@ fn a_ring_of_hinges_that_spins_freely_keeps_its_momentum_and_gains_no_energy() {
 #[test]
 fn a_motor_against_the_floor_turns_its_wheel_at_its_speed() {
     for dt in STEPS {
-        let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+        let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
         add_floor(&mut simulator);
         let cart = add_rectangle(&mut simulator, v(0.0, -18.0), [100.0, 10.0], 4.0);
         let wheels = [-35.0, 35.0].map(|x| {
@@ -293,7 +293,7 @@ fn a_motor_against_the_floor_turns_its_wheel_at_its_speed() {
 fn a_limit_holds_the_arm_of_a_body_on_the_floor() {
     for dt in STEPS {
         for lower in [-0.5, 0.0, 0.3] {
-            let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+            let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
             add_floor(&mut simulator);
             let base = add_rectangle(&mut simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
             let arm = add_rectangle(&mut simulator, v(0.0, -80.0), [8.0, 60.0], 1.0);
@@ -310,9 +310,9 @@ fn a_limit_holds_the_arm_of_a_body_on_the_floor() {
 }
 
 #[test]
-fn a_weld_on_the_floor_bends_where_its_greatest_impulse_is_too_small() {
+fn a_weld_on_the_floor_bends_if_its_greatest_impulse_is_too_small() {
     for (most, bends) in [(f32::MAX, false), (1e5, false), (10.0, true)] {
-        let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+        let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
         add_floor(&mut simulator);
         let base = add_rectangle(&mut simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
         let beam = add_rectangle(&mut simulator, v(40.0, -60.0), [80.0, 6.0], 1.0);
@@ -328,8 +328,8 @@ fn a_weld_on_the_floor_bends_where_its_greatest_impulse_is_too_small() {
 }
 
 #[test]
-fn joints_that_cannot_be_kept_drive_no_body_faster_than_400_units_a_second() {
-    let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+fn unsatisfiable_joints_accelerate_no_body_beyond_400_units_per_second() {
+    let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
     add_floor(&mut simulator);
     let far = add_post(&mut simulator, v(60_000.0, -10.0));
     let tied = add_rectangle(&mut simulator, v(0.0, -10.0), [20.0, 20.0], 1.0);
@@ -349,10 +349,10 @@ fn joints_that_cannot_be_kept_drive_no_body_faster_than_400_units_a_second() {
 }
 
 #[test]
-fn a_block_on_a_rail_over_a_light_plate_stands_still_whatever_it_weighs() {
+fn a_block_of_any_mass_on_a_rail_over_a_light_plate_is_at_rest() {
     for dt in STEPS {
         for mass in [1.0, 10.0, 50.0, 150.0] {
-            let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+            let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
             add_floor(&mut simulator);
             let plate = add_rectangle(&mut simulator, v(0.0, -5.0), [60.0, 10.0], 1.0);
             let block = add_rectangle(&mut simulator, v(0.0, -35.0), [40.0, 40.0], mass);
@@ -367,8 +367,8 @@ fn a_block_on_a_rail_over_a_light_plate_stands_still_whatever_it_weighs() {
             simulator.set_joint_limits(rail.unwrap(), Some(limits)).unwrap();
             run(&mut simulator, dt, 6.0);
             let (speed, y) = (simulator[block].linear_velocity().norm(), simulator[block].position().y);
-            // It sinks by what soft contacts and limits yield, by its weight over the mass of the plate. Measured: 0.075 for each
-            // mass in steps of 1/30 s, else 0.019.
+            // It sinks by the yield of soft contacts and limits, times its weight over the mass of the plate. Measured: 0.075
+            // for each mass in steps of 1/30 s, else 0.019.
             let sag = mass * if dt > 0.02 { 0.08 } else { 0.02 };
             assert!(speed < 0.1 && (y + 35.0).abs() < 0.1 + sag, "{dt} s, mass {mass}: {speed}, at {y}");
         }
@@ -376,9 +376,9 @@ fn a_block_on_a_rail_over_a_light_plate_stands_still_whatever_it_weighs() {
 }
 
 #[test]
-fn a_soft_joint_of_a_body_on_the_floor_yields_as_its_softness_says() {
+fn a_soft_joint_of_a_body_on_the_floor_yields_by_its_softness() {
     for dt in STEPS {
-        let mut simulator = precise(GRAVITY, IslandChoice::ByItself);
+        let mut simulator = precise(GRAVITY, SolverChoice::Auto);
         add_floor(&mut simulator);
         let base = add_rectangle(&mut simulator, v(0.0, -20.0), [200.0, 40.0], 1000.0);
         let load = add_rectangle(&mut simulator, v(0.0, -150.0), [16.0, 16.0], 2.0);
@@ -391,7 +391,7 @@ fn a_soft_joint_of_a_body_on_the_floor_yields_as_its_softness_says() {
         let softness = 0.5 / simulator[load].mass();
         simulator[rod].set_softness(softness).unwrap();
         run(&mut simulator, dt, 8.0);
-        // Softness times the impulse of an update, by the part of an error that an update undoes.
+        // Softness times the impulse of an update, divided by the fraction of an error that an update corrects.
         let law = 0.5 * GRAVITY * dt * dt / simulator[rod].bias_factor();
         let error = simulator[rod].joint_error().abs();
         assert!((error / law - 1.0).abs() < 0.05, "{dt} s: {error} for {law}");
@@ -400,9 +400,9 @@ fn a_soft_joint_of_a_body_on_the_floor_yields_as_its_softness_says() {
 }
 
 #[test]
-fn a_plank_on_hinged_posts_tells_half_of_its_weight_at_each_hinge() {
+fn each_hinge_of_a_plank_on_hinged_posts_reports_half_of_its_weight() {
     for dt in STEPS {
-        let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+        let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
         add_floor(&mut simulator);
         let plank = add_rectangle(&mut simulator, v(0.0, -45.0), [200.0, 10.0], 6.0);
         let joints = [-80.0, 80.0].map(|x| {
@@ -419,9 +419,9 @@ fn a_plank_on_hinged_posts_tells_half_of_its_weight_at_each_hinge() {
 }
 
 #[test]
-fn a_joint_breaks_by_a_blow_on_the_body_that_it_holds() {
+fn a_joint_breaks_by_an_impact_on_its_body() {
     for (most, breaks) in [(1e6, false), (2e4, true)] {
-        let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+        let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
         add_floor(&mut simulator);
         let foot = add_rectangle(&mut simulator, v(0.0, -80.0), [40.0, 10.0], 1.0);
         let head = add_rectangle(&mut simulator, v(0.0, -105.0), [40.0, 40.0], 10.0);
@@ -438,9 +438,9 @@ fn a_joint_breaks_by_a_blow_on_the_body_that_it_holds() {
 }
 
 #[test]
-fn what_hangs_on_a_kinematic_body_and_drags_over_the_floor_follows_it() {
+fn a_body_joined_to_a_kinematic_one_follows_it_over_the_floor() {
     for dt in STEPS {
-        let mut simulator = precise(GRAVITY, IslandChoice::Passes);
+        let mut simulator = precise(GRAVITY, SolverChoice::Iterative);
         add_floor(&mut simulator);
         let carrier = add_rectangle(&mut simulator, v(0.0, -60.0), [10.0, 10.0], 1.0);
         simulator[carrier].set_is_kinematic(true);

@@ -1,10 +1,10 @@
-//! The precise set: springs of bodies that something touches, or that joints hold. They are rows with a stiffness of their own.
+//! The precise set: springs of bodies with contacts or joints. They are rows with a stiffness of their own.
 
 use conformance::fixtures::plane::{add_level_floor, add_part, energy, precise, run, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
     AngleSpring, BodyFactory, BodyId, Event, FixedAngleSpring, FixedLinearSpring, GeomFactory, GeomPlacement,
-    IslandChoice, IslandMethod, JointFactory, LinearSpring, PhysicsSimulator, SpringFactory, SpringId,
+    IslandSolver, JointFactory, LinearSpring, PhysicsSimulator, SolverChoice, SpringFactory, SpringId,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -37,7 +37,7 @@ fn add_sprung_load(
 }
 
 #[test]
-fn a_spring_on_a_light_plate_yields_to_a_load_as_its_constant_says() {
+fn a_spring_on_a_light_plate_yields_by_its_constant() {
     for dt in [1.0 / 30.0, DT, 1.0 / 120.0] {
         for (mass, stiffness, damping) in [
             (1.0, 500.0, 20.0),
@@ -53,8 +53,8 @@ fn a_spring_on_a_light_plate_yields_to_a_load_as_its_constant_says() {
             let length = simulator[plate].position().y - simulator[load].position().y;
             let law = 100.0 - mass * GRAVITY / stiffness;
             let case = format!("mass {mass}, stiffness {stiffness}, dt {dt}");
-            // A velocity error of 1e-4 units of 32 per second is left as it is, in every step until it sleeps; and what swings by less
-            // than 2.4 length units per second sleeps.
+            // A velocity error of 1e-4 units of 32 per second is not corrected, in every step until it sleeps; a body that
+            // swings by less than 2.4 length units per second sleeps.
             let left = 0.02 + 2.4 * (mass / stiffness).sqrt();
             assert!((length - law).abs() < left, "{case}: {length} instead of {law}");
             assert!((simulator[plate].position().y + 5.0).abs() < 0.02, "{case}");
@@ -88,7 +88,7 @@ fn add_swinging(simulator: &mut PhysicsSimulator) -> BodyId {
 }
 
 #[test]
-fn a_spring_whose_bodies_are_free_keeps_its_swing_to_the_bit_whatever_else_there_is() {
+fn a_spring_between_free_bodies_keeps_its_bits_beside_any_other_bodies() {
     let mut alone = precise(0.0);
     let of_alone = add_swinging(&mut alone);
     let mut beside = precise(0.0);
@@ -107,7 +107,7 @@ fn a_spring_whose_bodies_are_free_keeps_its_swing_to_the_bit_whatever_else_there
 }
 
 #[test]
-fn a_car_rests_on_its_springs_as_deep_as_their_constants_say() {
+fn the_sag_of_a_car_follows_the_constants_of_its_springs() {
     for mass in [2.0, 10.0, 150.0] {
         let mut simulator = precise(GRAVITY);
         add_level_floor(&mut simulator);
@@ -136,7 +136,8 @@ fn a_car_rests_on_its_springs_as_deep_as_their_constants_say() {
     }
 }
 
-/// A level lever of mass 2 on a base that stands on the floor, hinged at its left end, with the torque of its weight about the hinge.
+/// A level lever of mass 2 on a base that stands on the floor, hinged at its left end, with the torque of its weight about the
+/// hinge.
 fn add_lever(simulator: &mut PhysicsSimulator) -> (BodyId, BodyId, f32) {
     add_level_floor(simulator);
     let base = add_part(simulator, v(0.0, -20.0), [200.0, 40.0], 20.0);
@@ -205,8 +206,8 @@ fn a_stiff_spring_that_drags_a_jointed_body_to_a_point_holds_it_there() {
     }
 }
 
-/// A block of mass 5 on the floor, with a tip of mass 0.2 welded to it, which a spring without length pulls to a point. Energy of
-/// all of it, and how far the tip is from the point.
+/// A block of mass 5 on the floor, with a tip of mass 0.2 welded to it, which a spring without length pulls to a point. Energy
+/// of all of it, and how far the tip is from the point.
 fn hoist([stiffness, damping]: [f32; 2]) -> (PhysicsSimulator, impl Fn(&PhysicsSimulator) -> (f32, f32)) {
     let mut simulator = precise(GRAVITY);
     add_level_floor(&mut simulator);
@@ -228,10 +229,10 @@ fn hoist([stiffness, damping]: [f32; 2]) -> (PhysicsSimulator, impl Fn(&PhysicsS
 #[test]
 fn a_spring_that_hoists_a_heavy_body_by_a_light_one_welded_to_it_gains_no_energy() {
     let all = [10.0, 100.0, 1000.0, 1e4, 1e6];
-    for (choice, all) in [(IslandChoice::ByItself, &all[..]), (IslandChoice::Passes, &all[..3])] {
+    for (choice, all) in [(SolverChoice::Auto, &all[..]), (SolverChoice::Iterative, &all[..3])] {
         for &stiffness in all {
             let (mut simulator, look) = hoist([stiffness, 0.0]);
-            simulator.set_island_choice(choice);
+            simulator.set_solver_choice(choice);
             let (begun, _) = look(&simulator);
             for step in 0..300 {
                 simulator.update(DT);
@@ -244,10 +245,10 @@ fn a_spring_that_hoists_a_heavy_body_by_a_light_one_welded_to_it_gains_no_energy
 }
 
 #[test]
-fn passes_hold_a_load_on_a_spring_as_deep_as_its_constant_says() {
+fn the_iterative_solver_holds_a_load_at_the_sag_of_its_spring() {
     for (mass, stiffness, damping) in [(1.0, 500.0, 20.0), (10.0, 4000.0, 0.0), (150.0, 60_000.0, 3000.0)] {
         let mut simulator = precise(GRAVITY);
-        simulator.set_island_choice(IslandChoice::Passes);
+        simulator.set_solver_choice(SolverChoice::Iterative);
         add_level_floor(&mut simulator);
         let (plate, load, _) = add_sprung_load(&mut simulator, mass, [stiffness, damping]);
         run(&mut simulator, 720);
@@ -262,10 +263,10 @@ fn passes_hold_a_load_on_a_spring_as_deep_as_its_constant_says() {
 }
 
 #[test]
-fn passes_turn_a_lever_to_the_angle_of_the_torque_of_a_spring() {
+fn the_iterative_solver_turns_a_lever_to_the_angle_of_its_spring_torque() {
     for (stiffness, damping) in [(4e5, 2e4), (4e6, 1e5), (1e8, 1e6)] {
         let mut simulator = precise(GRAVITY);
-        simulator.set_island_choice(IslandChoice::Passes);
+        simulator.set_solver_choice(SolverChoice::Iterative);
         let (base, lever, torque) = add_lever(&mut simulator);
         SpringFactory::create_angle_spring_in(&mut simulator, base, lever, stiffness, damping).unwrap();
         run(&mut simulator, 1200);
@@ -297,7 +298,7 @@ fn a_spring_that_is_a_row_breaks_and_reports_its_error_as_any_other() {
 }
 
 #[test]
-fn springs_of_any_finite_constants_leave_everything_finite() {
+fn springs_of_any_finite_constants_keep_all_numbers_finite() {
     let constants = [0.0, 1e-30, 1.0, 1e10, 1e30, f32::MAX, -1.0];
     for stiffness in constants {
         for damping in constants {
@@ -315,7 +316,7 @@ fn springs_of_any_finite_constants_leave_everything_finite() {
 }
 
 #[test]
-fn a_spring_moves_along_when_its_bodies_are_edited_and_when_it_goes() {
+fn edits_and_removal_of_a_spring_move_its_load() {
     let mut simulator = precise(GRAVITY);
     add_level_floor(&mut simulator);
     let (plate, load, spring) = add_sprung_load(&mut simulator, 10.0, [4000.0, 400.0]);
@@ -330,7 +331,7 @@ fn a_spring_moves_along_when_its_bodies_are_edited_and_when_it_goes() {
     run(&mut simulator, 300);
     let length = simulator[plate].position().y - simulator[load].position().y;
     assert!((length - 25.0).abs() < 0.1, "{length}");
-    assert_eq!(simulator.islands()[0].method, IslandMethod::Asleep);
+    assert_eq!(simulator.islands()[0].method, IslandSolver::Asleep);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The precise set: islands with joints that stand still are left as they are until something about them changes.
+//! The precise set: islands with joints at rest are not solved again until their surroundings change.
 
 use conformance::fixtures::plane::{precise, run, v};
 use farseer_core::{
@@ -67,7 +67,7 @@ fn state(simulator: &PhysicsSimulator) -> Vec<[u32; 6]> {
 }
 
 #[test]
-fn what_stands_has_no_velocity_and_keeps_its_pose_bit_by_bit() {
+fn an_island_at_rest_has_no_velocity_and_keeps_its_pose_bit_by_bit() {
     let (mut simulator, _) = standing_table();
     let before = state(&simulator);
     assert!(before.iter().all(|[_, _, _, x, y, spin]| [x, y, spin].iter().all(|&&bits| bits == 0)));
@@ -76,7 +76,7 @@ fn what_stands_has_no_velocity_and_keeps_its_pose_bit_by_bit() {
 }
 
 #[test]
-fn what_stands_stands_at_any_rotation_by_a_right_angle() {
+fn islands_at_rest_stay_at_rest_at_any_rotation_by_a_right_angle() {
     // Rounding turns a pose of 0 to the f32 next to a full turn and back.
     for quarter in 0..4 {
         let mut simulator = precise(GRAVITY);
@@ -117,7 +117,7 @@ const CHANGES: [Change; 8] = [
 ];
 
 #[test]
-fn whatever_changes_is_noticed_at_once() {
+fn any_change_is_detected_at_once() {
     for (name, change) in CHANGES {
         let (mut simulator, table) = standing_table();
         let before = state(&simulator);
@@ -128,8 +128,8 @@ fn whatever_changes_is_noticed_at_once() {
 }
 
 #[test]
-fn what_is_left_as_it_is_goes_on_as_what_is_looked_at_in_every_update() {
-    // A restored simulator does not know that the island stood.
+fn skipped_islands_equal_islands_that_are_solved_in_every_update() {
+    // A restored simulator has no record that the island was at rest.
     for (name, change) in CHANGES {
         let (mut simulator, table) = standing_table();
         let mut restored = simulator.clone();
@@ -149,7 +149,7 @@ fn what_is_left_as_it_is_goes_on_as_what_is_looked_at_in_every_update() {
 }
 
 #[test]
-fn a_platform_that_starts_to_slide_takes_along_what_stands_on_it() {
+fn a_platform_that_starts_to_slide_carries_its_load() {
     let mut simulator = precise(GRAVITY);
     simulator.set_sleep_enabled(false);
     let table = add_table(&mut simulator);
@@ -165,7 +165,7 @@ fn a_platform_that_starts_to_slide_takes_along_what_stands_on_it() {
 }
 
 #[test]
-fn friction_that_goes_lets_slide_what_it_held() {
+fn a_body_slides_when_its_friction_is_removed() {
     let (mut simulator, table) = standing_table();
     // A fifth of the weight: less than friction of 0.5 holds.
     simulator.set_gravity(v(0.2 * GRAVITY, GRAVITY)).unwrap();
@@ -183,7 +183,7 @@ fn friction_that_goes_lets_slide_what_it_held() {
 }
 
 #[test]
-fn a_pendulum_on_what_stands_that_has_no_speed_at_the_end_of_an_update_swings_back() {
+fn a_pendulum_on_a_body_at_rest_swings_back_from_zero_speed() {
     let (mut simulator, table) = standing_table();
     let bob = add_box(&mut simulator, [0.0, -28.0], [4.0, 16.0], 1.0);
     JointFactory::create_revolute_joint_in(&mut simulator, table.plate, bob, v(0.0, -40.0)).unwrap();
@@ -200,7 +200,7 @@ fn a_pendulum_on_what_stands_that_has_no_speed_at_the_end_of_an_update_swings_ba
 }
 
 #[test]
-fn a_mass_that_changes_while_it_stands_is_borne_from_then_on() {
+fn a_change_of_mass_at_rest_counts_from_then_on() {
     let (mut simulator, table) = standing_table();
     simulator[table.pointer].set_mass(3.0).unwrap();
     run(&mut simulator, 2);

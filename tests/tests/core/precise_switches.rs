@@ -1,12 +1,12 @@
-//! The precise set: what changes method while it moves does not notice.
+//! The precise set: a change of method while bodies move has no visible effect.
 
 use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, simulator, v};
-use farseer_core::{BodyId, IslandMethod, Methods, PhysicsSimulator};
+use farseer_core::{BodyId, IslandSolver, Methods, PhysicsSimulator};
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
 
-/// Columns of boxes of all weights, at which a ball is thrown, and what falls on them.
+/// Columns of boxes of all weights, at which a ball is thrown, and bodies that fall on them.
 fn towers(random: &mut Random) -> (PhysicsSimulator, Vec<BodyId>) {
     let mut simulator = simulator(GRAVITY);
     simulator.set_methods(Methods::PRECISE).unwrap();
@@ -49,17 +49,17 @@ fn energy(simulator: &PhysicsSimulator, bodies: &[BodyId]) -> f32 {
     bodies.iter().map(of).sum()
 }
 
-/// How many bodies are in islands that were solved as a whole.
+/// Number of bodies in islands that the direct solver solved.
 fn in_wholes(simulator: &PhysicsSimulator) -> usize {
     let islands = simulator.islands();
     islands
         .iter()
-        .filter(|island| island.method == IslandMethod::Whole)
+        .filter(|island| island.method == IslandSolver::Direct)
         .map(|island| island.bodies.len())
         .sum()
 }
 
-/// How much further a body went in an update than the greater of its speeds before and after it says, at most.
+/// Greatest excess of a body's motion in an update over the greater of its speeds before and after it.
 fn furthest_aside(before: &PhysicsSimulator, after: &PhysicsSimulator, bodies: &[BodyId]) -> f32 {
     let aside = bodies.iter().map(|&body| {
         let (one, other) = (&before[body], &after[body]);
@@ -70,7 +70,7 @@ fn furthest_aside(before: &PhysicsSimulator, after: &PhysicsSimulator, bodies: &
 }
 
 #[test]
-fn what_changes_its_method_while_it_builds_up_or_falls_apart_neither_leaps_nor_gains_energy() {
+fn a_change_of_solver_amid_motion_causes_no_jump_and_no_energy_gain() {
     let mut changes = 0;
     for seed in 0..100 {
         let (mut simulator, bodies) = towers(&mut Random::new(seed));
@@ -81,11 +81,11 @@ fn what_changes_its_method_while_it_builds_up_or_falls_apart_neither_leaps_nor_g
                 continue;
             }
             changes += 1;
-            // A contact undoes overlaps with three units of length per second at most, and two of them push the same body.
+            // A contact corrects overlaps with three units of length per second at most, and two of them act on the same body.
             let most = 2.0 * 3.0 * 32.0 * DT;
             let aside = furthest_aside(&before, &simulator, &bodies);
             assert!(aside < most + 1e-3, "seed {seed}, step {step}: {aside} px");
-            // By so much all may be raised by one of them.
+            // The height by which one of them may raise all of them.
             let mass: f32 = bodies.iter().map(|&body| simulator[body].mass()).sum();
             let gained = (energy(&simulator, &bodies) - energy(&before, &bodies)) / mass;
             assert!(gained < 0.5 * GRAVITY * most, "seed {seed}, step {step}: {gained} px2/s2");

@@ -1,5 +1,5 @@
-//! The precise set: chains of edges, and concave outlines in pieces. What slides or rolls meets nothing where two edges or
-//! pieces meet.
+//! The precise set: chains of edges, and concave outlines in pieces. Sliding and rolling bodies are not stopped where two edges
+//! or pieces meet.
 
 use approx::assert_abs_diff_eq;
 use conformance::fixtures::plane::{add_box, add_circle, simulator, v};
@@ -92,7 +92,7 @@ fn flat_points() -> Vec<Vector2> {
 
 type Adder = fn(&mut PhysicsSimulator, Vector2) -> (BodyId, GeomId);
 
-/// How each thing is added, and how high its origin is above the floor it lies on.
+/// Functions that add each shape, and the height of its origin above its floor.
 const THINGS: [(&str, Adder, f32); 4] = [
     ("box", |simulator, place| add_box(simulator, (32.0, 32.0), place), 16.0),
     ("ball", |simulator, place| add_circle(simulator, 16.0, 12, place), 16.0),
@@ -102,7 +102,7 @@ const THINGS: [(&str, Adder, f32); 4] = [
 ];
 
 #[test]
-fn things_slide_over_a_straight_chain_without_friction_as_if_it_were_one_edge() {
+fn bodies_slide_over_a_straight_chain_without_friction_as_over_one_edge() {
     for (name, add, height) in THINGS {
         let mut simulator = precise();
         let chain = add_chain(&mut simulator, &flat_points());
@@ -115,7 +115,7 @@ fn things_slide_over_a_straight_chain_without_friction_as_if_it_were_one_edge() 
         for step in 0..480 {
             simulator.update(DT);
             let (velocity, position) = (simulator[body].linear_velocity(), simulator[body].position());
-            // Normals are along y to the last bit; but for that nothing changes the speed.
+            // Normals are along y to the last bit; apart from that the speed is constant.
             assert_eq!(velocity.x.to_bits(), 230.0_f32.to_bits(), "{name} in step {step}");
             // Measured: 0.002 px.
             assert_abs_diff_eq!(position.y, rest.y, epsilon = 0.003);
@@ -136,9 +136,9 @@ fn a_box_stops_on_a_chain_where_friction_says() {
     simulator[body].set_linear_velocity(v(200.0, 0.0));
     run(&mut simulator, 180);
     let distance = 200.0 * 200.0 / (2.0 * 0.5 * GRAVITY);
-    // As on one edge, but for what is lost where a body has more than one row of contacts: half a substep's way.
+    // As on one edge, but for the loss of a body with more than one row of contacts: half a substep's motion.
     assert_abs_diff_eq!(simulator[body].position().x - start, distance, epsilon = 0.1 + 200.0 * DT / 8.0);
-    // Measured: 0.00021 px, which is the part of its load that stays on the spring.
+    // Measured: 0.00021 px, which is the part of its load that remains on the spring.
     assert_abs_diff_eq!(simulator[body].position().y, -16.0, epsilon = 3e-4);
 }
 
@@ -156,7 +156,7 @@ fn a_ball_rolls_along_a_chain_as_along_one_edge() {
     assert_abs_diff_eq!(simulator[ball].position().x, distance, epsilon = 0.001 * distance);
 }
 
-/// Half of the bends go in and half jut out.
+/// Angle of a bend in rad. Half of the bends are concave and half are convex.
 const BEND: f32 = 0.03;
 const BENDS: i32 = 24;
 
@@ -172,9 +172,9 @@ fn bent_points() -> Vec<Vector2> {
     points
 }
 
-/// At each bend d the motion v sin(d) against the new edge is lost, with what gravity adds to it in a substep, no more; and
-/// where an edge falls away what is longer than a point tips over it, and loses what its end has fallen, if nothing carried
-/// it.
+/// Least speed after the bends. At each bend d the component v sin(d) against the new edge is lost, with the velocity of
+/// gravity in a substep, no more. Where an edge falls away, a body longer than a point tips over it, and loses the speed that
+/// its end gained in the fall, if it was unsupported.
 fn least_speed_after_bends(speed: f32, half_length: f32, rise: f32) -> f32 {
     let (bends, sine) = (BENDS as f32, BEND.sin());
     let lost = bends * (speed * sine + GRAVITY * DT / 4.0).powi(2) + bends * GRAVITY * half_length * sine;
@@ -214,14 +214,14 @@ fn slide_over_bends(
 }
 
 #[test]
-fn things_keep_their_speed_over_the_bends_of_a_chain() {
+fn bodies_keep_their_speed_over_the_bends_of_a_chain() {
     for thing in THINGS {
         slide_over_bends(thing, |simulator| add_chain(simulator, &bent_points()));
     }
 }
 
 #[test]
-fn things_keep_their_speed_over_the_cuts_of_a_concave_outline() {
+fn bodies_keep_their_speed_over_the_cuts_of_a_concave_outline() {
     for thing in THINGS {
         slide_over_bends(thing, |simulator| {
             let mut outline: Vec<Vector2> = bent_points();
@@ -252,7 +252,7 @@ fn a_box_slides_down_a_chain_as_down_a_slope() {
     without_drag(&mut simulator, body);
     run(&mut simulator, 120);
     let distance = 0.5 * GRAVITY * angle.sin() * 4.0;
-    // As on one edge, but for what is lost where a body has more than one row of contacts: half a substep's way.
+    // As on one edge, but for the loss of a body with more than one row of contacts: half a substep's motion.
     let slack = 0.1 + simulator[body].linear_velocity().norm() * DT / 8.0;
     assert_abs_diff_eq!(simulator[body].position().dot(&along), distance, epsilon = slack);
     // Measured: 2.4e-6 rad.
@@ -260,7 +260,7 @@ fn a_box_slides_down_a_chain_as_down_a_slope() {
 }
 
 #[test]
-fn a_closed_chain_is_a_room_one_way_round_and_a_rock_the_other() {
+fn the_winding_of_a_closed_chain_makes_it_a_room_or_a_rock() {
     let corners = [v(-100.0, -100.0), v(-100.0, 100.0), v(100.0, 100.0), v(100.0, -100.0), v(-100.0, -100.0)];
     let mut simulator = precise();
     let room = add_chain(&mut simulator, &corners);
@@ -283,7 +283,7 @@ fn a_closed_chain_is_a_room_one_way_round_and_a_rock_the_other() {
 }
 
 #[test]
-fn what_comes_from_behind_passes_and_lands_on_the_free_side() {
+fn a_body_from_behind_passes_and_lands_on_the_free_side() {
     for (name, add, height) in THINGS {
         let mut simulator = precise();
         add_chain(&mut simulator, &flat_points());
@@ -337,13 +337,13 @@ fn a_ball_rolls_off_an_open_end() {
             lowest = lowest.min(place.norm());
         }
     }
-    // Never nearer to the corner than its radius, but for what springs give.
+    // Never nearer to the corner than its radius, but for the yield of contact springs.
     assert!(lowest > 15.9 && lowest < 16.5, "{lowest}");
     assert!(simulator[ball].position().y > 100.0);
 }
 
 #[test]
-fn chains_of_thousands_of_points_cost_what_is_near() {
+fn the_cost_of_chains_of_thousands_of_points_is_that_of_near_edges() {
     let hill = |i: u16| v(f32::from(i) * 16.0, (f32::from(i) * 0.1).sin() * 40.0);
     let points: Vec<Vector2> = (0..5000).map(hill).collect();
     let mut simulator = precise();
@@ -382,7 +382,7 @@ fn a_chain_goes_on_with_the_same_bits_after_a_restore_in_every_step() {
 }
 
 #[test]
-fn chains_that_cannot_be_are_refused_and_nothing_is_made() {
+fn invalid_chains_are_refused_and_no_geom_is_made() {
     let mut simulator = precise();
     let ground = add_ground(&mut simulator);
     let nan = f32::NAN;
@@ -483,7 +483,7 @@ fn a_chain_has_no_inside_and_no_edge_from_its_last_point_to_its_first() {
     assert_eq!(lines, 2);
 }
 
-/// What touches a chain is told once, whichever edges it passes.
+/// A body that touches a chain has one collision, for all edges that it passes.
 #[test]
 fn a_slide_along_a_chain_is_one_collision() {
     let mut simulator = precise();
@@ -504,13 +504,13 @@ fn a_slide_along_a_chain_is_one_collision() {
 }
 
 #[test]
-fn what_looks_through_from_behind_and_turns_falls_back() {
+fn a_body_that_turns_back_amid_its_passage_from_behind_falls_back() {
     for (name, add, height) in THINGS {
         let mut simulator = precise();
         add_chain(&mut simulator, &flat_points());
         let (body, _) = add(&mut simulator, v(5.0, 80.0));
         without_drag(&mut simulator, body);
-        // Up to where it reaches through by a third of what it would have to.
+        // Up to where it penetrates by a third of the depth that would bring it through.
         let rise = 80.0 - 0.67 * height;
         simulator[body].set_linear_velocity(v(0.0, -(2.0 * GRAVITY * rise).sqrt()));
         run(&mut simulator, 120);
@@ -520,7 +520,7 @@ fn what_looks_through_from_behind_and_turns_falls_back() {
 
 /// A plank that sticks through the second of two edges, from behind the first: that is none of the first one's business.
 #[test]
-fn what_is_behind_an_edge_without_touching_it_is_not_pushed_by_it() {
+fn a_body_behind_an_edge_without_contact_gets_no_impulse() {
     let mut simulator = precise();
     simulator.set_gravity(v(0.0, 0.0)).unwrap();
     add_chain(&mut simulator, &[v(-100.0, 0.0), v(0.0, 0.0), v(100.0, 0.0)]);
@@ -534,6 +534,6 @@ fn what_is_behind_an_edge_without_touching_it_is_not_pushed_by_it() {
         .arbiters()
         .flat_map(|arbiter| arbiter.contacts().map(|contact| contact.separation).collect::<Vec<_>>())
         .collect();
-    // Where it crosses the line of both, half its thickness and what lies between make 3 px at most.
+    // Where it crosses the line of both, half its thickness and the gap between them make 3 px at most.
     assert!(contacts.iter().all(|&separation| separation > -4.0), "{contacts:?}");
 }

@@ -1,5 +1,5 @@
-//! Numbers that are not finite: every method that a game calls per frame refuses them, changes nothing, and the
-//! refusal is reported once.
+//! Numbers that are not finite: every method that a game calls per frame refuses them, changes no state, and the refusal is
+//! reported once.
 
 use conformance::fixtures::plane::{
     self, add_box, body_bits, both_sets, rejected, simulator, simulator_with, state, v,
@@ -36,7 +36,7 @@ const BODY_METHODS: [Setter<Body>; 26] = [
     ("amount", |body, bad| body.apply_impulse(v(bad, 0.0))),
     ("amount", |body, bad| body.apply_impulse(v(0.0, bad))),
     ("amount", |body, bad| body.apply_angular_impulse(bad)),
-    // Finite themselves, but not what they add up to.
+    // Finite themselves, but their sum is not.
     ("amount", |body, _| (0..2).for_each(|_| body.apply_force(v(f32::MAX, 0.0)))),
 ];
 
@@ -59,7 +59,7 @@ fn touching_boxes(methods: Methods) -> PhysicsSimulator {
 }
 
 #[test]
-fn bodies_refuse_what_is_not_finite_and_report_it_once() {
+fn bodies_refuse_non_finite_numbers_and_report_them_once() {
     for methods in both_sets() {
         for (argument, method) in &BODY_METHODS[..25] {
             for bad in BAD {
@@ -94,7 +94,7 @@ fn forces_refuse_to_add_up_to_infinity() {
 }
 
 #[test]
-fn geoms_refuse_what_is_not_finite_and_report_it_once() {
+fn geoms_refuse_non_finite_numbers_and_report_them_once() {
     for methods in both_sets() {
         for (argument, method) in GEOM_METHODS {
             for bad in BAD {
@@ -134,7 +134,7 @@ fn updates_refuse_steps_that_are_not_finite() {
 }
 
 #[test]
-fn a_refused_step_leaves_what_waits_for_the_next() {
+fn a_refused_step_leaves_pending_edits_for_the_next() {
     for methods in both_sets() {
         let mut simulator = touching_boxes(methods);
         let body = simulator.body_list()[0];
@@ -148,7 +148,7 @@ fn a_refused_step_leaves_what_waits_for_the_next() {
     }
 }
 
-/// The stages are public; the ones that take a step or its reciprocal must not let it in either.
+/// The stages are public; those with a step or its reciprocal must refuse it, too.
 #[test]
 fn stages_refuse_steps_that_are_not_finite() {
     for bad in BAD {
@@ -171,7 +171,7 @@ fn stages_refuse_steps_that_are_not_finite() {
 }
 
 #[test]
-fn settings_refuse_what_is_not_finite() {
+fn settings_refuse_non_finite_numbers() {
     for bad in BAD {
         let mut simulator = simulator(10.0);
         assert!(simulator.set_gravity(v(bad, 0.0)).is_err() && simulator.set_gravity(v(0.0, bad)).is_err());
@@ -223,7 +223,7 @@ fn geoms_refuse_outlines_and_placements_that_are_not_finite() {
 }
 
 #[test]
-fn queries_with_numbers_that_are_not_finite_find_nothing() {
+fn queries_with_non_finite_numbers_find_nothing() {
     for methods in plane::methods() {
         let mut simulator = plane::simulator_with(0.0, methods);
         add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
@@ -238,7 +238,7 @@ fn queries_with_numbers_that_are_not_finite_find_nothing() {
 }
 
 #[test]
-fn refusals_are_told_one_by_one_and_beyond_sixteen_each_argument_once() {
+fn refusals_are_reported_one_by_one_and_beyond_sixteen_each_argument_once() {
     for methods in both_sets() {
         let mut simulator = touching_boxes(methods);
         let body = simulator.body_list()[0];
@@ -253,7 +253,7 @@ fn refusals_are_told_one_by_one_and_beyond_sixteen_each_argument_once() {
     }
 }
 
-/// Bytes of what a simulator keeps beside its contacts, after as many refusals as that.
+/// Bytes of a simulator's data beside its contacts, after a number of refusals.
 fn length_after_refusals(methods: Methods, count: usize) -> usize {
     let mut simulator = touching_boxes(methods);
     let (body, geom) = (simulator.body_list()[0], simulator.geom_list()[0]);

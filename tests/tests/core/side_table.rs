@@ -1,22 +1,22 @@
-//! What a game knows of objects, by id.
+//! User data of objects, by id.
 
 use conformance::fixtures::plane::simulator;
-use farseer_core::{Body, BodyId, SideTable};
+use farseer_core::{Body, BodyId, SecondaryMap};
 
 #[test]
-fn nothing_is_known_of_what_was_not_put_in_and_a_zero_is_something() {
+fn absent_keys_have_no_value_and_zero_is_a_value() {
     let mut simulator = simulator(0.0);
     let (known, unknown) = (simulator.create_body(Body::new()), simulator.create_body(Body::new()));
-    let mut table = SideTable::new();
+    let mut table = SecondaryMap::new();
     assert_eq!(table.insert(known, 0), None);
     assert_eq!((table.get(known), table.get(unknown), table.len()), (Some(&0), None, 1));
 }
 
 #[test]
-fn an_id_that_has_gone_stale_finds_nothing_of_what_came_after_it() {
+fn a_stale_id_does_not_find_the_value_of_the_next_object_in_its_slot() {
     let mut simulator = simulator(0.0);
     let old = simulator.create_body(Body::new());
-    let mut table = SideTable::new();
+    let mut table = SecondaryMap::new();
     table.insert(old, "old");
     simulator.dispose(old).unwrap();
     simulator.update(0.01);
@@ -31,10 +31,10 @@ fn an_id_that_has_gone_stale_finds_nothing_of_what_came_after_it() {
 }
 
 #[test]
-fn what_was_disposed_is_forgotten_and_nothing_else() {
+fn only_the_values_of_disposed_objects_are_removed() {
     let mut simulator = simulator(0.0);
     let bodies: Vec<BodyId> = (0..4).map(|_| simulator.create_body(Body::new())).collect();
-    let mut table: SideTable<BodyId, usize> = SideTable::new();
+    let mut table: SecondaryMap<BodyId, usize> = SecondaryMap::new();
     for (at, &body) in bodies.iter().enumerate() {
         table.insert(body, at);
     }
@@ -50,11 +50,11 @@ fn what_was_disposed_is_forgotten_and_nothing_else() {
 fn a_table_is_the_same_after_it_was_saved_and_loaded() {
     let mut simulator = simulator(0.0);
     let bodies = [(); 3].map(|()| simulator.create_body(Body::new()));
-    let mut table = SideTable::new();
+    let mut table = SecondaryMap::new();
     table.insert(bodies[2], "third".to_owned());
     table.insert(bodies[0], "first".to_owned());
     let text = serde_json::to_string(&table).unwrap();
-    let loaded: SideTable<BodyId, String> = serde_json::from_str(&text).unwrap();
+    let loaded: SecondaryMap<BodyId, String> = serde_json::from_str(&text).unwrap();
     assert!(loaded.iter().eq(table.iter()));
 }
 
@@ -63,7 +63,7 @@ fn a_table_is_the_same_after_it_was_saved_and_loaded() {
 fn an_index_without_a_value_panics_and_names_the_object() {
     let mut simulator = simulator(0.0);
     let bodies = [(); 2].map(|()| simulator.create_body(Body::new()));
-    let mut table = SideTable::new();
+    let mut table = SecondaryMap::new();
     table.insert(bodies[0], 1);
     let _ = table[bodies[1]];
 }

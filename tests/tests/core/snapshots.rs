@@ -1,4 +1,4 @@
-//! Snapshots: what was restored goes on with the same bits, and damaged bytes change nothing.
+//! Snapshots: a restored simulator goes on with the same bits, and damaged bytes have no effect.
 
 use conformance::fixtures::depth;
 use conformance::fixtures::plane::{
@@ -122,7 +122,7 @@ fn add_controllers(simulator: &mut PhysicsSimulator) {
     }
 }
 
-/// What the scene has, by name.
+/// The contents of the scene, by name.
 #[test]
 fn the_scene_has_everything_in_it() {
     let (simulator, _) = everything(Methods::default(), 70);
@@ -198,7 +198,7 @@ fn a_restored_simulator_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn what_waits_for_the_next_update_is_in_the_snapshot() {
+fn pending_edits_are_in_the_snapshot() {
     for methods in [Methods::default(), Methods::PRECISE] {
         let (mut original, _) = everything(methods, 30);
         let (body, _) = add_box(&mut original, (10.0, 10.0), v(8.0, 1.0));
@@ -246,7 +246,7 @@ impl Untouched {
     }
 }
 
-/// Changes something: bits, bytes, the length, the order.
+/// Damages a snapshot: bits, bytes, the length, the order.
 fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
     if bytes.len() < 64 {
         bytes.push(1);
@@ -271,7 +271,7 @@ fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
 }
 
 #[test]
-fn ten_thousand_mutated_snapshots_change_nothing() {
+fn ten_thousand_mutated_snapshots_have_no_effect() {
     for methods in [Methods::default(), Methods::PRECISE] {
         let (source, _) = everything(methods, 70);
         let snapshot = source.snapshot();
@@ -303,7 +303,7 @@ fn ten_thousand_mutated_snapshots_change_nothing() {
 
 #[test]
 fn a_snapshot_cut_short_is_refused_at_every_length() {
-    // Small, for its length squared is what this takes.
+    // Small, since its square of a length is computed here.
     let mut source = simulator(10.0);
     add_box(&mut source, (10.0, 10.0), v(0.0, 0.0));
     source.update(0.01);
@@ -325,7 +325,7 @@ fn contain(magic: &[u8; 8], version: u32, content: &[u8]) -> Vec<u8> {
     [magic, &version.to_le_bytes()[..], &crc.sum().to_le_bytes(), &length, content].concat()
 }
 
-/// Of the present layout.
+/// Version of the present layout.
 const VERSION: u32 = 17;
 const MAGIC: &[u8; 8] = b"Farseer2";
 
@@ -361,7 +361,7 @@ fn each_kind_of_damage_has_its_reason() {
     );
 }
 
-/// Whoever makes such bytes does it on purpose. Nothing panics, hangs or becomes infinite all the same.
+/// Such bytes are made on purpose. Even then no call panics, hangs or makes a number infinite.
 #[test]
 fn forged_contents_are_refused_or_run() {
     for methods in [Methods::default(), Methods::PRECISE] {
@@ -378,7 +378,7 @@ fn forged_contents_are_refused_or_run() {
                 continue;
             }
             accepted += 1;
-            // Any number of passes is legitimate, but not every number ends today.
+            // Any number of iterations is legitimate, but the greatest takes too long.
             simulator.set_iterations(simulator.iterations().min(10));
             for _ in 0..2 {
                 simulator.update(0.01);

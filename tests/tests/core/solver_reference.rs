@@ -82,7 +82,7 @@ fn mover(body: &Body) -> Mover {
 }
 
 impl Plain {
-    /// What the solver is given: after the forces, before the pre-step.
+    /// Input of the solver: after the forces, before the pre-step.
     fn new(simulator: &PhysicsSimulator) -> Plain {
         let ids = simulator.body_list().to_vec();
         let movers = ids.iter().map(|&id| mover(&simulator[id])).collect();
@@ -122,7 +122,7 @@ impl Plain {
         plain
     }
 
-    /// Adds an impulse to B and takes it from A.
+    /// Adds an impulse to B and subtracts it from A.
     fn push_pair(&mut self, pair: &Pair, impulse: [f32; 2], r1: [f32; 2], r2: [f32; 2]) {
         let b = &mut self.movers[pair.b];
         push(&mut b.velocity, impulse, r2, b.inverse_mass, b.inverse_inertia);
@@ -244,8 +244,8 @@ fn engine_bits(simulator: &PhysicsSimulator) -> Vec<u32> {
     bits
 }
 
-/// Runs one update by its stages and compares. Answers the number of contacts; `None` if a body stopped being finite,
-/// where the engine does not follow the original.
+/// Runs one update by its stages and compares. Returns the number of contacts; `None` if a body stopped being finite, where the
+/// engine does not follow the original.
 fn step_and_compare(simulator: &mut PhysicsSimulator, what: &str) -> Option<usize> {
     assert!(simulator.process_queues(DT, None));
     simulator.find_pairs(None);
@@ -347,7 +347,7 @@ fn a_resting_pile_is_solved_to_the_bits_of_list_order() {
 }
 
 #[test]
-fn zeros_of_either_sign_come_out_as_in_list_order() {
+fn zeros_of_either_sign_equal_those_of_list_order() {
     for seed in 0..40 {
         let mut random = Random::new(seed);
         let mut simulator = simulator_with(0.0, Default::default());
@@ -357,7 +357,7 @@ fn zeros_of_either_sign_come_out_as_in_list_order() {
         simulator[floor].set_linear_velocity(v(zero(), zero()));
         simulator[floor].set_angular_velocity(zero());
         for i in 0..9 {
-            // Overlapping by less than the allowed penetration, at rest: nothing but zeros.
+            // Overlapping by less than the allowed penetration, at rest: all values are zero.
             let (body, _) = add_box(&mut simulator, (20.0, 20.0), v(i as f32 * 30.0 - 130.0, -19.98));
             simulator[body].set_linear_velocity(v(zero(), zero()));
             simulator[body].set_angular_velocity(zero());

@@ -19,7 +19,7 @@ fn crowd(order: &SelectiveSweepOrder) -> i32 {
     count
 }
 
-/// What the sweep remembers between updates: the order of the ends on both axes.
+/// State of the sweep between updates: the order of the ends on both axes.
 struct Plain {
     x: SelectiveSweepOrder,
     y: SelectiveSweepOrder,

@@ -8,7 +8,7 @@ use farseer_core::{
     LinearSpring, ObjectId, PhysicsSimulator, SpringFactory, SpringId, StepTimes, UserController,
 };
 
-/// The same time for all stages, and for the whole update.
+/// The same time for all stages, and for the complete update.
 fn times(stage: f32, update_time: f32) -> StepTimes {
     StepTimes {
         clean_up_time: stage,
@@ -21,7 +21,7 @@ fn times(stage: f32, update_time: f32) -> StepTimes {
     }
 }
 
-/// A clock that goes on by 1 ms whenever it is read.
+/// A clock that advances by 1 ms with every reading.
 fn ticking() -> impl FnMut() -> f64 {
     let mut time = 1.0e6;
     move || {
@@ -67,7 +67,7 @@ fn a_stage_begins_where_the_one_before_ends() {
 }
 
 #[test]
-fn an_update_that_does_not_go_on_has_only_cleaned_up() {
+fn an_update_without_a_step_has_only_clean_up_time() {
     let cleaned_up = StepTimes { clean_up_time: 1.0, ..times(0.0, 1.0) };
     for (dt, enabled) in [(0.0, true), (0.01, false), (f32::NAN, true)] {
         let mut simulator = scene();
@@ -133,10 +133,10 @@ fn each_time_is_that_of_its_stage() {
     let clock = Cell::new(0.0);
     simulator.update_timed(0.01, 0.0, Some(&mut Slow(&clock)), &mut || clock.get());
     let expected = StepTimes {
-        // Two bodies, two geoms, a spring and a joint enter; the geoms follow both bodies, which were placed.
+        // Two bodies, two geoms, a spring and a joint enter; the geoms follow both bodies, whose positions were set.
         clean_up_time: 1200006.0,
         broad_phase_collision_time: 20.0,
-        // Both geoms are told.
+        // Both geoms get a callback.
         narrow_phase_collision_time: 600.0,
         apply_forces_time: 4000.0,
         // Once per pass of the solver.
@@ -148,7 +148,7 @@ fn each_time_is_that_of_its_stage() {
 }
 
 #[test]
-fn a_timed_update_computes_what_any_update_does() {
+fn a_timed_update_computes_the_same_as_any_update() {
     let (mut timed, mut plain) = (scene(), scene());
     for _ in 0..50 {
         timed.update_timed(0.01, 0.0, None, &mut ticking());
@@ -158,7 +158,7 @@ fn a_timed_update_computes_what_any_update_does() {
 }
 
 #[test]
-fn a_timed_update_tells_controllers_the_real_time() {
+fn a_timed_update_passes_the_real_time_to_controllers() {
     struct Told(Vec<f32>);
     impl UserController for Told {
         fn update(&mut self, _: &mut Context<'_>, _: ControllerId, _: f32, dt_real: f32) {

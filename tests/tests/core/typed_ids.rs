@@ -1,10 +1,10 @@
-//! Ids that know the kind of what they name.
+//! Ids with the kind of their object in their type.
 
 use conformance::fixtures::plane::{add_box, simulator, v};
 use farseer_core::{Error, JointFactory, LinearSpring, PinJoint, RevoluteJoint, SpringFactory, TypedJointId};
 
 #[test]
-fn a_typed_id_finds_the_joint_as_what_it_is() {
+fn a_typed_id_finds_the_joint_by_its_own_type() {
     let mut simulator = simulator(0.0);
     let [a, b] = [0.0, 50.0].map(|x| add_box(&mut simulator, (10.0, 10.0), v(x, 0.0)).0);
     let joint = JointFactory::create_pin_joint_in(&mut simulator, a, v(0.0, 0.0), b, v(0.0, 0.0)).unwrap();

@@ -9,7 +9,7 @@ use farseer_core::{
 };
 use proptest::prelude::*;
 
-/// Boxes of 10 units at these places.
+/// Boxes of 10 units at these positions.
 fn boxes(places: &[Vector2]) -> (PhysicsSimulator, Vec<GeomId>) {
     let mut simulator = simulator(0.0);
     let geoms = places.iter().map(|&place| add_box(&mut simulator, (10.0, 10.0), place).1).collect();
@@ -52,7 +52,7 @@ fn a_ray_ends_at_its_end() {
 }
 
 #[test]
-fn a_geom_that_holds_the_start_is_not_hit() {
+fn a_geom_around_the_start_is_not_hit() {
     let (simulator, geoms) = boxes(&[v(0.0, 0.0), v(30.0, 0.0)]);
     assert_eq!(simulator.ray_cast(v(0.0, 0.0), v(50.0, 0.0)).unwrap().geom, geoms[1]);
 }
@@ -109,7 +109,7 @@ fn a_mirrored_geom_has_outward_normals() {
 }
 
 #[test]
-fn rays_without_a_direction_or_end_hit_nothing() {
+fn rays_without_a_direction_or_end_have_no_hit() {
     let (simulator, _) = boxes(&[v(0.0, 0.0)]);
     for end in [v(-20.0, 0.0), v(f32::NAN, 0.0), v(f32::INFINITY, 0.0)] {
         assert_eq!(simulator.ray_cast(v(-20.0, 0.0), end), None);
@@ -127,7 +127,7 @@ fn boxes_that_touch_the_queried_box_are_found_in_list_order() {
 }
 
 #[test]
-fn a_box_turned_inside_out_holds_nothing() {
+fn an_inverted_box_contains_no_geom() {
     let (simulator, geoms) = boxes(&[v(0.0, 0.0)]);
     let (low, high) = (-1.0, 1.0);
     assert_eq!(simulator.query_aabb(&Aabb::new(v(low, low), v(high, high))), geoms);
@@ -148,7 +148,7 @@ fn disposed_geoms_are_not_found_any_more() {
 }
 
 #[test]
-fn a_sensor_knows_what_is_in_it() {
+fn a_sensor_lists_its_overlaps() {
     for methods in both_sets() {
         let mut simulator = simulator_with(0.0, methods);
         let (_, sensor) = add_floor(&mut simulator, (50.0, 50.0), v(0.0, 0.0));

@@ -18,7 +18,7 @@ fn a_body_is_drawn_about_its_origin_and_turned_with_it() {
 }
 
 #[test]
-fn a_body_that_is_gone_draws_nothing() {
+fn a_disposed_body_draws_nothing() {
     let mut simulator = weightless();
     let body = crate_box(&mut simulator, [60.0, 20.0], [100.0, 0.0, 0.0]);
     simulator.dispose(body).unwrap();

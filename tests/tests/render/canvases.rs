@@ -1,4 +1,4 @@
-//! What the tests of drawing share. Canvases of 500 x 600 px.
+//! Fixtures of the tests of drawing. Canvases of 500 x 600 px.
 
 use twohalf::{PlatformId, TwoHalfPhysicsSimulator};
 use twohalf_render::{Canvas, Color, DrawPlatform, PlatformLook, SoftwareCanvas, SpriteBatch, Texture2D};
@@ -22,7 +22,7 @@ pub(crate) fn canvas() -> SoftwareCanvas {
     canvas
 }
 
-/// What a batch draws.
+/// The picture of a batch.
 pub(crate) fn picture(batch: SpriteBatch) -> SoftwareCanvas {
     let mut canvas = canvas();
     batch.end(&mut canvas);
@@ -35,7 +35,7 @@ pub(crate) fn pixels() -> impl Iterator<Item = ([u32; 2], [f32; 2])> {
     (0..600).flat_map(move |y| (0..500).map(move |x| ([x, y], [middle(x), middle(y)])))
 }
 
-/// The box around what is drawn: left, top, right, bottom in px.
+/// Bounds of the drawing: left, top, right, bottom in px.
 pub(crate) fn drawn(batch: SpriteBatch) -> Option<[u32; 4]> {
     let canvas = picture(batch);
     let is_painted = |[x, y]: [u32; 2]| canvas.pixel(x, y).is_some_and(|color| color.a > 127);

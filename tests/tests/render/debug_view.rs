@@ -1,11 +1,11 @@
-//! What the debug view draws, part by part.
+//! Drawings of the debug view, part by part.
 
 use crate::canvases::{BLUE, GREEN, RED, YELLOW, canvas, pixels};
 use conformance::fixtures::depth::{self, DT, ball, crate_box};
 use twohalf::{DepthProfile, Platform, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_render::{Canvas, Color, DebugView, Point, SoftwareCanvas, Texture2D, Transform};
 
-/// Nothing on, lines of 4 px, so that a line covers whole pixels in every direction.
+/// A view with all layers off, and lines of 4 px, so that a line covers complete pixels in every direction.
 fn nothing() -> DebugView {
     DebugView {
         enable_ground_view: false,
@@ -205,7 +205,7 @@ impl Canvas for Witness {
 }
 
 #[test]
-fn what_reaches_beyond_all_numbers_is_not_drawn() {
+fn overflowing_shapes_are_not_drawn() {
     let mut simulator = TwoHalfPhysicsSimulator::with_angle(600, 10).unwrap();
     let bodies = [0.0, 50.0].map(|x| crate_box(&mut simulator, [40.0, 40.0], [x, 0.0, 0.0]));
     simulator.update(0.0);

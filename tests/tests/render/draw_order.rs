@@ -1,4 +1,4 @@
-//! Which of two things is seen where they cover each other, drawn in the simulator's order: hand-made cases.
+//! Which of two overlapping objects is visible in the simulator's drawing order: hand-made cases.
 
 use crate::canvases::{BLUE, FACES, GREEN, RED, YELLOW, canvas, plain};
 use conformance::fixtures::depth::{ball, crate_box};
@@ -58,7 +58,7 @@ impl Scene {
         canvas
     }
 
-    /// What is seen where a point of the world appears.
+    /// The colour at the position of a point of the world.
     fn seen_at(self, point: [f32; 3]) -> Option<Color> {
         let on_screen = self.simulator.projection().to_screen(Vector3::from(point));
         self.draw().pixel(on_screen.x as u32, on_screen.y as u32)
@@ -125,16 +125,16 @@ fn a_ball_on_a_slope_is_in_front_of_it_and_one_under_it_is_not() {
 }
 
 #[test]
-fn a_slope_that_is_sunk_in_the_ground_covers_what_lies_under_its_raised_end() {
+fn a_slope_sunk_in_the_ground_covers_objects_under_its_raised_end() {
     let scene = Scene::new().ball(RED, [165.0, 0.0, 115.0]).platform(16.0, 60.0, [200.0, 22.0, 100.0], 0.6);
     // There the front face appears from 114 to 134 px above the lower edge of the screen.
     assert_eq!(scene.seen_at([165.0, 2.0, 115.0]), Some(BLUE));
 }
 
 #[test]
-fn beside_a_platform_the_z_axis_tells_which_is_in_front() {
-    // At 45 degrees one looks at right sides: what stands to the right covers the box, what stands to the left is
-    // covered by it, whether its middle is nearer or farther than the box's.
+fn beside_a_platform_the_z_axis_decides_which_object_is_in_front() {
+    // At 45 degrees right sides are visible: an object to the right covers the box, an object to the left is covered by it, for
+    // all depths of their middles.
     let scene = |x: f32, z: f32| {
         Scene::with_angle(45).ball(RED, [x, 0.0, z]).platform(60.0, 100.0, [200.0, 0.0, 100.0], 0.0)
     };

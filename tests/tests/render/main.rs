@@ -1,4 +1,4 @@
-//! What is seen of both engines on a canvas.
+//! Drawings of both engines on a canvas.
 
 mod bodies;
 mod canvases;

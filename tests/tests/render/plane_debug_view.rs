@@ -1,11 +1,11 @@
-//! What the debug view of the 2D engine looks like on a canvas.
+//! Drawings of the debug view of the 2D engine on a canvas.
 
 use crate::canvases::{BLUE, GREEN, RED, YELLOW, canvas, pixels};
 use conformance::fixtures::plane::{add_box, simulator, v};
 use farseer_core::{JointFactory, PhysicsSimulator, PhysicsSimulatorView, SpringFactory};
 use twohalf_render::{Canvas, Color, SoftwareCanvas, draw_debug_view};
 
-/// Nothing on. Lines of 4 px, so that a line along an axis covers whole pixels.
+/// A view with all layers off. Lines of 4 px, so that a line along an axis covers complete pixels.
 fn nothing() -> PhysicsSimulatorView {
     PhysicsSimulatorView {
         enable_vertice_view: false,

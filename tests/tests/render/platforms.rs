@@ -21,7 +21,7 @@ fn color_at(simulator: &TwoHalfPhysicsSimulator, id: PlatformId, point: [f32; 3]
 }
 
 #[test]
-fn of_a_level_platform_front_and_top_are_seen() {
+fn the_front_and_top_of_a_level_platform_are_visible() {
     for angle in [45, 90, 120] {
         let (simulator, id) = scene(angle, 0.0);
         assert_eq!(color_at(&simulator, id, [200.0, 40.0, 70.0]), Some(BLUE), "front at {angle} degrees");
@@ -30,7 +30,7 @@ fn of_a_level_platform_front_and_top_are_seen() {
 }
 
 #[test]
-fn the_side_towards_which_the_z_axis_leans_is_seen() {
+fn the_side_towards_which_the_z_axis_leans_is_visible() {
     let (simulator, id) = scene(45, 0.0);
     assert_eq!(color_at(&simulator, id, [250.0, 40.0, 100.0]), Some(YELLOW));
     let (simulator, id) = scene(135, 0.0);
@@ -52,7 +52,7 @@ fn straight_from_the_front_a_level_platform_is_two_rectangles() {
 }
 
 #[test]
-fn what_of_a_platform_is_below_the_ground_is_not_drawn() {
+fn the_part_of_a_platform_below_the_ground_is_not_drawn() {
     let (mut simulator, id) = scene(90, 0.0);
     let mut sink = |height: f32| {
         let place = Vector3::new(200.0, height, 100.0);
@@ -70,7 +70,7 @@ fn what_of_a_platform_is_below_the_ground_is_not_drawn() {
 }
 
 #[test]
-fn of_a_slope_that_ends_below_the_ground_nothing_is_drawn_beyond_its_foot() {
+fn a_slope_that_ends_below_the_ground_is_drawn_up_to_its_foot() {
     let (mut simulator, id) = scene(90, 0.5);
     simulator.platform_mut(id).unwrap().set_position3d(Vector3::new(200.0, 0.0, 100.0)).unwrap();
     // Its top goes through (200 + 10 sin 0.5, 10 + 10 cos 0.5), and falls by tan 0.5 per px: to the ground at 239.1.
@@ -102,7 +102,7 @@ fn edges_are_drawn_over_the_faces() {
 }
 
 #[test]
-fn a_platform_that_is_gone_draws_nothing() {
+fn a_disposed_platform_draws_nothing() {
     let (mut simulator, id) = scene(90, 0.0);
     simulator.remove_platform(id).unwrap();
     let mut batch = SpriteBatch::begin();

@@ -15,7 +15,7 @@ struct Scene {
 }
 
 impl Scene {
-    /// A ball with its lowest point at a place. `angle` in degrees.
+    /// A ball with its lowest point at a position. `angle` in degrees.
     fn new(angle: i32, place: [f32; 3]) -> Self {
         let mut simulator = TwoHalfPhysicsSimulator::with_angle(600, angle).unwrap();
         let body = ball(&mut simulator, 20.0, place);
@@ -57,8 +57,8 @@ impl Scene {
         drawn(self.batch([0.0; 2], [1.0; 2], is_resizable))
     }
 
-    /// Asserts that the shadow covers just the pixels whose middles pass a test. `distance` says how far a point is
-    /// inside of the shadow, px; at its very edge pixels are partly covered and not looked at.
+    /// Asserts that the shadow covers just the pixels whose middles pass a test. `distance` returns how far a point is inside
+    /// of the shadow, px; pixels at its very edge are partly covered and skipped.
     fn assert_covers(&self, distance: impl Fn([f32; 2]) -> f32) {
         let canvas = picture(self.batch([0.0; 2], [1.0; 2], false));
         let mut inside = 0;
@@ -227,7 +227,7 @@ fn the_geom_of_another_body_gives_no_shadow() {
 }
 
 #[test]
-fn a_body_that_is_gone_has_no_shadow() {
+fn a_disposed_body_has_no_shadow() {
     let mut scene = Scene::new(45, [100.0, 0.0, 50.0]);
     scene.simulator.dispose(scene.body).unwrap();
     scene.simulator.update(0.0);

@@ -1,4 +1,4 @@
-//! Platforms that are sunk in each other: which one is drawn later, and what is seen of them. A street of 60 px, 200 px deep.
+//! Platforms that overlap: the order of drawing, and the visible parts. A street of 60 px, 200 px deep.
 
 use crate::canvases::{BLUE, FACES, GREEN, RED, YELLOW, canvas};
 use twohalf::{Drawable, Platform, PlatformId, TwoHalfPhysicsSimulator, Vector3};
@@ -51,7 +51,7 @@ fn seen(
 }
 
 #[test]
-fn a_lift_whose_top_sticks_out_of_the_street_is_drawn_after_it_whatever_its_height() {
+fn a_lift_of_any_height_that_rises_above_the_street_is_drawn_after_it() {
     for angle in [60, 90, 120] {
         for height in [20.0, 40.0, 60.0, 100.0, 140.0, 200.0] {
             for top in TOPS {
@@ -68,7 +68,7 @@ fn a_lift_whose_top_sticks_out_of_the_street_is_drawn_after_it_whatever_its_heig
 }
 
 #[test]
-fn which_was_made_first_does_not_matter_and_shelves_elsewhere_neither() {
+fn the_order_of_creation_and_platforms_elsewhere_have_no_effect() {
     for top in [0.5, 5.0, 10.0] {
         let mut simulator = TwoHalfPhysicsSimulator::with_angle(600, 90).unwrap();
         let lift = platform(&mut simulator, [70.0, 140.0, 60.0], [250.0, STREET + top - 140.0, 110.0]);
@@ -117,7 +117,7 @@ fn figures_and_crates_on_the_lift_and_around_it_are_drawn_after_the_street_and_i
 }
 
 #[test]
-fn of_a_lift_its_top_and_what_of_its_front_is_over_the_street_is_seen() {
+fn the_top_and_the_front_over_the_street_of_a_lift_are_visible() {
     for top in [5.0, 10.0, 20.0, 40.0] {
         let (mut simulator, street) = street(90);
         platform(&mut simulator, [70.0, 140.0, 60.0], [250.0, STREET + top - 140.0, 110.0]);
@@ -130,7 +130,7 @@ fn of_a_lift_its_top_and_what_of_its_front_is_over_the_street_is_seen() {
         assert_eq!(at([250.0, STREET, 75.0]), Some(GREEN), "{top}");
         assert_eq!(at([250.0, STREET - 20.0, 10.0]), Some(BLUE), "{top}");
     }
-    // One that is sunk is not seen at all, one that is flush is.
+    // A sunk one is invisible, a flush one is visible.
     for (top, color) in [(-5.0, GREEN), (0.0, RED)] {
         let (mut simulator, street) = street(90);
         platform(&mut simulator, [70.0, 140.0, 60.0], [250.0, STREET + top - 140.0, 110.0]);
@@ -145,7 +145,7 @@ fn of_a_lift_its_top_and_what_of_its_front_is_over_the_street_is_seen() {
 
 /// A ramp between the street and a block of 60 px on it, and one down on the other side.
 #[test]
-fn of_a_slope_nothing_is_seen_below_the_top_of_the_street_that_it_begins_on() {
+fn a_slope_is_hidden_below_the_top_of_its_street() {
     for (from, to, foot) in
         [([100.0, 120.0], [260.0, STREET], 250.0), ([260.0, STREET], [420.0, 120.0], 270.0)]
     {
@@ -158,15 +158,15 @@ fn of_a_slope_nothing_is_seen_below_the_top_of_the_street_that_it_begins_on() {
         for below in [2.0, 8.0, 16.0] {
             assert_eq!(at([foot, STREET - below, 60.0]), Some(GREEN), "{from:?} {below}");
         }
-        // Over the street it is seen: the top in the middle of its depth, and the wedge of its front.
+        // The visible parts over the street: the top in the middle of its depth, and the wedge of its front.
         assert_eq!(at([180.0 + (foot - 250.0) * 8.0, 90.0, 110.0]), Some(RED), "{from:?}");
         assert_eq!(at([foot, STREET + 1.5, 60.0]), Some(YELLOW), "{from:?}");
     }
 }
 
-/// A solid that is not drawn, or is seen through, hides nothing.
+/// A solid that is not drawn, or is transparent, hides nothing.
 #[test]
-fn platforms_that_are_not_seen_and_glass_hide_nothing_of_what_is_in_them() {
+fn undrawn_and_transparent_platforms_hide_no_objects_in_them() {
     let (mut simulator, street) = street(90);
     platform(&mut simulator, [70.0, 140.0, 60.0], [250.0, 0.0, 20.0]);
     simulator.update(0.0);

@@ -1,4 +1,4 @@
-//! What stands upright, and what is turned, as solids.
+//! Upright and turned shapes, as solids.
 
 use twohalf::{Drawable, Platform, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{Cylinder, spawn};
@@ -30,7 +30,7 @@ fn a_cylinder_shows_its_top_and_the_half_of_its_side_that_is_in_front() {
 }
 
 #[test]
-fn of_a_platform_that_is_turned_half_round_the_back_is_seen() {
+fn the_back_of_a_platform_turned_half_round_is_visible() {
     let mut simulator = TwoHalfPhysicsSimulator::new(200).unwrap();
     let place = Vector3::new(100.0, 0.0, 60.0);
     let id = Platform::new(&mut simulator, 80.0, 40.0, 40.0, place, None).unwrap();

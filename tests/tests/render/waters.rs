@@ -1,4 +1,4 @@
-//! Water hides what is in it as far as its surface. A pool of 200 px from X = 100 on, from Z = 20 to 180.
+//! Water hides objects below its surface. A pool of 200 px from X = 100 on, from Z = 20 to 180.
 
 use crate::canvases::{FACES, GREEN, RED, canvas};
 use twohalf::{Drawable, Platform, Region, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -42,7 +42,7 @@ fn is_near(color: Color, expected: Color) -> bool {
 }
 
 #[test]
-fn a_figure_is_seen_through_water_as_far_as_the_surface_at_every_depth() {
+fn a_figure_is_tinted_up_to_the_surface_at_every_depth() {
     for is_flat in [true, false] {
         for depth in [2.0, 10.0, 30.0, 58.0, 90.0] {
             for z in [40.0, 100.0, 160.0] {
@@ -86,7 +86,7 @@ fn a_figure_that_jumps_comes_out_of_the_water() {
 }
 
 #[test]
-fn platforms_in_water_are_seen_through_it_as_far_as_the_surface_slopes_where_they_leave_it() {
+fn platforms_in_water_are_tinted_up_to_the_surface_and_slopes_up_to_their_exit() {
     let mut simulator = simulator();
     Platform::new(&mut simulator, 40.0, 60.0, 60.0, Vector3::new(140.0, 0.0, 100.0), None).unwrap();
     spawn_slope(&mut simulator, [200.0, 0.0], [300.0, 80.0], [60.0, 140.0], 10.0).unwrap();
@@ -109,7 +109,7 @@ fn platforms_in_water_are_seen_through_it_as_far_as_the_surface_slopes_where_the
 }
 
 #[test]
-fn who_stands_on_a_platform_in_water_is_wet_below_the_surface_alone() {
+fn a_figure_on_a_platform_in_water_is_tinted_below_the_surface_alone() {
     for (top, y, expected) in [(20.0, 25.0, TINTED), (20.0, 45.0, RED), (50.0, 52.0, RED)] {
         let mut simulator = simulator();
         Platform::new(&mut simulator, 80.0, top, 60.0, Vector3::new(200.0, 0.0, 100.0), None).unwrap();
@@ -121,7 +121,7 @@ fn who_stands_on_a_platform_in_water_is_wet_below_the_surface_alone() {
 }
 
 #[test]
-fn two_waters_tint_what_is_in_each_once() {
+fn two_waters_tint_the_objects_in_each_once() {
     let mut simulator = simulator();
     let other = Water { region: Region::new([320.0, 0.0, 20.0], [480.0, 20.0, 180.0]).unwrap(), color: BLUE };
     for x in [200.0, 400.0] {

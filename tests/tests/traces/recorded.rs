@@ -153,7 +153,7 @@ fn a_changed_end_is_found() {
 }
 
 #[test]
-fn what_comes_after_the_compared_steps_is_not_looked_at() {
+fn lines_after_the_compared_steps_are_ignored() {
     let (trace, changed) = with_changed_line(|line| match line {
         Line::Step(line) if line.step == 200 => {
             line.hash ^= 1;
@@ -180,7 +180,7 @@ fn the_text_of_a_run_is_that_of_its_trace() {
 }
 
 #[test]
-fn a_scene_that_needs_what_is_skipped_is_skipped() {
+fn a_scene_that_needs_a_skipped_feature_is_skipped() {
     let joints = Features::of(&[Feature::Joints]);
     let verdict = check(&golden_scene("joint_pin"), &golden_trace("joint_pin"), joints);
     assert!(matches!(verdict, Reproduction::Skipped(features) if features == joints), "{verdict}");

@@ -1,4 +1,4 @@
-//! The original's sample scenes against what was recorded from it (behaviour chapter 16, part E).
+//! The original's sample scenes against its recordings (behaviour chapter 16, part E).
 
 use conformance::samples::{
     CENTRE, DT, Grenade, SAMPLES, SampleScene, ball, map_outline, sample, splat_outline,
@@ -46,11 +46,11 @@ fn run(scene: &mut SampleScene, steps: u32) {
     }
 }
 
-/// What was recorded of a sample.
+/// The recording of a sample.
 struct Record {
     name: &'static str,
     counts: [usize; 5],
-    /// After so many steps.
+    /// Numbers of steps, and the hashes after them.
     hashes: &'static [(u32, u64)],
 }
 
@@ -131,7 +131,7 @@ fn place(scene: &SampleScene, body: BodyId) -> [u32; 2] {
     [position.x.to_bits(), position.y.to_bits()]
 }
 
-/// Bits of position and rotation of the body at a place in the list.
+/// Bits of position and rotation of the body at an index in the list.
 fn pose(scene: &SampleScene, index: usize) -> [u32; 3] {
     let body = scene.simulator().body_list()[index];
     let [x, y] = place(scene, body);
@@ -280,7 +280,7 @@ fn crossings(x: f32, y: f32) -> (usize, Vec<[u32; 2]>) {
 }
 
 #[test]
-fn lines_cross_geoms_where_they_did() {
+fn lines_cross_geoms_as_recorded() {
     assert_eq!(crossings(725.0, 384.0), (1, vec![[bits(661.0), bits(384.0)]]));
     let circle = [[0x4425_529B, 0x43C0_EAF3], [0x4445_1D8B, 0x43C1_B316]];
     let (count, points) = crossings(1000.0, 390.0);
@@ -332,7 +332,7 @@ fn the_raft_floats_as_recorded() {
 }
 
 #[test]
-fn a_grenade_throws_what_is_near_away_at_the_300th_step_and_only_then() {
+fn a_grenade_accelerates_near_bodies_at_the_300th_step_alone() {
     let mut scene = SampleScene::new(0.0).unwrap();
     let near = ball(&mut scene, CENTRE + Vector2::new(60.0, 0.0)).unwrap().0;
     let far = ball(&mut scene, CENTRE + Vector2::new(160.0, 0.0)).unwrap().0;

@@ -1,4 +1,4 @@
-//! What several tests need: scenes and traces of the repository.
+//! Fixtures of several tests: scenes and traces of the repository.
 
 use conformance::golden;
 use conformance::scene::{Scene, ScriptEntry};

@@ -1,4 +1,4 @@
-//! Building and driving of scenes: errors that name the file, the place and the reason.
+//! Building and driving of scenes: errors that name the file, the position and the reason.
 
 use crate::scenes::small_scene;
 use conformance::run::{Run, record};
@@ -23,13 +23,13 @@ fn script_error(op: &str) -> String {
 }
 
 #[test]
-fn what_the_engine_refuses_is_reported_with_its_place() {
+fn a_refusal_of_the_engine_is_reported_with_its_position() {
     let message = error(r#", "bodies": [{"shape": {"type": "circle", "radius": -3, "mass": 1}}]"#);
     assert!(message.starts_with("small.json: bodies[0].shape: radius is -3.0, but must be "), "{message}");
 }
 
 #[test]
-fn a_refusal_of_the_engine_is_told_from_a_broken_scene() {
+fn a_refusal_of_the_engine_differs_from_a_broken_scene() {
     let scene = scene(r#", "bodies": [{"shape": {"type": "circle", "radius": -3, "mass": 1}}]"#);
     assert!(Run::build(&scene).expect_err("the scene cannot be built").is_refusal());
 }
@@ -90,7 +90,7 @@ fn an_infinite_force_is_refused_with_its_place() {
 }
 
 #[test]
-fn what_a_script_creates_is_reported_with_its_place() {
+fn objects_created_by_a_script_are_reported_with_their_position() {
     let message = script_error(
         r#""op": "create", "target": "geom", "spec": {"body": 3, "shape": {"type": "rectangle", "width": 1, "height": 1}}"#,
     );
@@ -98,7 +98,7 @@ fn what_a_script_creates_is_reported_with_its_place() {
 }
 
 #[test]
-fn a_thing_created_by_a_script_can_be_used_by_it() {
+fn an_object_created_by_a_script_can_be_used_by_it() {
     let scene = scene(&format!(
         r#", "script": [{{"step": 1, "op": "create", "target": "body", "spec": {BODY}}},
            {{"step": 1, "op": "set_position", "body": 0, "position": [3, 4]}}]"#
@@ -119,7 +119,7 @@ fn a_body_that_is_not_in_the_simulation_is_not_in_the_list() {
 }
 
 #[test]
-fn a_joint_of_a_body_that_is_not_there_is_refused() {
+fn a_joint_of_a_missing_body_is_refused() {
     let scene = scene(r#", "joints": [{"type": "fixed_angle", "body": 0}]"#);
     let error = Run::build(&scene).expect_err("there is no body to join");
     assert_eq!(error.to_string(), "small.json: joints[0].body: there is no body 0, only 0 of them");
@@ -137,7 +137,7 @@ fn two_boxes(script: &str) -> Scene {
 }
 
 #[test]
-fn operations_on_disposed_things_change_nothing() {
+fn operations_on_disposed_objects_have_no_effect() {
     let scene = two_boxes(
         r#"{"step": 1, "op": "dispose", "target": "body", "index": 1},
            {"step": 3, "op": "apply_torque", "body": 1, "torque": 1},

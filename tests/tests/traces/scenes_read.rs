@@ -1,4 +1,4 @@
-//! Reading of scenes: values, and errors that name the file, the place and the reason.
+//! Reading of scenes: values, and errors that name the file, the position and the reason.
 
 use conformance::scene::{BodyShape, Feature, Features, Op, OutlineForm, Scene};
 use farseer_core::math::Vector2;
@@ -37,7 +37,7 @@ fn radius(radius: &str) -> f32 {
 }
 
 #[test]
-fn a_number_goes_through_the_nearest_double() {
+fn a_number_is_rounded_by_way_of_the_nearest_double() {
     // Just above half way between 1 and the next float, but half way as a double, which rounds to even.
     assert_eq!(radius("1.0000000596046447753906250000001").to_bits(), 1.0_f32.to_bits());
     assert_eq!(
@@ -128,7 +128,7 @@ fn an_unknown_word_is_refused_with_the_known_ones() {
 }
 
 #[test]
-fn a_broken_number_in_an_outline_is_refused_with_its_whole_place() {
+fn a_broken_number_in_an_outline_is_refused_with_its_complete_position() {
     let keys = r#", "geoms": [{"body": 0, "shape": {"type": "raw", "outline":
                     {"type": "points", "points": [[0, 0], [1, true]]}}}]"#;
     assert_eq!(error(keys), "small.json: geoms[0].shape.outline.points[1][1]: a truth value is not a number");
@@ -166,20 +166,20 @@ fn another_format_is_refused() {
 }
 
 #[test]
-fn a_fluid_in_nothing_is_refused() {
+fn a_fluid_without_a_container_is_refused() {
     let keys = r#", "controllers": [{"type": "fluid_drag", "density": 1, "linear_drag": 1, "rotational_drag": 1,
                     "gravity": [0, 1], "geoms": []}]"#;
     assert_eq!(error(keys), "small.json: controllers[0]: needs either `container` or `wave`");
 }
 
 #[test]
-fn what_is_not_json_is_refused_with_line_and_column() {
+fn a_text_that_is_not_json_is_refused_with_line_and_column() {
     let message = error_of("{\n  \"format\": 1,\n  oops\n}");
     assert_eq!(message, "small.json: is not JSON: key must be a string at line 3 column 3");
 }
 
 #[test]
-fn a_file_that_is_not_there_is_named() {
+fn a_missing_file_is_named() {
     let message = Scene::from_file("no/such/scene.json").expect_err("it is not there").to_string();
     assert!(message.starts_with("no/such/scene.json: cannot be read: "), "{message}");
 }
@@ -200,7 +200,7 @@ fn an_operation_without_until_is_due_once() {
 }
 
 #[test]
-fn keys_of_a_thing_and_of_its_kind_may_come_in_any_order() {
+fn keys_of_an_object_and_of_its_kind_may_come_in_any_order() {
     let keys = r#", "script": [{"body": 2, "force": [1, -2.5], "op": "apply_force", "step": 4}]"#;
     assert_eq!(read(keys).script[0].op, Op::ApplyForce { body: 2, force: Vector2::new(1.0, -2.5) });
 }
@@ -219,7 +219,7 @@ fn an_outline_may_be_subdivided() {
 }
 
 #[test]
-fn a_scene_needs_what_its_script_works_on() {
+fn a_scene_needs_the_features_of_its_script() {
     let scene = read(
         r#", "script": [{"step": 1, "op": "remove", "target": "spring", "index": 0},
              {"step": 1, "op": "disturb_wave", "controller": 0, "x": 1, "offset": 2}]"#,
@@ -228,7 +228,7 @@ fn a_scene_needs_what_its_script_works_on() {
 }
 
 #[test]
-fn a_scene_of_bodies_and_geoms_needs_nothing_more() {
+fn a_scene_of_bodies_and_geoms_needs_no_feature() {
     let scene = read(r#", "script": [{"step": 1, "op": "remove", "target": "body", "index": 0}]"#);
     assert!(scene.features().is_empty());
 }

@@ -82,7 +82,7 @@ fn step(line: &Line) -> Option<&StepLine> {
     }
 }
 
-/// What the index says of a trace, among others.
+/// An entry of the index, with the fields of a trace among others.
 #[derive(Deserialize)]
 struct Listed {
     scene: String,

@@ -133,7 +133,7 @@ fn a_folder_without_scenes_fails() {
 }
 
 #[test]
-fn a_folder_that_is_not_there_is_reported_and_does_not_stop_the_others() {
+fn a_missing_folder_is_reported_and_does_not_stop_the_others() {
     let folder = folder("there");
     copy("free_fall_pixels", &folder);
     let output = trace_check(&[Path::new("no/such/folder"), &folder]);

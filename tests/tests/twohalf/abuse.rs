@@ -1,4 +1,4 @@
-//! Extreme values and edits at odd moments: nothing panics, and nothing becomes infinite or NaN.
+//! Extreme values and edits at odd moments: no call panics, and no number becomes infinite or NaN.
 
 use conformance::fixtures::depth::{busy_scene, run, set_surface, throw};
 use twohalf::farseer_core::Body;
@@ -15,7 +15,7 @@ fn assert_finite(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) {
 }
 
 #[test]
-pub(crate) fn extreme_velocities_disable_bodies_and_leave_everything_finite() {
+pub(crate) fn extreme_velocities_disable_bodies_and_keep_all_numbers_finite() {
     let mut disabled = 0;
     for speed in [1e10, 1e20, 1e30, 3e38] {
         let (mut simulator, bodies) = busy_scene();
@@ -32,7 +32,7 @@ pub(crate) fn extreme_velocities_disable_bodies_and_leave_everything_finite() {
 }
 
 #[test]
-pub(crate) fn extreme_gravity_forces_and_coefficients_leave_everything_finite() {
+pub(crate) fn extreme_gravity_forces_and_coefficients_keep_all_numbers_finite() {
     for value in [1e-38, 1e20, 3e38, -3e38] {
         let (mut simulator, bodies) = busy_scene();
         simulator.set_gravity(Vector2::new(value, value)).unwrap();
@@ -49,7 +49,7 @@ pub(crate) fn extreme_gravity_forces_and_coefficients_leave_everything_finite() 
 }
 
 #[test]
-pub(crate) fn negative_masses_and_steps_leave_everything_finite() {
+pub(crate) fn negative_masses_and_steps_keep_all_numbers_finite() {
     let (mut simulator, bodies) = busy_scene();
     simulator.body_mut(bodies[0]).unwrap().core_mut().set_mass(-1.0).unwrap();
     for dt in [0.01, -0.01, 0.0, 10.0, -10.0, 1e-38, 1e30] {
@@ -60,7 +60,7 @@ pub(crate) fn negative_masses_and_steps_leave_everything_finite() {
     }
 }
 
-/// Disposes of whatever touches, and adds nothing in its place.
+/// Disposes of every touching body, and adds none.
 struct Disposer;
 
 impl EventHandler for Disposer {
@@ -81,7 +81,7 @@ pub(crate) fn bodies_that_are_disposed_during_a_callback_are_gone_after_the_next
     let left = bodies.iter().filter(|&&body| simulator.body(body).is_some()).count();
     assert!(left < bodies.len());
     assert_eq!(simulator.body_list().len(), left);
-    // Their slots serve new bodies, which begin without what the old ones had.
+    // Their slots serve new bodies, which begin without the state of the old ones.
     let fresh: Vec<BodyId> = (left..bodies.len()).map(|_| simulator.create_body(Body::new())).collect();
     for &body in &fresh {
         let view = simulator.body(body).unwrap();

@@ -1,5 +1,5 @@
-//! Joints and springs of angles, hinges, welds and rails between things with depth, against closed forms: they turn and hold in
-//! the plane; along Z those that keep a point or a line keep their bodies together, and those of angles leave them free.
+//! Joints and springs of angles, hinges, welds and rails between bodies with depth, against closed forms. They act in the
+//! plane; along Z those with a common point or line keep their bodies together, and those of angles leave them free.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, assert_near, assert_near3, place, run, simulator, solid, throw, velocity, weightless,
@@ -8,14 +8,14 @@ use conformance::fixtures::depth::{
 use farseer_core::{Error, JointFactory, JointId, Objects, SpringFactory, SpringId};
 use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
-/// Of coordinates up to 500 and angles up to 10, over hundreds of steps.
+/// Rounding of coordinates up to 500 px and angles up to 10 rad, over hundreds of steps.
 const ROUNDING: f32 = 2e-3;
 
 fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
 }
 
-/// A bar of 30 by 6 px that meets nothing, with its middle at a place.
+/// A bar of 30 by 6 px without collisions, with its middle at a position.
 fn bar(simulator: &mut TwoHalfPhysicsSimulator, [x, y, z]: [f32; 3], mass: f32, inertia: f32) -> BodyId {
     let body = solid(simulator, [30.0, 6.0, 4.0], [x, y - 3.0, z]);
     let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
@@ -112,7 +112,7 @@ fn on_a_fixed_angle_a_body_falls_and_flies_along_z_without_turning() {
             simulator.body_mut(body).unwrap().apply_torque(1e5);
             run(&mut simulator, 1);
             let time = DT * step as f32;
-            // The parabola as steps of this method go it: within half of what gravity gives in one.
+            // The parabola in steps of this integrator: within half of the motion of gravity in one.
             let fallen = 0.5 * GRAVITY * time * time;
             let expected = Vector3::new(20.0 * time, 300.0 - fallen, 10.0 + 35.0 * time);
             let apart = origin(&simulator, body) - expected;
@@ -129,7 +129,7 @@ fn two_turn_against_each_other_as_far_as_their_limit_and_from_there_on_as_one() 
         joined(&mut simulator, |objects| {
             JointFactory::create_angle_limit_joint(objects, bodies[0], bodies[1], -0.4, 1.0)
         });
-        // Of the difference of 2 rad/s the limit leaves nothing; 100 * 0 + 300 * 2 is kept.
+        // The limit removes the difference of 2 rad/s; 100 * 0 + 300 * 2 is conserved.
         set_spin(&mut simulator, bodies[1], 2.0);
         run(&mut simulator, 49);
         assert_near(turned(&simulator, bodies[1]), 2.0 * 49.0 * DT, ROUNDING);
@@ -179,7 +179,7 @@ fn a_body_turns_to_its_limits_and_stays_there_while_it_flies_along_z() {
 fn an_angle_spring_has_two_swing_against_each_other_with_the_period_of_its_constant() {
     precise(|| {
         let (mut simulator, bodies) = two();
-        // 1 Hz of what both inertias make together: 100 * 300 / 400 = 75.
+        // 1 Hz of the reduced inertia of both: 100 * 300 / 400 = 75.
         let constant = 75.0 * (2.0 * std::f32::consts::PI).powi(2);
         sprung(&mut simulator, |objects| {
             SpringFactory::create_angle_spring(objects, bodies[0], bodies[1], constant, 0.0)
@@ -216,7 +216,7 @@ fn on_a_fixed_angle_spring_a_body_swings_with_the_period_of_its_constant_while_i
     });
 }
 
-/// How long a bar takes to swing there and back, let go at an angle of a hinge 40 px aside of its middle.
+/// Period of a bar, released at an angle to a hinge 40 px beside its middle.
 fn period(amplitude: f32, hinge: impl FnOnce(&mut TwoHalfPhysicsSimulator, BodyId, Vector2)) -> f32 {
     let mut simulator = simulator();
     let (sin, cos) = amplitude.sin_cos();
@@ -289,8 +289,8 @@ fn an_impulse_on_one_of_two_hinged_bodies_is_shared_by_their_lever_arms() {
         let hinge = joined(&mut simulator, |objects| {
             JointFactory::create_revolute_joint(objects, bodies[0], bodies[1], at)
         });
-        // 30 px/s up for the left one: the hinge takes 30 / (2 (1 / m + r² / I)) of momentum from it, and gives it to the other;
-        // both are turned by that times r / I.
+        // 30 px/s up for the left one: the hinge takes 30 / (2 (1 / m + r² / I)) of momentum from it, and gives it to the
+        // other; both are turned by that times r / I.
         throw(&mut simulator, bodies[0], [0.0, 30.0, 12.0]);
         let given = 30.0 / (2.0 * (1.0 / 2.0 + 400.0 / 300.0));
         run(&mut simulator, 1);
@@ -298,7 +298,8 @@ fn an_impulse_on_one_of_two_hinged_bodies_is_shared_by_their_lever_arms() {
         let tolerance = 0.005 * 30.0;
         assert_near(velocity(&simulator, bodies[0]).y, 30.0 - given / 2.0, tolerance);
         assert_near(velocity(&simulator, bodies[1]).y, given / 2.0, tolerance);
-        // The left one is held down at its right end, and so is turned clockwise, and the right one lifted at its left end.
+        // The hinge pushes the right end of the left one down, which turns it clockwise, and lifts the left end of the right
+        // one.
         let turning = given * 20.0 / 300.0;
         bodies.iter().for_each(|&body| assert_near(spin(&simulator, body), turning, 0.005 * turning));
         bodies.iter().for_each(|&body| assert_near(velocity(&simulator, body).z, 6.0, ROUNDING));
@@ -321,7 +322,7 @@ fn two_that_are_welded_turn_about_their_common_middle_as_one_body_would() {
         let (mut simulator, bodies, at) = end_to_end();
         joined(&mut simulator, |objects| JointFactory::create_weld_joint(objects, bodies[0], bodies[1], at));
         throw(&mut simulator, bodies[0], [0.0, 30.0, 12.0]);
-        // Angular momentum 2 * 20 * 30 over 2 (I + m r²), clockwise; the middle rises at 15 px/s and goes at 6 px/s along Z.
+        // Angular momentum 2 * 20 * 30 over 2 (I + m r²), clockwise; the middle rises at 15 px/s and moves at 6 px/s along Z.
         let turning = 1200.0 / (2.0 * (300.0 + 2.0 * 400.0));
         run(&mut simulator, 1);
         let first = turned(&simulator, bodies[0]);
@@ -360,7 +361,7 @@ fn on_a_rail_a_body_slides_with_the_component_of_gravity_and_keeps_its_z() {
             let gone = 0.5 * (0.5 * GRAVITY) * time * time;
             let apart = origin(&simulator, body) - Vector3::new(10.0, 290.0, 25.0);
             let slid = apart.x * along.x - apart.y * along.y;
-            // Half of what a step gives.
+            // Half of the motion in a step.
             assert_near(slid, gone, 0.5 * (0.5 * GRAVITY) * DT * time + ROUNDING);
             assert_near(apart.x * along.y + apart.y * along.x, 0.0, ROUNDING);
             assert_near(apart.z, 0.0, ROUNDING);

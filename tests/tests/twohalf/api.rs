@@ -10,7 +10,7 @@ fn ulp(value: f32) -> f32 {
     value.abs().next_up() - value.abs()
 }
 
-/// Numbers from -2000 to 2000 that have bits in every place: multiples of an irrational number.
+/// Numbers from -2000 to 2000 with all bits in use: multiples of an irrational number.
 fn numbers(seed: usize) -> impl Iterator<Item = f32> {
     (1..200).map(move |i| ((((i * (seed + 1)) as f64 * 0.618_033_988_749_895).fract() - 0.5) * 4000.0) as f32)
 }
@@ -114,7 +114,7 @@ fn rejected(simulator: &TwoHalfPhysicsSimulator) -> Vec<&'static str> {
 }
 
 #[test]
-fn values_that_are_not_finite_change_nothing_and_are_reported_in_the_next_update() {
+fn non_finite_values_have_no_effect_and_are_reported_in_the_next_update() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [1.0, 200.0, 3.0]);
     throw(&mut simulator, body, [0.0, 0.0, 5.0]);
@@ -155,7 +155,7 @@ fn a_position_on_the_screen_that_is_not_finite_is_rejected() {
 }
 
 #[test]
-fn a_step_that_is_not_finite_moves_nothing_and_is_reported() {
+fn a_non_finite_step_moves_no_body_and_is_reported() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
     throw(&mut simulator, body, [0.0, 0.0, 5.0]);

@@ -1,4 +1,4 @@
-//! What a beat-'em-up is made of: actors, blows, hands, blocks.
+//! Elements of a beat-'em-up: actors, blows, hands, blocks.
 
 use conformance::fixtures::depth::{assert_near, assert_near3, fix, velocity};
 use twohalf::{DepthScheme, MoveInput, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -123,7 +123,7 @@ fn a_held_body_collides_with_walls_and_not_with_its_holder() {
     let mut simulator = simulator();
     let mut player = actor(&mut simulator, [0.0, 0.0, 50.0]);
     let load = crate_box(&mut simulator, [40.0, 0.0, 50.0]);
-    // From 64 px on over the ground, so that only what is held meets it.
+    // From 64 px on over the ground, so that only the held object meets it.
     spawn_block(&mut simulator, [100.0, 140.0], [64.0, 200.0], [0.0, 100.0]).unwrap();
     let mut hands = Hands::default();
     hands.take(&mut simulator, player.thing, load).unwrap();
@@ -150,7 +150,7 @@ fn a_thrown_body_collides_with_its_thrower_again_once_they_are_separated() {
         simulator.update(STEP);
     };
     (0..30).for_each(|_| carry(&mut hands, &mut simulator));
-    // Within whoever holds it.
+    // Within its holder.
     assert_near3(load.place(&simulator), [0.0, 20.0, 50.0], 0.1);
     assert_eq!(hands.throw(&mut simulator, Vector3::new(200.0, 0.0, 0.0)).unwrap(), Some(load));
     carry(&mut hands, &mut simulator);

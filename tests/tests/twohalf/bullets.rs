@@ -1,6 +1,6 @@
-//! What is marked as a bullet passes no other object, along whatever axis, and what is not marked does.
+//! Bullets pass no other object along any axis, and other bodies do.
 //!
-//! In the step after a hit something of the speed is left: up to 1.42 % of it, which is 4.3 px at 30,000 px/s and 0.01 s. The
+//! In the step after a hit some of the speed remains: up to 1.42 % of it, which is 4.3 px at 30,000 px/s and 0.01 s. The
 //! targets are 8 px thick, so that middles stay on their sides with that.
 
 use conformance::fixtures::depth::{
@@ -9,14 +9,14 @@ use conformance::fixtures::depth::{
 use twohalf::{BodyId, DepthProfile, DepthScheme, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{Cylinder, spawn};
 
-/// Where all of it happens, far above the ground.
+/// Middle of the scene in px, far above the ground.
 const MIDDLE: [f32; 3] = [0.0, 5000.0, 0.0];
 
 fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
 }
 
-/// With its middle at a place; bodies that are made are where their lowest points are.
+/// Moves a body so that its middle is at a position; new bodies have their lowest points there.
 fn centre(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, at: Vector3) -> BodyId {
     let mut view = simulator.body_mut(body).unwrap();
     let aside = view.origin3d() - view.position3d();
@@ -27,7 +27,7 @@ fn centre(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, at: Vector3) ->
 
 type Make = fn(&mut TwoHalfPhysicsSimulator, usize) -> BodyId;
 
-/// What flies, 4 px thick along all axes.
+/// The bullets, 4 px thick along all axes.
 const BULLETS: [Make; 3] = [
     |simulator, _| ball(simulator, 2.0, [0.0; 3]),
     |simulator, _| solid(simulator, [4.0; 3], [0.0; 3]),
@@ -38,7 +38,7 @@ const BULLETS: [Make; 3] = [
     },
 ];
 
-/// What it is shot at, 8 px thick along an axis.
+/// The targets, 8 px thick along an axis.
 const TARGETS: [Make; 3] = [
     |simulator, axis| {
         let mut size = [40.0; 3];
@@ -55,14 +55,14 @@ const TARGETS: [Make; 3] = [
     },
 ];
 
-/// Something that is shot from afar at something that may come towards it.
+/// A bullet that is shot from afar at a target that may come towards it.
 struct Shot {
     bullet: Make,
     target: Make,
-    /// Along which the target is thin.
+    /// Index of the axis along which the target is thin.
     axis: usize,
     way: Vector3,
-    /// Speed of the target against the bullet.
+    /// Speed of the target against the bullet in px/s.
     coming: f32,
 }
 
@@ -91,10 +91,10 @@ impl Shot {
         let (past, simulator, bodies) = self.fly(true);
         let what = (self.axis, self.way, self.coming);
         assert!(past.iter().all(|&past| past < 0.0), "{what:?}: {past:?}");
-        // Nothing of the momentum is lost: roundings of 30,000.
+        // Momentum is conserved up to roundings of 30,000.
         let (direction, speed) = (self.way.normalize(), self.way.norm());
         assert_near3(momentum(&simulator, &bodies), (direction * (speed - self.coming)).into(), 0.05);
-        // They are as fast as each other along the axis, but for what undoes their overlap.
+        // Their speeds along the axis are equal, but for the correction of their overlap.
         let [one, other] = bodies.map(|body| simulator.body(body).unwrap().velocity3d()[self.axis]);
         assert_near(one, other, 0.01 * (speed + self.coming));
     }
@@ -107,7 +107,7 @@ impl Shot {
     }
 }
 
-/// Speeds of the bullet, and of the target against it.
+/// Speeds of the bullet, and of the target against it, in px/s.
 const SPEEDS: [[f32; 2]; 3] = [[6000.0, 0.0], [30_000.0, 0.0], [16_000.0, 14_000.0]];
 
 fn assert_only_marked_are_stopped(target: Make, axis: usize, direction: Vector3) {

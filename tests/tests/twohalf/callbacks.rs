@@ -1,4 +1,4 @@
-//! What a game is told, and what it may refuse. What it may change meanwhile is in `edits`.
+//! Callbacks of a game, and its refusals. Edits in callbacks are in `edits`.
 
 use conformance::fixtures::depth::{
     AXES, DT, FALLS, GRAVITY, SLOP, assert_near, assert_near3, ball, falling, fix, geom_of, pair_along,
@@ -12,13 +12,13 @@ use twohalf::{
 /// Velocities of a few hundred px/s after a few hundred operations of f32.
 const ROUNDING: f32 = 1e-3;
 
-/// Notes what it hears, and refuses what it is told to.
+/// Records its calls, and refuses on request.
 #[derive(Default)]
 struct Listener {
     collisions: Vec<Collision>,
     separations: Vec<(GeomId, ContactTarget)>,
     updated: Vec<BodyId>,
-    /// Answers what a handler answers.
+    /// The handler's answer.
     refuses: Option<fn(&Context<'_>, &Collision) -> bool>,
 }
 
@@ -62,9 +62,9 @@ fn run_until_told(simulator: &mut TwoHalfPhysicsSimulator, handler: &mut Listene
     panic!("nothing touches");
 }
 
-/// In the plane the 2D engine asks, along Z this one.
+/// In the plane the 2D engine calls the handler, along Z this one.
 #[test]
-pub(crate) fn a_geom_whose_callbacks_are_off_is_not_asked_and_its_partner_is() {
+pub(crate) fn a_geom_whose_callbacks_are_off_gets_none_and_its_partner_does() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 1.0);
         let [silent, heard] = bodies.map(|body| geom_of(&simulator, body));
@@ -107,7 +107,7 @@ fn both_handlers_of_a_hit_are_called_the_older_first_with_opposite_normals() {
                 assert_eq!((collision.axis, collision.vetoed), (axis, false));
                 assert!(!collision.partner.is_ground());
             }
-            // The thrown one is pushed back, the other one on.
+            // The thrown one bounces back, the other one moves on.
             assert_near3(second.normal, (-direction).into(), 1e-5);
             assert_near3(first.normal, direction.into(), 1e-5);
             assert_eq!(first.position, second.position);
@@ -129,18 +129,18 @@ fn the_impulse_of_a_hit_is_the_reduced_mass_times_the_speed_times_1_plus_the_res
             let (mut simulator, ..) = pair_along(axis, restitution);
             let mut listener = Listener::default();
             for collision in run_until_told(&mut simulator, &mut listener) {
-                // 2 x 1 / (2 + 1). Four points in the plane: five passes leave 2e-4 of it (measured).
+                // 2 x 1 / (2 + 1). Four points in the plane: five iterations leave 2e-4 of it (measured).
                 let expected = 2.0 / 3.0 * 80.0 * (1.0 + restitution);
                 assert_near(collision.normal_impulse, expected, 5e-4 * expected);
             }
-            // When the handler is asked nothing is solved yet.
+            // The callback comes before the solver.
             assert!(listener.collisions.iter().all(|collision| collision.normal_impulse == 0.0));
         }
     }
 }
 
 #[test]
-pub(crate) fn ground_and_platforms_are_told_to_the_object_with_a_normal_that_points_up() {
+pub(crate) fn the_object_gets_callbacks_of_ground_and_platforms_with_an_upward_normal() {
     for (is_ball, on_platform) in FALLS {
         let (mut simulator, body, partner) = falling(is_ball, on_platform, 0.5);
         let mut listener = Listener::default();
@@ -151,14 +151,14 @@ pub(crate) fn ground_and_platforms_are_told_to_the_object_with_a_normal_that_poi
         assert_eq!(hit.partner.is_ground(), !on_platform);
         assert_eq!(hit.normal, Vector3::new(0.0, 1.0, 0.0));
         assert_eq!(hit.contacts, if is_ball { 1 } else { 2 });
-        // sqrt(2 g h), and what half a step and the step of the contact add.
+        // sqrt(2 g h), and the velocities of half a step and of the step of the contact.
         let speed = (2.0 * GRAVITY * 100.0).sqrt();
         assert_near(hit.normal_impulse, 1.5 * speed, 1.5 * 1.5 * GRAVITY * DT);
     }
 }
 
 #[test]
-pub(crate) fn what_rests_is_told_of_its_contact_in_every_update_with_the_impulse_that_holds_it() {
+pub(crate) fn a_resting_body_gets_a_callback_in_every_update_with_the_impulse_that_carries_it() {
     for (is_ball, on_platform) in FALLS {
         let (mut simulator, _, partner) = falling(is_ball, on_platform, 0.0);
         run(&mut simulator, 300);
@@ -167,7 +167,7 @@ pub(crate) fn what_rests_is_told_of_its_contact_in_every_update_with_the_impulse
         assert_eq!(listener.collisions.len(), 20);
         for collision in &listener.collisions {
             assert_eq!(collision.partner, partner);
-            // m g dt; the callback is told that of the last update.
+            // m g dt; the callback gets the impulse of the last update.
             assert_near(collision.normal_impulse, GRAVITY * DT, 0.05 * GRAVITY * DT);
         }
         assert!(listener.separations.is_empty());
@@ -175,7 +175,7 @@ pub(crate) fn what_rests_is_told_of_its_contact_in_every_update_with_the_impulse
 }
 
 #[test]
-pub(crate) fn a_refused_contact_does_nothing_in_every_axis() {
+pub(crate) fn a_refused_contact_has_no_effect_along_any_axis() {
     for axis in AXES {
         let (mut simulator, bodies, direction) = pair_along(axis, 0.5);
         let mut listener = Listener::that_refuses(|_, _| true);
@@ -183,7 +183,7 @@ pub(crate) fn a_refused_contact_does_nothing_in_every_axis() {
         assert_eq!(velocity(&simulator, bodies[1]), direction * 80.0);
         assert_eq!(velocity(&simulator, bodies[0]), Vector3::zeros());
         assert!(listener.collisions.len() > 10);
-        // The second side is not asked, and what never touched does not part.
+        // The second side gets no callback, and geoms that never touched do not separate.
         let older = geom_of(&simulator, bodies[0]);
         assert!(listener.collisions.iter().all(|collision| collision.this == older));
         assert!(listener.separations.is_empty());
@@ -191,7 +191,7 @@ pub(crate) fn a_refused_contact_does_nothing_in_every_axis() {
 }
 
 #[test]
-pub(crate) fn a_refusal_is_told_among_the_events() {
+pub(crate) fn a_refusal_is_an_event() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 0.5);
         let mut listener = Listener::that_refuses(|_, _| true);
@@ -294,7 +294,7 @@ pub(crate) fn a_one_way_platform_is_jumped_through_from_below_and_stood_on() {
 }
 
 #[test]
-pub(crate) fn a_platform_that_refuses_nothing_is_not_jumped_through() {
+pub(crate) fn a_platform_without_refusals_is_not_jumped_through() {
     let mut simulator = simulator();
     platform(&mut simulator, [200.0, 20.0, 100.0], [0.0, 60.0, 0.0]);
     let body = ball(&mut simulator, 10.0, [0.0, 0.0, 0.0]);
@@ -337,7 +337,7 @@ fn a_sensor_reports_bodies_along_every_axis_and_does_not_push() {
 }
 
 #[test]
-pub(crate) fn a_sensor_does_not_feel_what_passes_in_front_of_it_or_behind() {
+pub(crate) fn a_sensor_does_not_report_bodies_in_front_of_it_or_behind() {
     for z in [-31.0, 31.0] {
         let mut simulator = weightless();
         sensor(&mut simulator);
@@ -352,7 +352,7 @@ pub(crate) fn a_sensor_does_not_feel_what_passes_in_front_of_it_or_behind() {
 /// Sets up two geoms that do not collide.
 type Parting = fn(&mut TwoHalfPhysicsSimulator, [GeomId; 2]);
 
-/// Ways to keep two geoms from colliding.
+/// Settings that keep two geoms from colliding.
 const PARTINGS: [Parting; 4] = [
     |simulator, geoms| {
         for geom in geoms {
@@ -427,9 +427,9 @@ pub(crate) fn groups_categories_and_switches_count_for_platforms() {
             }
             let mut listener = Listener::default();
             run_with(&mut simulator, &mut listener, 400);
-            // It falls through the platform; its ground asks for no category.
+            // It falls through the platform; its ground has no category.
             assert!(place(&simulator, body).y < 1.0, "way {way}");
-            // Without response it is told all the same.
+            // Without collision response the callback comes all the same.
             let is_told = listener.collisions.iter().any(|collision| collision.partner == partner);
             assert_eq!(is_told, way == 3, "way {way}");
         }
@@ -437,7 +437,7 @@ pub(crate) fn groups_categories_and_switches_count_for_platforms() {
 }
 
 #[test]
-pub(crate) fn a_separation_is_told_once_to_each_side_in_every_axis() {
+pub(crate) fn a_separation_is_reported_once_to_each_side_along_every_axis() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 1.0);
         let geoms = bodies.map(|body| geom_of(&simulator, body));
@@ -460,7 +460,7 @@ pub(crate) fn a_separation_is_told_once_to_each_side_in_every_axis() {
 }
 
 #[test]
-pub(crate) fn a_bounce_off_the_ground_is_told_as_one_separation() {
+pub(crate) fn a_bounce_off_the_ground_is_one_separation() {
     for (is_ball, on_platform) in FALLS {
         let (mut simulator, body, partner) = falling(is_ball, on_platform, 0.5);
         let mut listener = Listener::default();
@@ -471,7 +471,7 @@ pub(crate) fn a_bounce_off_the_ground_is_told_as_one_separation() {
 }
 
 #[test]
-pub(crate) fn what_starts_and_stops_to_slide_in_depth_on_another_does_not_part_from_it() {
+pub(crate) fn starting_and_stopping_to_slide_in_depth_is_no_separation() {
     let mut simulator = simulator();
     let table = solid(&mut simulator, [200.0, 40.0, 200.0], [0.0, 0.0, 0.0]);
     fix(&mut simulator, table);
@@ -512,7 +512,7 @@ pub(crate) fn a_contact_that_ends_by_removing_disposing_or_disabling_is_no_separ
 }
 
 #[test]
-pub(crate) fn what_moves_only_along_z_is_told_as_updated_once_per_update() {
+pub(crate) fn a_body_that_moves_only_along_z_is_reported_as_updated_once_per_update() {
     for is_ball in [true, false] {
         let mut simulator = weightless();
         let body = match is_ball {
@@ -530,14 +530,14 @@ pub(crate) fn what_moves_only_along_z_is_told_as_updated_once_per_update() {
             events += simulator.events().iter().filter(is_it).count();
         }
         let heard = |id: BodyId| listener.updated.iter().filter(|&&told| told == id).count();
-        // It was put in place by a setter, which is told from then on as in the 2D engine, and never twice.
+        // A setter put it there, which is reported from then on as in the 2D engine, and never twice.
         assert_eq!((heard(body), events), (10, 10));
         assert!(heard(still) <= 10);
     }
 }
 
 #[test]
-pub(crate) fn a_body_that_moves_only_along_z_and_was_never_placed_is_told_only_while_it_moves() {
+pub(crate) fn an_unplaced_body_that_moves_only_along_z_is_reported_only_while_it_moves() {
     use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
     let mut simulator = weightless();
     let body = TwoHalfBodyFactory::create_circle_body(&mut simulator, 10.0, 1.0).unwrap();

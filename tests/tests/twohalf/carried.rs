@@ -1,8 +1,8 @@
-//! What moves by the game alone carries what stands on it, and belts do without moving.
+//! Kinematic platforms carry the bodies on them, and belts do so without moving.
 //!
-//! Friction 0.5 under gravity 100 px/s² gives 50 px/s². What starts from rest on something that moves with velocity v slides
-//! until it has that velocity, after v / (mu g), and lags v² / (2 mu g) behind by then; a step counts as a whole, which is up to
-//! v dt of that way.
+//! Friction 0.5 under gravity 100 px/s² gives 50 px/s². A body that starts from rest on a platform with velocity v slides until
+//! it has that velocity, after v / (mu g), and lags v² / (2 mu g) behind by then. A step counts as a whole, which is up to v dt
+//! of that distance.
 
 use conformance::fixtures::depth::{
     GRAVITY, assert_near, assert_near3, place, platform, set_platform_surface, set_surface, simulator, solid,
@@ -14,10 +14,10 @@ const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const FRICTION: f32 = 0.5;
 /// 50 px/s along the floor.
 const ALONG: [f32; 3] = [30.0, 0.0, 40.0];
-/// How long what is carried slides at this speed, s, and the way that it lags behind.
+/// Duration in s for which a carried body slides at this speed, and the distance that it lags behind.
 const SLIDE: f32 = 50.0 / (FRICTION * GRAVITY);
 const LAG: f32 = 50.0 * 50.0 / (2.0 * FRICTION * GRAVITY);
-/// Of coordinates up to 1000.
+/// Rounding in px of coordinates up to 1000.
 const ROUNDING: f32 = 2e-3;
 
 fn precise(test: impl FnOnce()) {
@@ -332,7 +332,7 @@ fn a_platform_pushes_bodies_in_its_path_along_each_axis() {
             along[axis] = 30.0;
             set_velocity(&mut simulator, pusher, along);
             run_for(&mut simulator, 2.0, 60.0);
-            // Its face is 10 px before its middle, and so is that of what it pushes.
+            // Its face is 10 px before its middle, and so is that of the pushed body.
             assert_near(place(&simulator, pushed)[axis], 2.0 * 30.0 + 20.0, 0.1);
             assert_near(velocity(&simulator, pushed)[axis], 30.0, 0.05);
         }

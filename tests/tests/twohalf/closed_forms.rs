@@ -1,9 +1,8 @@
 //! Bounces, throws, rolling and hits against closed forms.
 //!
-//! Tolerances come from the integrator (symplectic Euler moves with the new velocity, so a path is ahead of the
-//! parabola by v dt / 2), from contacts, which are noticed at the end of a step, up to v dt late, and from the
-//! correction of overlap, which undoes 0.8 of what exceeds 0.05 px per step. Impulses of one contact point are exact:
-//! there only rounding is allowed for.
+//! Tolerances have three sources. Symplectic Euler moves with the new velocity, so a path is ahead of the parabola by v dt / 2.
+//! Contacts are found at the end of a step, up to v dt late. The correction of overlap undoes 0.8 of the excess over 0.05 px
+//! per step. Impulses of one contact point are exact up to rounding.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, crate_box, fix, geom_of, momentum, place, platform,
@@ -14,7 +13,7 @@ use twohalf::{Axis, BodyId, TwoHalfContact, TwoHalfPhysicsSimulator, Vector3};
 /// Velocities of a few hundred px/s after a few hundred operations of f32.
 const ROUNDING: f32 = 1e-3;
 
-/// Highest point that a body reaches between its first and its second landing on something at a height.
+/// Highest point that a body reaches between its first and its second landing at a height.
 fn bounce_top(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, floor: f32) -> f32 {
     let mut steps = 0..10_000;
     while place(simulator, body).y > floor && steps.next().is_some() {
@@ -31,9 +30,9 @@ fn bounce_top(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, floor: f32)
     panic!("the body never turns");
 }
 
-/// How far the height of a bounce may be off. With the speed v of the impact, the overlap p <= v dt and the speed
-/// u = e (v + g dt) after it, the way down is v²/2g + v dt/2 = h + p, the way up u²/2g + u dt/2, and it begins
-/// where the correction has left 0.2 p and the slop.
+/// Tolerance of the height of a bounce. The impact has the speed v and the overlap p <= v dt, and the speed after it is u = e
+/// (v + g dt). The way down is v²/2g + v dt/2 = h + p, the way up u²/2g + u dt/2, and it begins where the correction has left
+/// 0.2 p and the slop.
 fn bounce_tolerance(height: f32, restitution: f32) -> f32 {
     let speed = (2.0 * GRAVITY * height).sqrt();
     let (squared, step) = (restitution * restitution, GRAVITY * DT * DT);
@@ -59,7 +58,7 @@ fn a_flat_box_bounces_to_the_square_of_the_restitution_times_the_height() {
         set_surface(&mut simulator, body, 0.0, restitution);
         let top = bounce_top(&mut simulator, body, 0.0);
         assert_near(top, restitution * restitution * 150.0, bounce_tolerance(150.0, restitution));
-        // Its two points share the impulse but for what five passes leave.
+        // Its two points share the impulse up to the error of five iterations.
         assert_near(simulator.body(body).unwrap().rotation().sin(), 0.0, 0.01);
     }
 }
@@ -130,11 +129,11 @@ pub(crate) fn a_throw_goes_2_vx_vy_over_g_far_in_every_direction() {
     }
 }
 
-/// Directions over the ground in X and Z.
+/// Directions over the ground in X and Z, a ratio.
 const DIRECTIONS: [[f32; 2]; 5] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, -0.8]];
 
-/// Throws a ball of radius 20 flat over the ground, or a platform, and gives the velocity at which it ends up rolling,
-/// along the direction and aside. `inertia` is in units of m r², `backspin` the speed of its rim against rolling.
+/// Throws a ball of radius 20 flat over the ground, or a platform, and returns the velocity at which it ends up rolling, along
+/// the direction and aside. `inertia` is in units of m r², `backspin` the speed of its rim against rolling.
 fn rolling_end(direction: [f32; 2], inertia: f32, backspin: f32, on_platform: bool) -> [f32; 2] {
     let mut simulator = simulator();
     let height = if on_platform { 30.0 } else { 0.0 };
@@ -154,8 +153,8 @@ fn rolling_end(direction: [f32; 2], inertia: f32, backspin: f32, on_platform: bo
     [end.x * direction[0] + end.z * direction[1], end.x * direction[1] - end.z * direction[0]]
 }
 
-/// What rolling ends may be off by: every impulse keeps m v r + I w about the point of contact, so it is the rounding
-/// of 700 steps with numbers of about 100, half an ulp (4e-6) each.
+/// Tolerance of the final speed of rolling in px/s. Every impulse conserves m v r + I w about the point of contact. So it is
+/// the rounding of 700 steps with numbers of about 100, half an ulp (4e-6) each.
 const ROLLING: f32 = 700.0 * 4e-6;
 
 #[test]
@@ -189,15 +188,15 @@ pub(crate) fn a_hoop_ends_up_rolling_at_half_of_its_speed() {
 #[test]
 fn a_sphere_with_enough_backspin_comes_back() {
     for direction in DIRECTIONS {
-        // m v r + I w is kept: (v - 0.4 u) / 1.4 for a rim that runs backwards at u.
+        // m v r + I w is conserved: (v - 0.4 u) / 1.4 for a rim that runs backwards at u.
         let [along, aside] = rolling_end(direction, 2.0 / 5.0, 400.0, false);
         assert_near(along, (90.0 - 0.4 * 400.0) / 1.4, ROLLING);
         assert_near(aside, 0.0, ROLLING);
     }
 }
 
-/// Two balls of radii 15 and 10 that meet obliquely in all three axes without gravity, run until they have met and
-/// parted: their velocities before and after, and the contact of the second one.
+/// Two balls of radii 15 and 10 that meet obliquely in all three axes without gravity, run until they have met and separated:
+/// their velocities before and after, and the contact of the second one.
 fn oblique_hit(
     masses: [f32; 2],
     friction: f32,
@@ -236,13 +235,13 @@ pub(crate) fn equal_balls_with_full_restitution_exchange_their_velocities_along_
 #[test]
 pub(crate) fn the_normal_of_two_balls_is_the_line_of_their_centres_at_the_hit() {
     let (before, _, hit) = oblique_hit([1.0, 1.0], 0.0, 1.0);
-    // The way until the centres are 25 px apart; origins are the radii above the lowest points.
+    // The distance until the centres are 25 px apart; origins are the radii above the lowest points.
     let start = Vector3::new(60.0, 14.0 + 10.0 - 15.0, 35.0);
     let relative = before[1] - before[0];
     let (half_b, c) = (start.dot(&relative), start.norm_squared() - 25.0 * 25.0);
     let time = (-half_b - (half_b * half_b - relative.norm_squared() * c).sqrt()) / relative.norm_squared();
     let at_hit = (start + relative * time) / 25.0;
-    // The centres go on for up to a step, at right angles to the line by at most all of that way.
+    // The centres go on for up to a step, at right angles to the line by at most all of that motion.
     let late = (at_hit.cross(&relative).norm() * DT) / (25.0 - relative.norm() * DT);
     assert!((hit.normal - at_hit).norm() <= late, "{:?} {at_hit:?} {late}", hit.normal);
 }
@@ -269,16 +268,16 @@ pub(crate) fn an_oblique_hit_keeps_the_momentum_in_all_three_axes_with_friction_
     }
 }
 
-/// What two balls of mass 1 that hit each other obliquely get across and along the normal, the impulse across that
-/// would stop their sliding, and the contact.
+/// Velocities across and along the normal after an oblique hit of two balls of mass 1, the impulse across it that would stop
+/// their sliding, and the contact.
 fn rubbing_hit(friction: f32) -> ([f32; 3], TwoHalfContact) {
     let (before, after, hit) = oblique_hit([1.0, 1.0], friction, 0.0);
     let change = after[1] - before[1];
     let along = change.dot(&hit.normal);
     let sliding = before[1] - before[0];
     let sliding = (sliding - hit.normal * sliding.dot(&hit.normal)).norm();
-    // A disc gives way by 1/m + a² / (m r² / 2) at a distance a from its centre. The point is on the second ball, and
-    // as deep in the first as they overlap.
+    // The inverse effective mass of a disc is 1/m + a² / (m r² / 2) at a distance a from its centre. The point is on the second
+    // ball, and as deep in the first as they overlap.
     let arm = 1.0 + hit.separation / 15.0;
     ([(change - hit.normal * along).norm(), along, sliding / (1.0 + 2.0 * arm * arm + 3.0)], hit)
 }
@@ -329,8 +328,8 @@ pub(crate) fn a_ball_flies_back_from_the_front_the_back_and_the_sides_of_a_box_a
     }
 }
 
-/// Throws a ball of radius 15 along Z at an immovable box of 40 x 40 x 40 with the ball's centre beyond the box's upper
-/// right corner by `beyond`, and gives the normal of the hit and the velocity after it. Steps are a tenth as long.
+/// Throws a ball of radius 15 along Z at a static box of 40 x 40 x 40. The ball's centre is beyond the box's upper right corner
+/// by `beyond`. Returns the normal of the hit and the velocity after it. Steps are a tenth as long.
 fn hit_the_edge(beyond: [f32; 2]) -> (Vector3, Vector3) {
     let mut simulator = weightless();
     let post = solid(&mut simulator, [40.0, 40.0, 40.0], [0.0, 500.0, 20.0]);

@@ -1,4 +1,4 @@
-//! Who is squeezed between two sides, and when that is told.
+//! Figures between two sides that crush them, and the time of the report.
 
 use conformance::fixtures::depth::{
     assert_goes_on_after_loading, assert_near, ball, fix, geom_of, platform, run, simulator, solid,
@@ -34,7 +34,7 @@ fn lift_below_ceiling(rate: f32, speed: f32) -> (TwoHalfPhysicsSimulator, BodyId
 }
 
 #[test]
-fn a_lift_below_a_ceiling_crushes_when_the_room_is_gone_at_every_rate() {
+fn a_lift_below_a_ceiling_crushes_when_the_space_is_used_up_at_every_rate() {
     for rate in [30.0, 60.0, 120.0, 240.0] {
         let (mut simulator, figure, [lift, ceiling]) = lift_below_ceiling(rate, 40.0);
         simulator.set_crush_tolerance(figure, Some(4.0)).unwrap();
@@ -49,7 +49,7 @@ fn a_lift_below_a_ceiling_crushes_when_the_room_is_gone_at_every_rate() {
             (squeeze.axis, squeeze.between),
             (Vector3::y(), [ContactTarget::Platform(lift), ContactTarget::Platform(ceiling)])
         );
-        // 20 px of way to the ceiling and 4 px into it, at 40 px/s.
+        // 20 px to the ceiling and 4 px into it, at 40 px/s.
         assert_near(step as f32 / rate, 24.0 / 40.0, 1.5 / rate);
         let at_the_end = simulator.crush_info(figure).unwrap();
         assert_near(at_the_end.depth, 20.0, 0.5);
@@ -71,7 +71,7 @@ fn crush_info_is_available_right_after_a_load() {
 }
 
 #[test]
-fn it_is_reported_again_after_there_was_room() {
+fn a_crush_is_reported_again_after_a_release() {
     let (mut simulator, figure, [lift, _]) = lift_below_ceiling(60.0, 40.0);
     simulator.set_crush_tolerance(figure, Some(2.0)).unwrap();
     let mut count = 0;
@@ -87,7 +87,7 @@ fn it_is_reported_again_after_there_was_room() {
 }
 
 #[test]
-fn a_wall_that_comes_along_each_axis_squeezes_along_it() {
+fn a_wall_that_approaches_along_each_axis_crushes_along_it() {
     precise(|| {
         for axis in [0, 2] {
             let mut simulator = simulator();
@@ -110,7 +110,7 @@ fn a_wall_that_comes_along_each_axis_squeezes_along_it() {
             direction[axis] = 1.0;
             assert_eq!(squeeze.axis, direction);
             assert_eq!(squeeze.between, [moving, fixed].map(ContactTarget::Platform));
-            // 45 px of way, of which there were 30.
+            // 45 px of motion, of which 30 were free.
             assert_near(squeeze.depth, 15.0, 0.5);
         }
     });

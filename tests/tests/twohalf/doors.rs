@@ -43,7 +43,7 @@ fn it_points_from_its_hinge_at_every_angle() {
 }
 
 #[test]
-fn it_turns_evenly_and_stops_where_it_is_to() {
+fn it_turns_evenly_and_stops_at_its_target() {
     precise(|| {
         let (mut simulator, mut door) = door();
         let mut steps = 0;
@@ -112,7 +112,7 @@ fn saved_in_its_turn_it_goes_on_with_the_same_bits() {
     });
 }
 
-/// Where something is along a door, from its hinge, and in front of its middle plane, at Z of a closed door.
+/// Position along a door, from its hinge, and in front of its middle plane, at Z of a closed door.
 fn beside(door: &Door, at: Vector3) -> [f32; 2] {
     let ((sine, cosine), out) = (door.angle().sin_cos(), at - Vector3::from(HINGE));
     [cosine * out.x + sine * out.z, cosine * out.z - sine * out.x]
@@ -128,7 +128,7 @@ fn a_frictionless_body_slides_out_along_it_as_a_bead_on_a_rotating_rod() {
         for step in 1..=120 {
             door.turn_towards(&mut simulator, 3.0, turning * DT).unwrap();
             run(&mut simulator, 1);
-            // Nothing acts along the door: r" = w^2 r, from rest beside it.
+            // No force acts along the door: r" = w^2 r, from rest beside it.
             let turned = turning * step as f32 * DT;
             let along = start * turned.cosh() + off * turned.sinh();
             let [found, apart] = beside(&door, place(&simulator, body));
@@ -139,7 +139,7 @@ fn a_frictionless_body_slides_out_along_it_as_a_bead_on_a_rotating_rod() {
     });
 }
 
-/// What is pushed about.
+/// The pushed bodies.
 fn loads(size: f32) -> [Thing; 5] {
     let wedge = [[-0.5, -0.3], [0.5, -0.3], [0.0, 0.6]].map(|[x, z]| [x * size, z * size].into());
     [
@@ -345,7 +345,7 @@ fn invalid_doors_are_refused_and_add_nothing() {
 }
 
 #[test]
-fn a_door_that_is_removed_lets_everything_through() {
+fn bodies_pass_a_removed_door() {
     precise(|| {
         let (mut simulator, door) = door();
         let body = ball(&mut simulator, 8.0, [130.0, 0.0, 20.0]);

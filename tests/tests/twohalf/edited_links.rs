@@ -1,4 +1,4 @@
-//! Joints and springs come, go and change amid a run: what sleeps wakes when it must.
+//! Joints and springs are added, removed and edited amid a run: sleeping bodies wake when they must.
 
 use conformance::fixtures::depth::{assert_near, place, run, simulator, solid, with_scheme};
 use farseer_core::{JointFactory, JointId, LinearSpring, Objects, PinJoint, SpringFactory, SpringId};
@@ -84,7 +84,7 @@ fn a_body_asleep_on_a_pin_or_a_spring_falls_when_that_is_removed_disposed_or_dis
                 let joint = pin(objects, [hook, body], 100.0);
                 (joint, spring(objects, [hook, body], 100.0))
             });
-            // On the one of them that is to be tried alone.
+            // One of them is disposed, so that the other is tested alone.
             match way % 2 {
                 0 => simulator.dispose(spring).unwrap(),
                 _ => simulator.dispose(joint).unwrap(),

@@ -1,4 +1,4 @@
-//! What a game may change while it is told of something; and that to listen changes nothing.
+//! Edits of a game in callbacks; a handler without edits has no effect.
 
 use conformance::fixtures::depth::{
     AXES, DT, assert_near3, ball, busy_scene, falling, pair_along, place, platform, run, run_with,
@@ -20,7 +20,7 @@ const EDITS: [Edit; 6] = [
     |context, body| context.body_mut(body).unwrap().set_is_static(true),
 ];
 
-/// Does an edit to the first body that is told of something.
+/// Makes an edit in the first callback of a body.
 struct Editor {
     edit: Edit,
     done: usize,
@@ -93,12 +93,12 @@ pub(crate) fn edits_in_every_callback_are_safe() {
 }
 
 #[test]
-pub(crate) fn a_body_moved_away_in_a_callback_is_there_and_pushed_no_more() {
+pub(crate) fn a_body_teleported_in_a_callback_gets_no_further_impulse() {
     for axis in AXES {
         let (mut simulator, bodies, _) = pair_along(axis, 1.0);
         let mut editor = Editor { edit: EDITS[0], done: 2, on: "collision" };
         run_with(&mut simulator, &mut editor, 100);
-        // The older one was told first.
+        // The older one got the first callback.
         assert_near3(place(&simulator, bodies[0]), [900.0, 700.0, 900.0], 100.0);
         assert!(simulator.contacts().next().is_none(), "{axis:?}");
     }
@@ -123,7 +123,7 @@ struct Nothing;
 
 impl EventHandler for Nothing {}
 
-/// Does nothing and wants to hear of everything.
+/// Does nothing and subscribes to all callbacks.
 struct Asked;
 
 impl EventHandler for Asked {
@@ -133,7 +133,7 @@ impl EventHandler for Asked {
 }
 
 #[test]
-pub(crate) fn a_handler_that_does_nothing_changes_no_bit() {
+pub(crate) fn a_handler_without_actions_changes_no_bit() {
     let make = || {
         let (mut simulator, bodies) = busy_scene();
         let floor = platform(&mut simulator, [60.0, 30.0, 60.0], [140.0, 10.0, 15.0]);

@@ -42,7 +42,7 @@ fn a_body_of_half_the_density_of_water_floats_half_immersed_and_sleeps() {
 }
 
 #[test]
-fn a_ball_floats_as_deep_as_the_part_that_is_cut_off_is_heavy() {
+fn a_ball_floats_so_deep_that_it_displaces_its_weight() {
     precise(|| {
         // A cap of 5 of 20 px has pi h² (3 r - h) / 3 = 0.15625 of the ball's volume.
         let mut simulator = simulator();
@@ -74,7 +74,7 @@ fn a_sinking_body_reaches_its_terminal_velocity() {
 }
 
 #[test]
-fn a_fluid_as_stiff_as_honey_slows_without_turning_anything_back() {
+fn a_very_viscous_fluid_slows_without_reversing_any_motion() {
     precise(|| {
         let mut simulator = weightless();
         let body = ball(&mut simulator, 10.0, [0.0, 40.0, 40.0]);
@@ -104,7 +104,7 @@ fn a_current_takes_along_exponentially_along_all_axes() {
 }
 
 #[test]
-fn only_the_part_that_is_in_it_is_taken_along() {
+fn only_the_immersed_part_is_carried_by_the_current() {
     precise(|| {
         // The back half of it is in the pool, a quarter of its width, and the lower three quarters of its height.
         let mut simulator = weightless();
@@ -160,7 +160,7 @@ fn wind_blows_light_bodies_away_faster() {
     });
 }
 
-/// Makes the first body immovable when it touches something, and lets it go when the second one does.
+/// Makes the first body static when it touches another one, and dynamic when the second one does.
 struct Holds([BodyId; 2]);
 
 impl EventHandler for Holds {
@@ -230,7 +230,7 @@ fn a_well_ends_at_its_radius_and_does_not_act_on_bodies_that_ignore_gravity() {
     });
 }
 
-/// What bobs slowly falls asleep: that near to where it would come to rest, px.
+/// Distance in px from its final position at which a slowly bobbing body falls asleep.
 const BOBBING: f32 = 0.5;
 
 /// A raft that floats asleep.
@@ -357,7 +357,7 @@ fn a_field_that_overflows_the_total_force_along_z_is_reported_and_left_out() {
             let mut view = simulator.body_mut(body).unwrap();
             view.set_mass(1.0).unwrap();
             view.apply_force_z(3e38);
-            // So short that squares of what the force makes are numbers, too.
+            // So short that squares of velocities from the force are finite, too.
             let dt = 1e-20;
             simulator.update(dt);
             let told = Event::NotFinite { body, disabled: false };

@@ -41,7 +41,7 @@ fn precise(test: impl FnOnce()) {
 #[test]
 fn a_spring_to_a_point_swings_along_any_axis_with_the_period_of_its_constant() {
     precise(|| {
-        // 1 Hz: after half a period of 50 steps it is on the other side, after ten whole ones where it was.
+        // 1 Hz: after half a period of 50 steps it is on the other side, after ten full ones at its start.
         let constant = (2.0 * std::f32::consts::PI).powi(2);
         for apart in [[0.0, 0.0, 40.0], [24.0, 0.0, 32.0], [-20.0, 20.0, 10.0]] {
             let (mut simulator, body, _) = sprung(constant, 0.0, apart, Some(POINT[2]));

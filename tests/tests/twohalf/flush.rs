@@ -1,5 +1,6 @@
-//! What lies flush with a platform, and what is over its edge or lower than it by less than a player sees, with the precise set: what
-//! is pressed into one face is as deep in the next one, and what is not pressed is told to a fiftieth of a px.
+//! Bodies flush with a platform, over its edge or lower than it by less than a player sees, with the precise set.
+//!
+//! A body that is pressed into one face is as deep in the next one; contacts of other bodies are exact to a fiftieth of a px.
 
 use conformance::fixtures::depth::{
     DT, assert_goes_on_after_loading, assert_near, place, platform, set_platform_surface, simulator, solid,
@@ -9,7 +10,7 @@ use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Vector2};
 
 /// Steps per second.
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 200.0];
-/// A part of a px that is told.
+/// A fraction of a px, which is the accuracy of contacts.
 const LITTLE: f32 = 0.02;
 /// How deep a box of its own weight may lie, px: g / omega^2, with the 48 Hz that a contact has at 30 steps per second.
 const REST: f32 = 2e-3;
@@ -59,7 +60,7 @@ fn a_step_of_a_fiftieth_of_a_px_stops_a_box_that_slides() {
             view.ground_mut().set_friction_coefficient(0.0);
             throw(&mut simulator, body, [0.0, 0.0, -60.0 * side]);
             run(&mut simulator, rate, 1.5);
-            // As deep in the step as the spring lets what comes at 60 px/s.
+            // As deep in the step as the contact spring yields at 60 px/s.
             assert_near(place(&simulator, body).z * side, 60.0, LITTLE);
         }
     }
@@ -105,7 +106,7 @@ fn a_stack_slides_over_a_seam_however_deep_its_load_presses_it() {
     }
 }
 
-/// Who sets his velocity before every update, as games do.
+/// Sets the velocity before every update, as games do.
 fn push(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, rate: f32, aside: f32, into: f32) {
     let up = velocity(simulator, body).y;
     throw(simulator, body, [aside, up, into]);
@@ -122,7 +123,7 @@ fn a_figure_pressed_hard_against_a_wall_of_two_platforms_slides_over_the_seam() 
             }
             let body = figure(&mut simulator, [-60.0, 0.0, 35.0]);
             (0..rate as usize).for_each(|_| push(&mut simulator, body, rate, 150.0, press));
-            // It may rub a little in the step in which it comes to the wall.
+            // Friction may act a little in the step in which it comes to the wall.
             assert_near(place(&simulator, body).x, 90.0, 3.0);
         }
     }
@@ -143,7 +144,7 @@ fn height_after_jump(rate: f32, press: f32) -> f32 {
 }
 
 #[test]
-fn a_figure_that_lets_go_of_a_wall_at_its_top_comes_down_in_front_of_it() {
+fn a_figure_that_stops_pressing_at_the_top_of_a_wall_falls_in_front_of_it() {
     for rate in RATES {
         for press in [10.0, 100.0, 200.0] {
             let height = height_after_jump(rate, press);
@@ -153,7 +154,7 @@ fn a_figure_that_lets_go_of_a_wall_at_its_top_comes_down_in_front_of_it() {
 }
 
 #[test]
-fn how_deep_it_was_pressed_is_saved() {
+fn the_depth_of_a_pressed_contact_is_saved() {
     with_scheme(DepthScheme::Precise, || {
         let mut simulator = simulator();
         platform(&mut simulator, [80.0, 40.0, 80.0], [0.0; 3]);
@@ -166,7 +167,7 @@ fn how_deep_it_was_pressed_is_saved() {
             up = velocity(&simulator, body).y;
         }
         throw(&mut simulator, body, [0.0, up, 0.0]);
-        // Deeper than what is flush without having been pressed.
+        // Deeper than a flush body that was never pressed.
         let depth = place(&simulator, body).z + 50.0;
         assert!(depth > LITTLE, "{depth}");
         assert_goes_on_after_loading(&mut simulator, &[body]);

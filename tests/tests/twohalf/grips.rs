@@ -54,7 +54,7 @@ fn a_load_held_back_by_a_wall_is_lost_at_the_reach_and_falls() {
     for reach in [None, Some(20.0), Some(60.0), Some(150.0)] {
         let mut scene = Porter::new();
         scene.hands.set_reach(reach).unwrap();
-        // From 64 px on over the ground, so that only what is held meets it.
+        // From 64 px on over the ground, so that only the held object meets it.
         spawn_block(&mut scene.simulator, [100.0, 140.0], [64.0, 200.0], [0.0, 100.0]).unwrap();
         let expected = reach.unwrap_or(60.0);
         let (mut broken, mut farthest) = (0, 0.0f32);
@@ -70,7 +70,7 @@ fn a_load_held_back_by_a_wall_is_lost_at_the_reach_and_falls() {
             farthest = if is_held { farthest.max(way.norm()) } else { farthest };
         }
         assert_eq!((broken, scene.hands.held()), (1, None), "{reach:?}");
-        // It is looked at before a step, in which the figure goes 2.5 px: in the last one it was held, it goes twice that.
+        // It is tested before a step, in which the figure goes 2.5 px: in the last one it was held, it goes twice that.
         assert!((expected - 3.0..expected + 5.1).contains(&farthest), "{reach:?}: {farthest}");
         assert!(scene.weighs() && scene.load.place(&scene.simulator).y < 0.2);
     }
@@ -84,7 +84,7 @@ fn a_grip_breaks_when_either_body_is_teleported() {
         scene.put(of, to);
         assert_eq!(scene.carry(5), 1);
         assert!(scene.hands.held().is_none() && scene.weighs());
-        // Within the reach nothing is lost.
+        // Within the reach no object is dropped.
         let mut scene = Porter::new();
         let of = if is_load { scene.load } else { scene.porter };
         let place = of.place(&scene.simulator) + Vector3::new(40.0, 0.0, 0.0);

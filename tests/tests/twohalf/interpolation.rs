@@ -1,9 +1,9 @@
-//! Places of things between two updates.
+//! Positions of bodies between two updates.
 
 use conformance::fixtures::depth::{ball, platform, run, simulator, throw, weightless};
 use twohalf::{Drawable, InterpolatedPose3D, Interpolation3D, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
-/// What is remembered of two updates of 0.01 s.
+/// The interpolation of two updates of 0.01 s.
 fn remembered(simulator: &mut TwoHalfPhysicsSimulator) -> Interpolation3D {
     let mut interpolation = Interpolation3D::new();
     for _ in 0..2 {
@@ -59,7 +59,7 @@ fn a_platform_that_rotates_is_interpolated_along_the_shorter_arc() {
     let lift = lift(&mut simulator);
     simulator.platform_mut(lift).unwrap().set_yaw(std::f32::consts::TAU - 0.004).unwrap();
     simulator.platform_mut(lift).unwrap().set_angular_velocity(0.4).unwrap();
-    // A whole turn counts as none from the first of these updates on.
+    // A full turn counts as none from the first of these updates on.
     let interpolation = remembered(&mut simulator);
     let turned = interpolation.pose(Drawable::Platform(lift), 0.25).unwrap().yaw;
     assert!((turned - 0.001).abs() < 1e-5, "{turned}");

@@ -1,4 +1,4 @@
-//! Joints that keep a point keep it in depth: what they tie together moves along Z as one. Linear springs pull along all axes.
+//! Joints with a common point keep it in depth: bodies joined by them move along Z as one. Linear springs act along all axes.
 
 use conformance::fixtures::depth::{
     DT, assert_goes_on_after_loading, assert_near, assert_near3, momentum, place, run, set_surface,
@@ -10,7 +10,7 @@ use farseer_core::{
 };
 use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
-/// Of coordinates up to 1000, over hundreds of steps.
+/// Rounding of coordinates up to 1000 px, over hundreds of steps.
 const ROUNDING: f32 = 2e-3;
 
 fn precise(test: impl FnOnce()) {
@@ -33,7 +33,7 @@ fn tie(simulator: &mut TwoHalfPhysicsSimulator, make: Make, a: BodyId, b: BodyId
     })
 }
 
-/// Two boxes of 20 px beside each other, 100 px up, of masses 1 and 3, tied where they touch.
+/// Two boxes of 20 px beside each other, 100 px up, of masses 1 and 3, joined where they touch.
 fn pair(
     mut simulator: TwoHalfPhysicsSimulator,
     make: Make,
@@ -168,7 +168,7 @@ fn a_blow_from_the_front_on_one_of_two_keeps_the_momentum_of_all() {
             throw(&mut simulator, hammer, [0.0, 0.0, 100.0]);
             run(&mut simulator, 200);
             assert_near(momentum(&simulator, &[hammer, bodies[0], bodies[1]]).z, 100.0, ROUNDING);
-            // Without restitution all move as one; the passes of a step leave 0.0033 of the blow between them.
+            // Without restitution all move as one; the iterations of a step leave 0.0033 of the blow between them.
             for body in [hammer, bodies[0], bodies[1]] {
                 assert_near(velocity(&simulator, body).z, 20.0, 0.005 * 100.0);
             }
@@ -222,7 +222,7 @@ fn bodies_that_are_made_while_objects_are_edited_have_a_depth() {
     assert_eq!(simulator.geom(geom).unwrap().depth_profile().half_depth(), 5.0);
 }
 
-/// A box of mass 1 on a spring of a constant, tied to a static one at a distance from it; the spring's own length is 0.
+/// A box of mass 1 on a spring of a constant, attached to a static one at a distance from it; the spring's rest length is 0.
 fn sprung(constant: f32, damping: f32, apart: [f32; 3]) -> (TwoHalfPhysicsSimulator, BodyId) {
     let mut simulator = weightless();
     let fixed = solid(&mut simulator, [2.0; 3], [0.0, 300.0, 0.0]);
@@ -246,7 +246,7 @@ fn sprung(constant: f32, damping: f32, apart: [f32; 3]) -> (TwoHalfPhysicsSimula
 #[test]
 fn a_spring_swings_along_any_axis_with_the_period_of_its_constant() {
     precise(|| {
-        // 1 Hz: after half a period of 50 steps it is on the other side, after a whole one where it was.
+        // 1 Hz: after half a period of 50 steps it is on the other side, after a full one at its start.
         let constant = (2.0 * std::f32::consts::PI).powi(2);
         for apart in [[0.0, 0.0, 40.0], [24.0, 0.0, 32.0], [-20.0, 20.0, 10.0]] {
             let (mut simulator, body) = sprung(constant, 0.0, apart);
@@ -272,7 +272,7 @@ fn a_damped_spring_along_z_comes_to_rest_at_its_length() {
 #[test]
 fn a_spring_that_is_too_stiff_for_the_step_swings_within_bounds() {
     precise(|| {
-        // It is as strong as 0.97 of what a step bears: the symplectic Euler method reaches 1 / sqrt(1 - 0.97) of the way then.
+        // Its stiffness is 0.97 of the stable limit of a step: the amplitude of symplectic Euler is 1 / sqrt(1 - 0.97) then.
         let most = 40.0 / 0.03f32.sqrt() + 0.1;
         let (mut simulator, body) = sprung(1e9, 0.0, [0.0, 0.0, 40.0]);
         for _ in 0..500 {

@@ -76,7 +76,7 @@ fn a_figure_that_falls_beside_an_edge_with_input_towards_it_hangs_and_climbs_up(
         let (mut stage, wall) = Stage::with_wall(rate, 200.0, [-17.0, 180.0, 50.0]);
         stage.hang(RIGHT);
         assert_eq!(stage.walker.ledge(), Some(ContactTarget::Platform(wall)));
-        // As high as it reaches, but for what it falls within a step.
+        // As high as it reaches, but for the fall within a step.
         let soles = stage.at().y;
         assert!(soles <= 200.0 && soles > 200.0 - REACH - 330.0 / rate, "{rate}: {soles}");
         let mut highest = 0.0_f32;
@@ -138,7 +138,7 @@ fn round_figures_climb_from_every_side() {
 }
 
 #[test]
-fn without_input_it_hangs_still_for_ever() {
+fn without_input_a_figure_hangs_at_rest_for_ever() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.hang(RIGHT);
@@ -151,7 +151,7 @@ fn without_input_it_hangs_still_for_ever() {
 }
 
 #[test]
-fn it_lets_go_on_input_away_from_the_ledge_and_jumps_off_on_a_jump() {
+fn a_hanging_figure_drops_on_input_away_from_the_ledge_and_jumps_off_on_a_jump() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.hang(RIGHT);
@@ -168,7 +168,7 @@ fn it_lets_go_on_input_away_from_the_ledge_and_jumps_off_on_a_jump() {
 }
 
 #[test]
-fn it_goes_where_the_edge_goes() {
+fn a_hanging_figure_follows_a_moving_edge() {
     for rate in RATES {
         let (mut stage, lift) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.hang(RIGHT);
@@ -201,10 +201,10 @@ fn static_bodies_have_edges_and_crates_that_can_be_pushed_have_none() {
 }
 
 #[test]
-fn ledges_without_room_to_stand_are_not_grabbed() {
+fn ledges_without_space_to_stand_are_not_grabbed() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
-        // 50 px over the edge, for somebody of 60 px.
+        // 50 px over the edge, for a figure of 60 px.
         platform(&mut stage.simulator, [200.0, 20.0, 100.0], [100.0, 250.0, 50.0]);
         stage.walk(RIGHT, 1.5, |stage| assert_eq!(stage.walker.ledge(), None));
         assert_near(stage.at().y, 0.0, 0.05);
@@ -229,7 +229,7 @@ fn it_does_not_grab_while_rising_or_without_input_or_without_reach() {
 }
 
 #[test]
-fn a_struck_figure_lets_go() {
+fn a_struck_figure_drops_from_the_ledge() {
     for rate in RATES {
         let (mut stage, _) = Stage::with_wall(rate, 200.0, [-16.0, 170.0, 50.0]);
         stage.hang(RIGHT);

@@ -1,7 +1,7 @@
-//! Objects meet in three axes: which axis, what it does, and what it leaves alone.
+//! Objects meet in three axes: the axis of the contact, its effect, and the velocities that it leaves unchanged.
 //!
-//! Without gravity unless a test says otherwise, high above the ground. Tolerances: a contact is noticed at the end of
-//! a step, up to v dt late; its impulse is exact but for rounding where one point bears it.
+//! Without gravity unless a test says otherwise, high above the ground. Tolerances: a contact is found at the end of a step, up
+//! to v dt late; the impulse of a single contact point is exact but for rounding.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, crate_box, fix, geom_of, momentum,
@@ -48,7 +48,7 @@ pub(crate) fn boxes_whose_faces_only_touch_in_depth_pass_each_other() {
 }
 
 #[test]
-fn somebody_is_thrown_over_along_x_along_z_and_obliquely() {
+fn a_figure_is_thrown_over_another_along_x_along_z_and_obliquely() {
     for direction in [[1.0, 0.0], [0.0, 1.0], [0.6, -0.8]] {
         for is_ball in [true, false] {
             let mut simulator = simulator();
@@ -75,8 +75,8 @@ fn somebody_is_thrown_over_along_x_along_z_and_obliquely() {
     }
 }
 
-/// Throws a box of 20 x 20 x 20 at the post, its middle at `start` from the post's, and gives what it was told first.
-/// They overlap along an axis when their middles are less than 30 px apart.
+/// Throws a box of 20 x 20 x 20 at the post, its middle at `start` from the post's, and returns its first collision. They
+/// overlap along an axis when their middles are less than 30 px apart.
 fn first_hit(start: [f32; 3], speed: [f32; 3]) -> Collision {
     let mut simulator = weightless();
     post(&mut simulator);
@@ -124,14 +124,13 @@ fn a_pair_that_enters_both_axes_at_once_meets_along_the_one_with_the_smaller_ove
 }
 
 #[test]
-pub(crate) fn a_pair_without_relative_motion_along_z_meets_in_the_plane_however_little_it_overlaps_in_depth()
-{
+pub(crate) fn a_pair_without_relative_motion_along_z_meets_in_the_plane_at_any_overlap_in_depth() {
     let hit = first_hit([-50.0, 0.0, 29.9], [900.0, 0.0, 0.0]);
     assert_eq!(hit.axis, Axis::Plane);
 }
 
-/// Presses a box against the front of the post (`press` along Z) or against its left side, and lets it slide along until
-/// it has gone past; gives the velocity along the slide, and the axes of all contacts.
+/// Presses a box against the front of the post (`press` along Z) or against its left side, and lets it slide along until it has
+/// gone past. Returns the velocity along the slide, and the axes of all contacts.
 fn slide_along(is_front: bool) -> (f32, Vec<Axis>) {
     let mut simulator = weightless();
     post(&mut simulator);
@@ -161,7 +160,7 @@ fn a_pair_keeps_its_contact_axis_until_it_separates() {
         // 35 px at 20 px/s after the first half second: longer than the others' overlap stays the greater one.
         assert!(axes.len() > 200 && axes.len() < 399, "{}", axes.len());
         assert!(axes.iter().all(|&met| met == axis));
-        // Nothing has pushed it along the slide.
+        // No impulse acted along the slide.
         assert_near(speed, 20.0, ROUNDING);
     }
 }
@@ -284,7 +283,7 @@ pub(crate) fn a_box_that_slides_obliquely_on_another_stops_straight_after_v_squa
     }
 }
 
-/// Presses a box that spins about Z against the front of the post and gives its spin after each step.
+/// Presses a box that spins about Z against the front of the post and returns its spin after each step.
 fn spins_against_front(friction: f32) -> Vec<f32> {
     let mut simulator = weightless();
     let wall = post(&mut simulator);
@@ -306,8 +305,8 @@ fn spins_against_front(friction: f32) -> Vec<f32> {
 pub(crate) fn a_contact_along_z_stops_spin_about_z_by_friction_at_its_points() {
     let spins = spins_against_front(0.5);
     assert_near(spins[200], 0.0, ROUNDING);
-    // 50 px/s² of friction at most half a diagonal (21.3 px) from the middle of a box with 150 px² of inertia; twice
-    // that at the first touch, because the force of the step before was not held.
+    // 50 px/s² of friction at most half a diagonal (21.3 px) from the middle of a box with 150 px² of inertia. The first touch
+    // has twice that, because the force of the step before was not resisted.
     let most = 0.5 * 100.0 * 21.3 / 150.0 * DT;
     for (index, pair) in spins.windows(2).enumerate() {
         let most = if index < 2 { 2.0 * most } else { most };
@@ -423,7 +422,7 @@ pub(crate) fn a_ball_is_caught_between_two_boxes_that_close_in_on_it() {
     throw(&mut simulator, boxes[0], [0.0, 0.0, 50.0]);
     throw(&mut simulator, boxes[1], [0.0, 0.0, -50.0]);
     run(&mut simulator, 200);
-    // Everything is symmetrical; five passes leave a share of the speed.
+    // Everything is symmetrical; five iterations leave a fraction of the speed.
     assert_near3(place(&simulator, body), [0.0, 520.0, 0.0], 1.0);
     for [near, far] in [[boxes[0], body], [body, boxes[1]]] {
         assert!(place(&simulator, far).z - place(&simulator, near).z > 30.0 - 1.0);
@@ -449,8 +448,8 @@ pub(crate) fn a_ball_in_the_gap_between_two_crates_rests_on_both_edges() {
     }
 }
 
-/// A ball of radius 5 whose middle gets inside a block of 60 x 60 x 60 in one step of 40 px, nearer to another face than
-/// to the one it came through. Gives where it ends up relative to the block's middle.
+/// A ball of radius 5 whose middle gets inside a block of 60 x 60 x 60 in one step of 40 px, nearer to another face than to the
+/// one it came through. Returns its final position relative to the block's middle.
 fn pushed_out(is_platform: bool, from: Vector3, aside: Vector3) -> Vector3 {
     let mut simulator = weightless();
     match is_platform {
@@ -474,7 +473,7 @@ fn pushed_out(is_platform: bool, from: Vector3, aside: Vector3) -> Vector3 {
 }
 
 #[test]
-fn a_fast_ball_whose_middle_gets_inside_is_pushed_back_out_of_the_face_that_it_entered() {
+fn a_fast_ball_whose_middle_gets_inside_is_pushed_out_of_the_face_of_entry() {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector3::from);
     for is_platform in [true, false] {
         for from in axes.iter().flat_map(|axis| [*axis, -axis]) {
@@ -535,7 +534,7 @@ pub(crate) fn equal_boxes_right_behind_each_other_meet_along_z() {
 }
 
 #[test]
-fn boxes_that_begin_with_a_small_overlap_in_depth_and_move_there_part_in_depth() {
+fn boxes_with_a_small_overlap_and_motion_in_depth_separate_in_depth() {
     for aside in [0.0, 1.0, 5.0] {
         let mut simulator = weightless();
         let still = solid(&mut simulator, [40.0; 3], [0.0, 500.0, 0.0]);

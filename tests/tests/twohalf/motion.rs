@@ -48,7 +48,7 @@ fn a_bounce_reaches_the_square_of_the_restitution_times_the_height() {
                 break;
             }
         }
-        // The speed of the impact is known within 1.5 g dt, the place within what v dt puts below the ground.
+        // The speed of the impact is known within 1.5 g dt, the position within the depth v dt below the ground.
         let speed = (2.0 * GRAVITY * 200.0).sqrt();
         assert_near(top, restitution * restitution * 200.0, 1.6 * speed * DT + 0.05);
     }
@@ -123,7 +123,7 @@ fn a_box_dropped_flat_comes_to_rest_without_rocking() {
     }
     let view = simulator.body(body).unwrap();
     assert_near(view.linear_velocity().norm(), 0.0, 1e-2);
-    // The solver leaves an overlap of 0.05 alone.
+    // The slop of the solver is an overlap of 0.05.
     assert_near(view.position3d().y, 0.0, 0.06);
 }
 
@@ -136,7 +136,7 @@ pub(crate) fn a_box_dropped_askew_comes_to_rest_on_a_side() {
     run(&mut simulator, 1500);
     let view = simulator.body(body).unwrap();
     assert_near((2.0 * view.rotation()).sin(), 0.0, 5e-3);
-    // What a step of gravity adds bounces in the next one.
+    // The velocity of a step of gravity bounces in the next one.
     assert_near(view.linear_velocity().norm(), 0.0, 0.2 * GRAVITY * DT + 0.01);
     assert_near(view.position3d().y, 0.0, 0.1);
 }
@@ -279,7 +279,7 @@ pub(crate) fn static_and_disabled_bodies_do_not_move_along_z() {
 }
 
 #[test]
-pub(crate) fn nothing_moves_along_z_while_the_simulator_is_disabled() {
+pub(crate) fn no_body_moves_along_z_while_the_simulator_is_disabled() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
     throw(&mut simulator, body, [0.0, 0.0, 50.0]);
@@ -298,7 +298,7 @@ pub(crate) fn a_bouncy_box_comes_to_rest_on_the_ground() {
         simulator.update(DT);
         let body = simulator.body(body).unwrap();
         assert!(body.is_grounded());
-        // Left alone are 0.05 px of overlap; above, it falls by what gravity does in one step.
+        // The slop is 0.05 px of overlap; above, it falls by the motion of gravity in one step.
         assert!((-0.06..0.02).contains(&body.position3d().y), "{}", body.position3d());
         assert!(body.velocity3d().norm() <= 1.001 * GRAVITY * DT, "{}", body.velocity3d());
     }

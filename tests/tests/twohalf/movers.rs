@@ -1,5 +1,5 @@
-//! Kinematic bodies that move, with the precise scheme: nothing passes through them along any axis, and what falls on them or
-//! flies after them meets them in their own frame.
+//! Kinematic bodies that move, with the precise scheme: no body passes through them along any axis, and bodies that fall on
+//! them or fly after them collide in their frame.
 
 use conformance::fixtures::depth::{ball, place, solid, throw, velocity, weightless, with_scheme};
 use twohalf::{BodyId, DepthProfile, DepthScheme, TwoHalfPhysicsSimulator, Vector3};
@@ -7,7 +7,7 @@ use twohalf::{BodyId, DepthProfile, DepthScheme, TwoHalfPhysicsSimulator, Vector
 use crate::movers::Form::{Ball, Box, Cylinder};
 
 const RATES: [f32; 3] = [30.0, 60.0, 120.0];
-/// Where all of it happens, far above the ground.
+/// Height of the scene in px, far above the ground.
 const HEIGHT: f32 = 50_000.0;
 
 fn precise(test: impl FnOnce()) {
@@ -37,7 +37,7 @@ fn add(simulator: &mut TwoHalfPhysicsSimulator, form: Form, middle: Vector3) -> 
     }
 }
 
-/// A kinematic plate across an axis, so thick, with its middle at a place.
+/// A kinematic plate across an axis, with a thickness, and its middle at a position.
 fn add_plate(
     simulator: &mut TwoHalfPhysicsSimulator,
     axis: usize,
@@ -69,7 +69,7 @@ fn assert_strikes(form: Form, axis: usize, side: f32, [speed, thickness]: [f32; 
     for _ in 0..8 {
         simulator.update(1.0 / rate);
         let ahead = side * ahead(&simulator, [body, plate], axis);
-        // The reach of contacts, and what a soft contact leaves of the speed.
+        // The reach of contacts, and the speed that a soft contact leaves.
         let least = 0.5 * thickness + 8.0 - 0.64 - 0.0142 * speed / rate;
         assert!(ahead > least, "{ahead} of {least}: {case:?}");
     }
@@ -116,7 +116,7 @@ fn a_kinematic_plate_passes_bodies_beside_its_path() {
     });
 }
 
-/// A lift, and what is thrown after it with a force that makes it faster.
+/// A lift, and a body that is thrown after it with a force that accelerates it.
 fn assert_lands(form: Form, axis: usize, side: f32, speed: f32, rate: f32) {
     const ACCELERATION: f32 = 900.0;
     let mut simulator = weightless();

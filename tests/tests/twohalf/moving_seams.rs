@@ -1,4 +1,4 @@
-//! A seam onto something that moves, or that can be pushed, stops what slides over it no more than one between two platforms.
+//! A seam onto a moving or dynamic body stops sliding bodies no more than one between two platforms.
 
 use conformance::fixtures::depth::{place, velocity};
 use twohalf::{BodyId, Footprint, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -49,7 +49,7 @@ struct Scene {
     rate: f32,
     /// How much higher the second floor is, px.
     step: f32,
-    /// Of floors that move, px/s.
+    /// Velocity of the moving floors, px/s.
     drift: Vector3,
 }
 
@@ -94,7 +94,7 @@ impl Scene {
         }
     }
 
-    /// Lets a thing slide over the seam: its least speed on the way, as seen from the floors, from the start on.
+    /// Slides a body over the seam: its least speed relative to the floors, from the start on.
     fn least_speed(&self, thing: Thing, speed: f32, phase: f32) -> f32 {
         let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, GRAVITY)).unwrap();
         let top = self.top();
@@ -166,7 +166,7 @@ fn round_bodies_cross_flush_seams_without_losing_speed() {
     }
 }
 
-/// To be lifted by 0.5 px takes 30 px/s of what slides.
+/// A rise by 0.5 px takes 30 px/s of a sliding body.
 #[test]
 fn a_step_of_half_a_pixel_turns_back_a_ball_that_is_too_slow_for_it() {
     for floors in [[Floor::Platform; 2], [Static, Kinematic], [Kinematic, Kinematic]] {
@@ -199,7 +199,7 @@ fn a_step_of_half_a_pixel_or_more_of_a_moving_platform_stops_flat_bodies() {
     }
 }
 
-/// A row of crates of 40 px on the ground, and what slides over them.
+/// A row of crates of 40 px on the ground, and a body that slides over them.
 fn slides_over_crates(along_z: bool, rate: f32, mass: f32, thing: Thing, speed: f32) -> f32 {
     let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, GRAVITY)).unwrap();
     let along = |along: f32, y: f32| if along_z { [0.0, y, along] } else { [along, y, 0.0] };

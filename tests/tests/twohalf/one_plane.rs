@@ -1,4 +1,4 @@
-//! With everything at one depth and nothing on the ground, the 2.5D engine is the 2D engine to the bit.
+//! With all bodies at one depth and none on the ground, the 2.5D engine is the 2D engine to the bit.
 
 use conformance::golden;
 use conformance::run::Run;
@@ -25,7 +25,7 @@ fn scenes() -> Vec<Scene> {
 fn in_one_plane_every_bit_is_that_of_the_2d_engine() {
     let (mut compared, mut touching) = (0, 0);
     for scene in scenes() {
-        // Some need what the 2.5D engine leaves to the 2D engine, some have values that are refused.
+        // Some need a feature that the 2.5D engine leaves to the 2D engine, some have values that are refused.
         let Ok(run) = Run::build(&scene) else { continue };
         let mut core = run.simulator().clone();
         let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 90, core.clone()).unwrap();
@@ -44,7 +44,7 @@ fn in_one_plane_every_bit_is_that_of_the_2d_engine() {
     assert!(compared >= 60 && touching >= 50, "{compared} compared, in {touching} of them something touches");
 }
 
-/// What the bodies of a simulator do, as bits.
+/// States of the bodies of a simulator, as bits.
 fn bits(core: &PhysicsSimulator) -> Vec<[u32; 6]> {
     let of_body = |body: &Body| {
         let (position, velocity) = (body.position(), body.linear_velocity());

@@ -10,10 +10,10 @@ use twohalf::{
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const GRAVITY: f32 = 900.0;
-/// Of the platform: its underside and its top.
+/// Heights of the platform's underside and of its top in px.
 const UNDER: f32 = 100.0;
 const TOP: f32 = 120.0;
-/// What rests is no deeper in what bears it, px.
+/// Greatest penetration of a resting body in its support, px.
 const REST: f32 = 0.05;
 
 fn stage() -> (TwoHalfPhysicsSimulator, PlatformId) {
@@ -33,7 +33,7 @@ fn run_for(simulator: &mut TwoHalfPhysicsSimulator, seconds: f32, rate: f32) {
     (0..(seconds * rate).round() as usize).for_each(|_| simulator.update(1.0 / rate));
 }
 
-/// Fails unless a body moves as one would that nothing is in the way of.
+/// Asserts that a body moves as without any obstacle.
 fn assert_flies_free(at: [f32; 3], velocity_of: [f32; 3], seconds: f32) {
     for rate in RATES {
         let fly = |is_there: bool| {
@@ -76,9 +76,9 @@ fn a_body_faster_than_one_platform_thickness_per_step_lands_on_it() {
 
 #[test]
 fn a_body_that_rises_from_below_flies_through_undisturbed() {
-    // By 450^2 / 1800 = 112 px it rises above the top, and is still above when it is looked at.
+    // By 450^2 / 1800 = 112 px it rises above the top, and is still above at the time of the test.
     assert_flies_free([0.0, 20.0, 0.0], [0.0, 450.0, 0.0], 0.5);
-    // And this fast it would stop at what is not open.
+    // At this speed a closed platform would stop it.
     assert_flies_free([0.0, 20.0, 0.0], [0.0, 20_000.0, 0.0], 0.5);
 }
 
@@ -116,7 +116,7 @@ fn a_body_from_its_sides_front_or_back_passes_through() {
 }
 
 #[test]
-fn a_tilted_one_is_open_below_and_holds_above() {
+fn a_tilted_one_is_open_from_below_and_closed_from_above() {
     for rate in RATES {
         let mut simulator = TwoHalfPhysicsSimulator::with_gravity(600, Vector2::new(0.0, GRAVITY)).unwrap();
         let at = Vector3::new(0.0, UNDER, 0.0);
@@ -184,7 +184,7 @@ fn a_figure_jumps_up_through_it_and_stands_on_it() {
             step(&mut simulator, false);
             highest = highest.max(place(&simulator, figure).y);
         }
-        // As exact as jumps are that nothing is in the way of.
+        // As exact as jumps without an obstacle.
         assert_near(highest, 140.0, 0.03 * 140.0);
         assert!(step(&mut simulator, false));
         assert_near(place(&simulator, figure).y, TOP, 0.2);
@@ -192,7 +192,7 @@ fn a_figure_jumps_up_through_it_and_stands_on_it() {
 }
 
 #[test]
-fn a_figure_walks_through_it_as_if_nothing_were_there() {
+fn a_figure_walks_through_it_without_resistance() {
     for rate in RATES {
         let walk = |is_there: bool| {
             let mut simulator =

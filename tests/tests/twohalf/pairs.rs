@@ -33,7 +33,7 @@ const BROAD_PHASES: [BroadPhaseCollider; 4] = [
 ];
 
 #[test]
-pub(crate) fn at_the_same_depth_two_balls_meet_whatever_the_broad_phase() {
+pub(crate) fn at_the_same_depth_two_balls_collide_with_every_broad_phase() {
     for method in BROAD_PHASES {
         let (mut simulator, [a, b]) = two_balls(with_broad_phase(method), 5.0);
         run(&mut simulator, 300);
@@ -42,7 +42,7 @@ pub(crate) fn at_the_same_depth_two_balls_meet_whatever_the_broad_phase() {
 }
 
 #[test]
-pub(crate) fn at_different_depths_two_balls_pass_each_other_whatever_the_broad_phase() {
+pub(crate) fn at_different_depths_two_balls_pass_each_other_with_every_broad_phase() {
     for method in BROAD_PHASES {
         let (mut simulator, [a, b]) = two_balls(with_broad_phase(method), 20.0);
         run(&mut simulator, 300);
@@ -52,7 +52,7 @@ pub(crate) fn at_different_depths_two_balls_pass_each_other_whatever_the_broad_p
 }
 
 #[test]
-pub(crate) fn a_deeper_profile_lets_objects_meet_that_would_have_passed() {
+pub(crate) fn objects_with_a_deeper_profile_collide_that_would_have_passed() {
     let (mut simulator, [a, _]) = two_balls(weightless(), 20.0);
     let geom = simulator.body(a).unwrap().ground().object_geom().unwrap();
     simulator.set_depth_profile(geom, DepthProfile::Prism { depth: 60.0 }).unwrap();
@@ -61,7 +61,7 @@ pub(crate) fn a_deeper_profile_lets_objects_meet_that_would_have_passed() {
 }
 
 #[test]
-pub(crate) fn an_object_that_comes_from_the_front_pushes_whatever_the_broad_phase() {
+pub(crate) fn an_object_from_the_front_pushes_with_every_broad_phase() {
     for method in BROAD_PHASES {
         let mut simulator = with_broad_phase(method);
         let still = crate_box(&mut simulator, [40.0, 40.0], [0.0, 0.0, 100.0]);
@@ -78,7 +78,7 @@ pub(crate) fn an_object_that_comes_from_the_front_pushes_whatever_the_broad_phas
 }
 
 #[test]
-pub(crate) fn a_touching_pair_that_parts_in_depth_separates() {
+pub(crate) fn a_touching_pair_that_moves_apart_in_depth_separates() {
     let mut simulator = weightless();
     let a = crate_box(&mut simulator, [40.0, 40.0], [0.0, 0.0, 0.0]);
     let b = crate_box(&mut simulator, [40.0, 40.0], [39.0, 1.0, 0.0]);
@@ -93,7 +93,7 @@ pub(crate) fn a_touching_pair_that_parts_in_depth_separates() {
     assert_eq!(simulator.events().iter().filter(|event| told(event)).count(), 2);
 }
 
-/// Counts what it hears, and refuses pairs if it is told to.
+/// Counts its calls, and refuses pairs on request.
 #[derive(Default)]
 struct Listener {
     asked: usize,
@@ -118,7 +118,7 @@ impl EventHandler for Listener {
 }
 
 #[test]
-fn a_handler_hears_nothing_of_pairs_at_different_depths() {
+fn a_handler_is_not_called_for_pairs_at_different_depths() {
     let (mut simulator, _) = two_balls(weightless(), 20.0);
     let mut listener = Listener::default();
     let mut events = 0;
@@ -131,7 +131,7 @@ fn a_handler_hears_nothing_of_pairs_at_different_depths() {
 }
 
 #[test]
-pub(crate) fn a_handler_hears_of_pairs_at_the_same_depth() {
+pub(crate) fn a_handler_is_called_for_pairs_at_the_same_depth() {
     let (mut simulator, _) = two_balls(weightless(), 5.0);
     let mut listener = Listener::default();
     for _ in 0..200 {
@@ -141,7 +141,7 @@ pub(crate) fn a_handler_hears_of_pairs_at_the_same_depth() {
 }
 
 #[test]
-pub(crate) fn the_refusals_of_a_handler_count_and_are_told() {
+pub(crate) fn the_refusals_of_a_handler_count_and_are_reported() {
     let (mut simulator, [a, _]) = two_balls(weightless(), 5.0);
     // A third ball at another depth, so that refusals of both kinds mix.
     ball(&mut simulator, 10.0, [50.0, 1.0, 60.0]);

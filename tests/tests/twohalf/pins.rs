@@ -4,17 +4,17 @@ use conformance::fixtures::depth::{
     DT, GRAVITY, assert_goes_on_after_loading, assert_near, assert_near3, momentum, place, run, simulator,
     solid, throw, velocity, weightless, with_scheme,
 };
-use farseer_core::{IslandMethod, JointFactory, JointId, JointLimits, JointMotor, PinJoint, SliderJoint};
+use farseer_core::{IslandSolver, JointFactory, JointId, JointLimits, JointMotor, PinJoint, SliderJoint};
 use twohalf::{BodyId, DepthScheme, Event, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
 }
 
-/// Where pendulums hang.
+/// Pivot of the pendulums in px.
 const HOOK: [f32; 3] = [0.0, 400.0, 30.0];
 
-/// A small box that meets nothing.
+/// A small box without collisions.
 fn bead(simulator: &mut TwoHalfPhysicsSimulator, at: [f32; 3]) -> BodyId {
     let body = solid(simulator, [4.0; 3], at);
     let geom = simulator.body(body).unwrap().ground().object_geom().unwrap();
@@ -43,7 +43,7 @@ fn pin(simulator: &mut TwoHalfPhysicsSimulator, a: BodyId, b: BodyId, length: f3
     })
 }
 
-/// A slider that lets the middles of two bodies be so far from each other.
+/// A slider with these limits of the distance between the middles of two bodies.
 fn slider(simulator: &mut TwoHalfPhysicsSimulator, [a, b]: [BodyId; 2], [min, max]: [f32; 2]) -> JointId {
     simulator.edit_objects(|objects| {
         let zero = Vector2::zeros();
@@ -147,7 +147,7 @@ fn two_pinned_bodies_rotate_about_their_centre_of_mass_in_any_plane() {
         simulator.body_mut(bodies[1]).unwrap().set_mass(3.0).unwrap();
         let length = (32.0f32.powi(2) + (32.0f32 * 4.0 / 3.0).powi(2)).sqrt();
         pin(&mut simulator, bodies[0], bodies[1], length);
-        // Thrown up: the plane in which they turn is upright and oblique, and the whole flies at 2.5, 0, 1 px/s.
+        // Thrown up: the plane in which they turn is upright and oblique, and their centre of mass moves at 2.5, 0, 1 px/s.
         throw(&mut simulator, bodies[0], [10.0, 30.0, 4.0]);
         throw(&mut simulator, bodies[1], [0.0, -10.0, 0.0]);
         let before = momentum(&simulator, &bodies);
@@ -274,7 +274,7 @@ fn a_slider_that_is_taut_shares_the_momentum_along_z() {
 }
 
 #[test]
-fn a_pin_that_has_to_hold_with_too_much_along_z_breaks() {
+fn a_pin_breaks_under_too_great_a_load_along_z() {
     precise(|| {
         // It swings up to the hook's height: at the lowest point it pulls with 3 m g, 300.
         for (greatest, breaks) in [(280.0, true), (320.0, false)] {
@@ -323,7 +323,7 @@ fn a_body_pinned_to_a_kinematic_body_is_pulled_along_z() {
         assert!(simulator.is_asleep(load));
         simulator.body_mut(crane).unwrap().set_velocity3d(Vector3::new(0.0, 0.0, 30.0));
         run(&mut simulator, 300);
-        // Seen from the crane it is a pendulum that was pushed with 30 px/s: it rises by v² / 2 g = 4.5 px at most.
+        // In the frame of the crane it is a pendulum with an initial speed of 30 px/s: it rises by v² / 2 g = 4.5 px at most.
         let apart = place(&simulator, load) - place(&simulator, crane);
         assert_near(apart.norm(), 50.0, 0.01);
         assert!((-50.1..-45.3).contains(&apart.y));
@@ -373,7 +373,7 @@ fn rods_longer_than_their_distance_buckle_and_keep_their_length() {
             run(&mut simulator, 1);
             for two in beads.windows(2) {
                 let apart = place(&simulator, two[1]) - place(&simulator, two[0]);
-                // Where a loop closes a fifth of an error is undone in each of the five substeps of a step.
+                // A loop closure corrects a fifth of an error in each of the five substeps of a step.
                 assert_near(apart.norm(), 11.0, if step < 20 { 11.0 } else { 0.01 });
                 assert!((place(&simulator, two[1]) - Vector3::from(HOOK)).norm() < 150.0);
             }
@@ -411,7 +411,7 @@ fn saved_and_loaded_at_any_step_ropes_go_on_with_the_same_bits() {
     });
 }
 
-/// A carriage on a level rail with something that hangs on it by a pin, and the joint of the rail.
+/// A carriage on a level rail with a load that hangs on it by a pin, and the joint of the rail.
 fn crane(simulator: &mut TwoHalfPhysicsSimulator) -> (BodyId, JointId) {
     let post = hook(simulator);
     let carriage = bead(simulator, from_hook([0.0, -20.0, 0.0]));
@@ -439,7 +439,7 @@ fn a_carriage_with_a_load_on_a_rope_stops_where_its_rail_ends_and_leaves_it_agai
             simulator.edit_objects(|objects| objects.set_joint_motor(rail, Some(motor))).unwrap();
             run(&mut simulator, 400);
             assert!(simulator.core().body(carriage).unwrap().enabled());
-            // What gives way between a motor and a limit is a tenth of what a joint answers.
+            // The yield between a motor and a limit is a tenth of a joint's response.
             assert_near(place(&simulator, carriage).x - HOOK[0], end, 0.1);
         }
     });
@@ -473,6 +473,6 @@ fn a_body_that_swings_on_a_pin_is_reported_as_articulated() {
         let (mut simulator, bob, _) = pendulum([60.0, 0.0]);
         run(&mut simulator, 3);
         let island = simulator.core().islands().into_iter().find(|island| island.bodies.contains(&bob));
-        assert_eq!(island.map(|island| island.method), Some(IslandMethod::Swing));
+        assert_eq!(island.map(|island| island.method), Some(IslandSolver::Articulated));
     });
 }

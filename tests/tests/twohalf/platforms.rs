@@ -1,8 +1,7 @@
 //! Objects land on platforms, walk off them, bump into them and pass under them.
 //!
-//! Tolerances: at rest the solver leaves an overlap of 0.05 px alone, and gravity adds g dt² = 0.01 px before the next
-//! contact takes it back. What only moves along one axis has no reason to move along another: there the bound is
-//! rounding.
+//! Tolerances: at rest the solver has a slop of 0.05 px, and gravity adds g dt² = 0.01 px before the next contact takes it
+//! back. An object that moves along one axis alone must not move along another: there the bound is rounding.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, geom_of, place, platform, run,
@@ -10,9 +9,9 @@ use conformance::fixtures::depth::{
 };
 use twohalf::{Axis, BodyId, ContactTarget, Event, PlatformId, TwoHalfPhysicsSimulator, Vector3};
 
-/// Height of what rests may be below its surface by this: the slop and what a step of gravity adds.
+/// Depth in px of a resting object below its surface: the slop and the motion of gravity in a step.
 const REST: f32 = SLOP + 2.0 * GRAVITY * DT * DT;
-/// Of coordinates up to 1000 in some hundred steps.
+/// Rounding of coordinates up to 1000 px in some hundred steps.
 const ROUNDING: f32 = 1e-2;
 
 /// The platform of most tests: X from -100 to 100, Y from 20 to 60, Z from 50 to 150.
@@ -188,7 +187,7 @@ fn a_figure_that_jumps_under_a_platform_bumps_its_head_and_falls_back() {
         let geom = geom_of(&simulator, body);
         let hit = run_until_hit(&mut simulator, geom);
         assert_eq!((hit.partner, hit.normal), (ContactTarget::Platform(roof), Vector3::new(0.0, -1.0, 0.0)));
-        // It is told when its top is at the underside, late by a step at 150 px/s.
+        // The callback comes when its top is at the underside, late by a step at 150 px/s.
         let highest = place(&simulator, body).y;
         assert!((80.0..=80.0 + 150.0 * DT).contains(&highest), "{highest}");
         simulator.update(DT);
@@ -200,7 +199,7 @@ fn a_figure_that_jumps_under_a_platform_bumps_its_head_and_falls_back() {
 }
 
 #[test]
-pub(crate) fn what_jumps_beside_a_platform_does_not_bump_its_head() {
+pub(crate) fn a_figure_that_jumps_beside_a_platform_does_not_hit_it() {
     for [x, z] in [[131.0, 100.0], [0.0, 29.0]] {
         let mut simulator = simulator();
         platform(&mut simulator, [200.0, 30.0, 100.0], [0.0, 100.0, 100.0]);
@@ -237,8 +236,8 @@ pub(crate) fn objects_pass_under_a_platform_along_x_and_along_z() {
 const SIDES: [([f32; 3], f32); 4] =
     [([-1.0, 0.0, 0.0], 100.0), ([1.0, 0.0, 0.0], 100.0), ([0.0, 0.0, -1.0], 50.0), ([0.0, 0.0, 1.0], 50.0)];
 
-/// Throws an object through weightless space at a side of a block, and gives what it was told first and its
-/// place and velocity in the end.
+/// Throws an object without gravity at a side of a block, and returns its first collision and its position and velocity in the
+/// end.
 fn hit_side(
     side: [f32; 3],
     extent: f32,
@@ -249,7 +248,7 @@ fn hit_side(
     let wall = platform(&mut simulator, [200.0, 60.0, 100.0], [0.0, -20.0, 100.0]);
     set_platform_surface(&mut simulator, wall, 0.0, restitution);
     let outward = Vector3::from(side);
-    // Not a whole number of steps away, so that it is not told by the last bit of the last step.
+    // The distance is no multiple of a step, so that the last bit of the last step does not decide.
     let aside = Vector3::new(7.0, 0.0, 7.0).component_mul(&(Vector3::repeat(1.0) - outward.abs()));
     let start = outward * (extent + 100.3) + aside;
     let body = object(&mut simulator, is_ball, (start + Vector3::new(0.0, 0.0, 100.0)).into());
@@ -288,7 +287,7 @@ pub(crate) fn objects_without_restitution_stop_at_the_front_the_back_and_the_sid
             let outward = Vector3::from(side);
             let half = if side[2] == 0.0 && !is_ball { 20.0 } else { 10.0 };
             let gap = (end - Vector3::new(0.0, 0.0, 100.0)).dot(&outward) - extent - half;
-            // The correction ends within the slop, or beyond what it was still moving.
+            // The correction ends within the slop, or beyond by the motion that was left.
             assert!((-SLOP - 0.01..=SLOP).contains(&gap), "{gap}, ball: {is_ball}, {side:?}");
             assert_near(after.dot(&outward), 0.0, ROUNDING);
         }
@@ -338,8 +337,8 @@ pub(crate) fn a_wide_hole_between_two_platforms_is_fallen_into() {
     }
 }
 
-/// Slides an object without friction over the gap between two platforms of the same height, 0 px for a seam, and asserts
-/// that it goes on as if there were none: a level frictionless surface pushes upward only.
+/// Slides an object without friction over the gap between two platforms of the same height, 0 px for a seam. Asserts that it
+/// goes on as without a gap: a level frictionless surface exerts upward impulses only.
 #[track_caller]
 fn assert_crosses(direction: [f32; 2], gap: f32, is_ball: bool, speed: f32, phase: f32) {
     let [x, z] = direction;
@@ -348,7 +347,7 @@ fn assert_crosses(direction: [f32; 2], gap: f32, is_ball: bool, speed: f32, phas
         let middle = sign * (100.0 + gap / 2.0);
         platform(&mut simulator, [200.0, 40.0, 200.0], [middle * x, 20.0, middle * z]);
     }
-    // Dropped, so that it has the overlap of things at rest.
+    // Dropped, so that it has the overlap of bodies at rest.
     let start = [(phase - 80.0) * x, 70.0, (phase - 80.0) * z];
     let body = object(&mut simulator, is_ball, start);
     run(&mut simulator, 100);
@@ -387,7 +386,7 @@ pub(crate) fn a_box_crosses_a_gap_that_is_narrower_than_half_of_it() {
 }
 
 #[test]
-pub(crate) fn what_stood_on_a_platform_that_is_removed_falls_to_the_ground() {
+pub(crate) fn bodies_on_a_removed_platform_fall_to_the_ground() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let floor = block(&mut simulator);
@@ -402,7 +401,7 @@ pub(crate) fn what_stood_on_a_platform_that_is_removed_falls_to_the_ground() {
 }
 
 #[test]
-pub(crate) fn what_stood_on_a_platform_that_is_moved_away_falls_to_the_ground() {
+pub(crate) fn bodies_on_a_teleported_platform_fall_to_the_ground() {
     let mut simulator = simulator();
     let floor = block(&mut simulator);
     let body = object(&mut simulator, false, [0.0, 60.0, 100.0]);
@@ -446,7 +445,7 @@ pub(crate) fn friction_stops_a_box_on_a_platform_after_v_squared_over_2_mu_g() {
 }
 
 #[test]
-pub(crate) fn leaving_a_platform_is_told_once() {
+pub(crate) fn leaving_a_platform_is_reported_once() {
     let mut simulator = simulator();
     let floor = block(&mut simulator);
     let body = object(&mut simulator, false, [0.0, 60.0, 100.0]);
@@ -471,7 +470,7 @@ fn a_raised_platform_lifts_the_bodies_on_it() {
         let body = object(&mut simulator, is_ball, [0.0, 60.0, 100.0]);
         run(&mut simulator, 50);
         for step in 1..=100 {
-            // Half a px per step; 0.8 of what exceeds the slop is undone in each: a quarter of that is left.
+            // Half a px per step; 0.8 of the excess over the slop is corrected in each: a quarter of that is left.
             let position = Vector3::new(0.0, 20.0 + 0.5 * step as f32, 100.0);
             simulator.platform_mut(floor).unwrap().set_position3d(position).unwrap();
             simulator.update(DT);

@@ -1,8 +1,8 @@
-//! What holds with the precise set as with the faithful one: the same tests, on simulators of another scheme.
+//! Properties of both sets: the same tests, on simulators of another scheme.
 //!
-//! What is not here is of the faithful set alone: how far a step of its own goes (it moves with the velocity after a step, and
-//! bounces at the end of one), what it tells in every update (here what begins), where its contacts are, and what it does with
-//! things that are put into each other.
+//! Other tests are for the faithful set alone. They depend on its integrator, which moves with the velocity after a step and
+//! bounces at the end of one. Or they depend on its callbacks in every update (here only at begins), the positions of its
+//! contacts, or its handling of overlaps.
 
 use conformance::fixtures::depth::with_scheme;
 use twohalf::DepthScheme;
@@ -24,29 +24,29 @@ macro_rules! again {
 again! {
     abuse:
         bodies_that_are_disposed_during_a_callback_are_gone_after_the_next_update,
-        extreme_gravity_forces_and_coefficients_leave_everything_finite,
-        extreme_velocities_disable_bodies_and_leave_everything_finite,
-        negative_masses_and_steps_leave_everything_finite;
+        extreme_gravity_forces_and_coefficients_keep_all_numbers_finite,
+        extreme_velocities_disable_bodies_and_keep_all_numbers_finite,
+        negative_masses_and_steps_keep_all_numbers_finite;
     callbacks:
-        a_body_that_moves_only_along_z_and_was_never_placed_is_told_only_while_it_moves,
-        a_bounce_off_the_ground_is_told_as_one_separation,
+        an_unplaced_body_that_moves_only_along_z_is_reported_only_while_it_moves,
+        a_bounce_off_the_ground_is_one_separation,
         a_contact_that_ends_by_removing_disposing_or_disabling_is_no_separation,
-        a_geom_whose_callbacks_are_off_is_not_asked_and_its_partner_is,
+        a_geom_whose_callbacks_are_off_gets_none_and_its_partner_does,
         a_one_way_platform_is_jumped_through_from_below_and_stood_on,
-        a_platform_that_refuses_nothing_is_not_jumped_through,
-        a_refusal_is_told_among_the_events,
-        a_refused_contact_does_nothing_in_every_axis,
+        a_platform_without_refusals_is_not_jumped_through,
+        a_refusal_is_an_event,
+        a_refused_contact_has_no_effect_along_any_axis,
         a_refused_ground_or_platform_is_fallen_through,
-        a_sensor_does_not_feel_what_passes_in_front_of_it_or_behind,
-        a_separation_is_told_once_to_each_side_in_every_axis,
+        a_sensor_does_not_report_bodies_in_front_of_it_or_behind,
+        a_separation_is_reported_once_to_each_side_along_every_axis,
         geoms_of_different_groups_collide_in_every_axis,
-        ground_and_platforms_are_told_to_the_object_with_a_normal_that_points_up,
+        the_object_gets_callbacks_of_ground_and_platforms_with_an_upward_normal,
         groups_categories_and_exceptions_count_in_every_axis,
         groups_categories_and_switches_count_for_platforms,
         the_second_side_may_refuse_as_well,
-        what_moves_only_along_z_is_told_as_updated_once_per_update,
-        what_rests_is_told_of_its_contact_in_every_update_with_the_impulse_that_holds_it,
-        what_starts_and_stops_to_slide_in_depth_on_another_does_not_part_from_it;
+        a_body_that_moves_only_along_z_is_reported_as_updated_once_per_update,
+        a_resting_body_gets_a_callback_in_every_update_with_the_impulse_that_carries_it,
+        starting_and_stopping_to_slide_in_depth_is_no_separation;
     closed_forms:
         a_ball_flies_back_from_the_front_the_back_and_the_sides_of_a_box_at_the_same_speed,
         a_ball_that_hits_a_level_edge_glances_off_upward,
@@ -64,8 +64,8 @@ again! {
         the_normal_of_two_balls_is_the_line_of_their_centres_at_the_hit;
     edits:
         a_body_disposed_in_a_callback_is_stale_after_the_next_update,
-        a_body_moved_away_in_a_callback_is_there_and_pushed_no_more,
-        a_handler_that_does_nothing_changes_no_bit,
+        a_body_teleported_in_a_callback_gets_no_further_impulse,
+        a_handler_without_actions_changes_no_bit,
         edits_in_every_callback_are_safe;
     meeting:
         a_ball_between_two_boxes_in_depth_stays_where_it_is,
@@ -81,7 +81,7 @@ again! {
         a_box_that_slides_on_another_in_depth_drags_it_with_friction_times_pressure,
         a_box_walks_off_a_crate_in_depth_only_when_all_of_its_footprint_has_left,
         a_contact_along_z_stops_spin_about_z_by_friction_at_its_points,
-        a_pair_without_relative_motion_along_z_meets_in_the_plane_however_little_it_overlaps_in_depth,
+        a_pair_without_relative_motion_along_z_meets_in_the_plane_at_any_overlap_in_depth,
         boxes_whose_faces_only_touch_in_depth_pass_each_other,
         crossed_bars_at_different_heights_pass_along_z,
         equal_boxes_right_behind_each_other_meet_along_z,
@@ -106,17 +106,17 @@ again! {
         an_object_geom_that_is_undone_is_undone_after_loading_too,
         an_object_geom_that_was_removed_does_not_hold_the_body,
         drag_slows_along_z_as_along_x,
-        nothing_moves_along_z_while_the_simulator_is_disabled,
+        no_body_moves_along_z_while_the_simulator_is_disabled,
         static_and_disabled_bodies_do_not_move_along_z,
         without_friction_a_box_slides_on_with_its_velocity;
     pairs:
-        a_deeper_profile_lets_objects_meet_that_would_have_passed,
-        a_handler_hears_of_pairs_at_the_same_depth,
-        a_touching_pair_that_parts_in_depth_separates,
-        an_object_that_comes_from_the_front_pushes_whatever_the_broad_phase,
-        at_different_depths_two_balls_pass_each_other_whatever_the_broad_phase,
-        at_the_same_depth_two_balls_meet_whatever_the_broad_phase,
-        the_refusals_of_a_handler_count_and_are_told;
+        objects_with_a_deeper_profile_collide_that_would_have_passed,
+        a_handler_is_called_for_pairs_at_the_same_depth,
+        a_touching_pair_that_moves_apart_in_depth_separates,
+        an_object_from_the_front_pushes_with_every_broad_phase,
+        at_different_depths_two_balls_pass_each_other_with_every_broad_phase,
+        at_the_same_depth_two_balls_collide_with_every_broad_phase,
+        the_refusals_of_a_handler_count_and_are_reported;
     platforms:
         a_ball_walks_off_each_of_the_four_edges_and_ends_up_on_the_ground,
         a_ball_whose_middle_comes_down_beside_the_front_edge_falls_off_it,
@@ -137,55 +137,55 @@ again! {
         a_box_whose_middle_lands_2_px_inside_the_left_edge_at_16_px_per_step_stays,
         a_wide_hole_between_two_platforms_is_fallen_into,
         friction_stops_a_box_on_a_platform_after_v_squared_over_2_mu_g,
-        leaving_a_platform_is_told_once,
+        leaving_a_platform_is_reported_once,
         objects_fly_back_from_the_front_the_back_and_the_sides_of_a_platform,
         objects_pass_under_a_platform_along_x_and_along_z,
         objects_without_restitution_stop_at_the_front_the_back_and_the_sides_of_a_platform,
-        what_jumps_beside_a_platform_does_not_bump_its_head,
-        what_stood_on_a_platform_that_is_moved_away_falls_to_the_ground,
-        what_stood_on_a_platform_that_is_removed_falls_to_the_ground;
+        a_figure_that_jumps_beside_a_platform_does_not_hit_it,
+        bodies_on_a_teleported_platform_fall_to_the_ground,
+        bodies_on_a_removed_platform_fall_to_the_ground;
     queries:
-        a_box_finds_nothing_that_its_filter_leaves_out,
-        a_box_finds_what_it_meets_in_all_three_axes,
-        a_box_that_is_none_finds_nothing,
+        a_box_query_skips_filtered_objects,
+        a_box_query_finds_overlaps_in_all_three_axes,
+        an_invalid_box_query_finds_nothing,
         a_cleared_simulator_can_be_filled_again,
         a_cleared_simulator_is_empty_and_its_ids_are_stale,
         a_cloned_body_has_the_place_in_depth_and_the_ground_of_the_original_and_no_geom,
         a_cloned_geom_has_the_profile_and_the_settings_of_the_original_and_rests_on_the_ground_for_it,
         a_geom_is_found_where_its_picture_is,
-        a_geom_overlaps_what_is_in_it_and_not_what_is_before_it_or_behind,
-        what_a_filter_leaves_out_is_picked_through,
+        a_geom_overlaps_objects_in_it_and_not_those_before_it_or_behind,
+        picking_passes_through_filtered_objects,
         a_geom_that_is_no_object_geom_does_not_become_one_by_cloning,
         a_platform_is_picked_at_its_front_and_at_its_top_and_no_geom_of_it_is_found,
         a_point_of_the_ground_is_found_from_where_it_appears,
         a_point_of_the_screen_is_found_from_the_ground_below_it,
         a_position_that_does_not_appear_on_the_screen_is_refused,
         a_removed_geom_is_not_found,
-        a_slope_is_drawn_before_what_stands_on_it_high_up_and_after_what_is_behind_it,
+        a_slope_is_drawn_before_objects_on_it_and_after_objects_behind_it,
         footprints_overlap_when_extents_and_heights_do,
-        geoms_are_asked_whether_they_overlap_in_all_three_axes,
+        overlap_queries_of_geoms_use_all_three_axes,
         layer_depth_is_0_in_front_1_at_the_back_and_monotonic_in_z,
-        nothing_is_found_where_nothing_is_drawn,
-        of_objects_on_each_other_the_higher_is_drawn_later,
-        what_stands_on_a_box_is_drawn_after_it_wherever_their_middles_are,
-        of_objects_side_by_side_the_nearer_is_drawn_later,
-        one_that_jumps_before_another_is_drawn_later_and_behind_it_earlier,
+        no_object_is_found_where_none_is_drawn,
+        the_higher_of_two_stacked_objects_is_drawn_later,
+        objects_on_a_box_are_drawn_after_it_at_any_position,
+        the_nearer_of_two_objects_side_by_side_is_drawn_later,
+        a_figure_that_jumps_before_another_is_drawn_later_and_one_behind_it_earlier,
         the_footprint_of_a_box_is_a_rectangle_and_of_a_ball_a_disc,
         the_footprint_of_a_turned_box_is_as_wide_as_it_is_now,
         the_friction_impulse_of_a_sliding_contact_is_its_coefficient_times_the_normal_one,
         the_lower_edge_of_the_screen_is_the_ground_at_depth_0,
-        the_order_of_drawing_has_everything_that_takes_part_and_is_enabled_once,
+        the_order_of_drawing_has_every_listed_and_enabled_object_once,
         the_range_of_layer_depths_can_be_set_and_must_have_an_extent,
         ties_are_drawn_in_the_order_in_which_they_were_made_and_the_order_stays,
-        what_covers_each_other_is_found_in_the_order_of_the_list_and_picked_from_the_front,
-        what_is_under_a_platform_is_drawn_before_it_wherever_its_middle_is,
-        what_stands_behind_on_and_in_front_of_a_platform_is_drawn_around_it,
-        what_stands_on_a_platform_is_picked_before_it;
+        overlapping_objects_are_found_in_list_order_and_picked_from_the_front,
+        objects_under_a_platform_are_drawn_before_it_at_any_position,
+        objects_behind_on_and_in_front_of_a_platform_are_drawn_in_that_order,
+        objects_on_a_platform_are_picked_before_it;
     random:
         a_scene_of_balls_does_the_same_with_every_broad_phase,
         a_scene_that_was_saved_and_loaded_goes_on_with_the_same_bits,
-        everything_stays_finite_at_any_speed,
-        while_things_fall_nothing_gets_through_the_ground_or_into_a_platform_by_more_than_a_step,
+        all_numbers_stay_finite_at_any_speed,
+        falling_bodies_penetrate_the_ground_and_platforms_by_no_more_than_a_step,
         with_gravity_the_energy_grows_by_no_more_than_corrections_and_the_step_of_a_bounce_explain,
         without_gravity_the_kinetic_energy_does_not_grow,
         without_gravity_the_momentum_along_every_axis_stays;
@@ -193,11 +193,11 @@ again! {
         a_body_that_is_made_immovable_where_it_lands_is_healthy,
         a_box_that_is_given_a_spin_about_x_and_y_stays_where_it_lies,
         a_refused_platform_does_not_take_the_edge_of_a_solid_one_beside_it_away,
-        what_is_faster_than_half_of_both_depths_per_step_does_not_come_out_behind,
-        what_parts_along_z_while_it_lands_stays_on_top,
-        who_walks_off_an_edge_at_a_set_velocity_is_in_the_air_after_one_step;
+        a_body_faster_than_half_of_both_depths_per_step_does_not_tunnel,
+        a_body_that_separates_along_z_while_it_lands_stays_on_top,
+        a_figure_that_walks_off_an_edge_is_in_the_air_after_one_step;
     save:
-        a_geom_whose_outline_is_wider_than_numbers_go_is_saved_and_loaded,
+        a_geom_with_an_overflowing_outline_is_saved_and_loaded,
         a_loaded_simulator_continues_with_the_same_bits,
         a_save_in_which_a_body_has_no_depth_is_refused,
         a_save_whose_contact_has_infinite_friction_is_refused,
@@ -205,23 +205,23 @@ again! {
         a_save_whose_entry_lies_in_another_slot_is_refused,
         a_save_with_a_damaged_2d_engine_is_refused,
         a_save_with_a_negative_depth_is_refused,
-        a_save_with_a_refused_argument_that_there_is_not_is_refused,
+        a_save_with_an_unknown_rejected_argument_is_refused,
         a_save_with_an_angle_out_of_range_is_refused,
         a_save_with_an_infinite_z_is_refused,
         a_save_without_change_is_accepted,
-        forces_along_z_that_wait_are_saved,
+        pending_forces_along_z_are_saved,
         refusals_do_not_pile_up,
-        refusals_that_wait_are_told_after_loading,
+        pending_refusals_are_reported_after_loading,
         settings_of_balls_that_their_boxes_cannot_follow_are_saved_and_loaded,
         the_busy_scene_has_contacts_of_pairs_and_with_the_ground;
     seams:
         a_ball_rolls_from_a_level_platform_onto_a_slope,
         a_box_slides_from_a_level_platform_onto_a_slope,
-        the_edge_of_a_seam_that_a_ball_rolls_over_carries_nothing,
+        the_edge_of_a_seam_under_a_rolling_ball_has_no_impulse,
         two_slopes_in_one_line_are_one_slope,
-        who_lets_go_of_a_wall_and_jumps_comes_down_in_front_of_it,
-        who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants,
-        who_walks_to_and_fro_over_a_floor_of_many_platforms_goes_where_he_wants;
+        a_figure_that_stops_pressing_and_jumps_lands_in_front_of_the_wall,
+        a_figure_that_walks_in_depth_over_a_floor_of_many_crates_is_not_stopped_by_seams,
+        a_figure_that_walks_over_a_floor_of_many_platforms_is_not_stopped_by_seams;
     slopes:
         a_ball_rolls_down_a_slope_with_g_times_sine_over_1_plus_its_inertia,
         a_ball_rolls_off_the_slanted_edge_of_a_sheared_platform,
@@ -234,36 +234,36 @@ again! {
         a_thin_platform_carries_a_sheet_without_depth,
         friction_on_a_slope_turns_a_sliding_box_down_and_slows_it_along_z,
         objects_fall_beside_the_slanted_edges_of_a_sheared_platform,
-        objects_stand_on_the_whole_top_of_a_sheared_platform_as_it_is_drawn,
+        objects_stand_everywhere_on_the_top_of_a_sheared_platform_as_it_is_drawn,
         the_edges_of_a_sheared_platform_run_at_its_angle_on_the_screen,
         the_front_of_a_sheared_platform_is_where_its_front_corners_are,
         the_slanted_sides_of_a_sheared_platform_throw_balls_and_boxes_back_along_x_and_z;
     supports:
-        a_body_holds_up_another_one_and_is_not_held_up_by_it,
+        a_body_supports_another_one_and_is_not_supported_by_it,
         a_body_is_grounded_on_slopes_up_to_60_degrees_and_not_on_steeper_ones,
         a_body_that_rests_is_grounded_in_every_update,
-        a_level_platform_is_beneath_the_points_over_it_and_nothing_of_it_beneath_others,
-        a_platform_holds_up_what_stands_on_it,
-        a_removed_platform_is_beneath_nothing,
-        a_sensor_holds_nobody_up,
-        a_sheared_platform_is_beneath_what_is_drawn_over_its_top,
+        a_level_platform_is_beneath_the_points_over_it_and_no_others,
+        a_platform_supports_the_bodies_on_it,
+        a_removed_platform_is_no_surface,
+        a_sensor_is_no_support,
+        a_sheared_platform_is_beneath_the_points_drawn_over_its_top,
         a_slope_is_beneath_at_the_height_of_its_line_with_its_normal,
-        a_wall_holds_nobody_up,
+        a_wall_is_no_support,
         a_box_is_beneath_the_points_over_it_and_a_ball_is_not,
         a_tilted_box_is_beneath_at_the_height_of_its_edges_with_their_normals,
-        beneath_a_body_is_what_is_beneath_the_middle_of_its_object_geom,
-        beneath_a_cup_is_what_it_stands_on_and_not_its_own_floor,
-        the_surface_beneath_goes_on_below_what_the_filter_does_not_let_through,
-        what_a_body_falls_on_was_the_surface_beneath_it,
-        what_lets_everything_through_is_beneath_nothing,
-        in_the_air_nothing_holds_a_body_up,
-        on_the_ground_the_ground_holds_a_body_up,
+        the_surface_beneath_a_body_is_that_beneath_the_middle_of_its_object_geom,
+        the_surface_beneath_a_cup_is_its_support_and_not_its_own_floor,
+        the_surface_beneath_skips_filtered_objects,
+        a_body_falls_on_the_surface_beneath_it,
+        sensors_and_disabled_and_disposed_geoms_are_no_surfaces,
+        in_the_air_a_body_has_no_support,
+        on_the_ground_the_ground_is_the_support,
         the_gap_between_two_platforms_shows_the_ground,
         the_ground_is_beneath_every_point_that_is_not_below_it,
         the_highest_of_several_surfaces_below_the_point_counts,
-        the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rests_on,
+        the_surface_beneath_the_lowest_point_of_a_resting_body_is_its_support,
         two_platforms_that_carry_one_box_are_both_among_its_supports,
-        what_is_bouncy_comes_to_rest_and_stays_grounded,
-        what_jumps_is_not_grounded_from_the_first_update_in_which_it_is_off_the_ground,
-        what_stands_on_the_ground_beside_a_wall_is_grounded;
+        a_bouncy_body_comes_to_rest_and_stays_grounded,
+        a_jumping_body_is_not_grounded_from_its_first_update_off_the_ground,
+        a_body_on_the_ground_beside_a_wall_is_grounded;
 }

@@ -1,4 +1,4 @@
-//! What lies at a point of the screen, contacts, copies, clearing, footprints and the order of drawing.
+//! Picking at a point of the screen, contacts, copies, clearing, footprints and the order of drawing.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, fix, geom_of, place, platform, run, set_surface,
@@ -14,7 +14,7 @@ fn on_screen(simulator: &TwoHalfPhysicsSimulator, point: [f32; 3]) -> Vector2 {
     simulator.projection().to_screen(Vector3::from(point))
 }
 
-/// An empty simulator whose Z axis is at an angle, with everything that waits added.
+/// An empty simulator whose Z axis has an angle, with all waiting objects added.
 fn at_angle(angle: i32) -> TwoHalfPhysicsSimulator {
     under_test(TwoHalfPhysicsSimulator::with_angle(600, angle).unwrap())
 }
@@ -87,7 +87,7 @@ pub(crate) fn a_geom_is_found_where_its_picture_is() {
 }
 
 #[test]
-pub(crate) fn what_covers_each_other_is_found_in_the_order_of_the_list_and_picked_from_the_front() {
+pub(crate) fn overlapping_objects_are_found_in_list_order_and_picked_from_the_front() {
     let (mut simulator, [round, square]) = ball_behind_box(90);
     let geoms = [round, square].map(|body| geom_of(&simulator, body));
     // The middle of the ball is at (100, 80) up from the lower edge, the box from (80, 60) to (140, 100).
@@ -104,7 +104,7 @@ pub(crate) fn what_covers_each_other_is_found_in_the_order_of_the_list_and_picke
 }
 
 #[test]
-pub(crate) fn nothing_is_found_where_nothing_is_drawn() {
+pub(crate) fn no_object_is_found_where_none_is_drawn() {
     let (simulator, _) = ball_behind_box(60);
     let nowhere = Vector2::new(-500.0, 100.0);
     assert_eq!((simulator.collide(nowhere), simulator.pick_front(nowhere)), (None, None));
@@ -143,7 +143,7 @@ pub(crate) fn a_platform_is_picked_at_its_front_and_at_its_top_and_no_geom_of_it
 }
 
 #[test]
-pub(crate) fn what_stands_on_a_platform_is_picked_before_it() {
+pub(crate) fn objects_on_a_platform_are_picked_before_it() {
     let mut simulator = simulator();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 60.0, 120.0]);
@@ -205,7 +205,7 @@ pub(crate) fn the_friction_impulse_of_a_sliding_contact_is_its_coefficient_times
     assert_near(contact.friction_impulse, 0.2 * contact.normal_impulse, 1e-4);
 }
 
-/// A ball with everything that a clone takes over set.
+/// A ball with other than default values of all properties that a clone copies.
 fn original(simulator: &mut TwoHalfPhysicsSimulator) -> (BodyId, GeomId) {
     let body = ball(simulator, 10.0, [40.0, 300.0, 70.0]);
     let geom = geom_of(simulator, body);
@@ -244,7 +244,7 @@ pub(crate) fn a_cloned_geom_has_the_profile_and_the_settings_of_the_original_and
     assert_eq!(simulator.depth_profile(twin), Some(DepthProfile::Round { radius: 11.0 }));
     assert_eq!(simulator.geom_mut(twin).unwrap().friction_coefficient(), 0.25);
     assert_eq!(simulator.body(copy).unwrap().ground().object_geom(), Some(twin));
-    // It lands as the original does, which is out of its way.
+    // It lands like the original, which is out of its path.
     simulator.add(copy).unwrap();
     simulator.add(twin).unwrap();
     for id in [body, copy] {
@@ -376,7 +376,7 @@ pub(crate) fn footprints_overlap_when_extents_and_heights_do() {
 }
 
 #[test]
-pub(crate) fn geoms_are_asked_whether_they_overlap_in_all_three_axes() {
+pub(crate) fn overlap_queries_of_geoms_use_all_three_axes() {
     let mut simulator = weightless();
     let square = solid(&mut simulator, [40.0, 40.0, 40.0], [0.0, 500.0, 0.0]);
     let geom = geom_of(&simulator, square);
@@ -404,7 +404,7 @@ fn order(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId], platforms: &[Pl
 }
 
 #[test]
-pub(crate) fn what_stands_behind_on_and_in_front_of_a_platform_is_drawn_around_it() {
+pub(crate) fn objects_behind_on_and_in_front_of_a_platform_are_drawn_in_that_order() {
     let mut simulator = simulator();
     let floor = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 0.0, 100.0]);
     let in_front = solid(&mut simulator, [30.0, 60.0, 20.0], [0.0, 0.0, 35.0]);
@@ -415,7 +415,7 @@ pub(crate) fn what_stands_behind_on_and_in_front_of_a_platform_is_drawn_around_i
 }
 
 #[test]
-pub(crate) fn what_stands_around_each_of_a_hundred_platforms_is_drawn_around_it() {
+pub(crate) fn objects_around_each_of_a_hundred_platforms_are_drawn_in_order() {
     let mut simulator = simulator();
     let mut groups = Vec::new();
     for at in 0..100 {
@@ -438,7 +438,7 @@ pub(crate) fn what_stands_around_each_of_a_hundred_platforms_is_drawn_around_it(
 }
 
 #[test]
-pub(crate) fn an_order_that_is_kept_is_that_of_what_is_there_now() {
+pub(crate) fn a_reused_order_has_the_present_objects() {
     let (mut simulator, bodies) = conformance::fixtures::depth::busy_scene();
     let mut order = DrawOrder::default();
     for step in 0..300 {
@@ -463,7 +463,7 @@ pub(crate) fn an_order_that_is_kept_is_that_of_what_is_there_now() {
 }
 
 #[test]
-pub(crate) fn what_is_under_a_platform_is_drawn_before_it_wherever_its_middle_is() {
+pub(crate) fn objects_under_a_platform_are_drawn_before_it_at_any_position() {
     for z in [90.0, 100.0, 130.0] {
         let mut simulator = simulator();
         let roof = platform(&mut simulator, [200.0, 20.0, 100.0], [0.0, 80.0, 100.0]);
@@ -475,7 +475,7 @@ pub(crate) fn what_is_under_a_platform_is_drawn_before_it_wherever_its_middle_is
 }
 
 #[test]
-pub(crate) fn a_slope_is_drawn_before_what_stands_on_it_high_up_and_after_what_is_behind_it() {
+pub(crate) fn a_slope_is_drawn_before_objects_on_it_and_after_objects_behind_it() {
     let mut simulator = weightless();
     let position = Vector3::new(0.0, 90.0, 100.0);
     let slope = Platform::with_rotation(&mut simulator, 300.0, 20.0, 100.0, position, 0.4, None).unwrap();
@@ -486,7 +486,7 @@ pub(crate) fn a_slope_is_drawn_before_what_stands_on_it_high_up_and_after_what_i
 }
 
 #[test]
-pub(crate) fn of_objects_on_each_other_the_higher_is_drawn_later() {
+pub(crate) fn the_higher_of_two_stacked_objects_is_drawn_later() {
     let mut simulator = simulator();
     // Made from the highest to the lowest, so that it is not the order of making.
     let bodies =
@@ -495,14 +495,14 @@ pub(crate) fn of_objects_on_each_other_the_higher_is_drawn_later() {
     assert_eq!(order(&simulator, &bodies, &[]), [2, 1, 0]);
 }
 
-/// An empty simulator of the scheme that is tested, with gravity, whose Z axis is at an angle.
+/// An empty simulator of the tested scheme, with gravity, whose Z axis has an angle.
 fn world_at(angle: i32) -> TwoHalfPhysicsSimulator {
     let gravity = Vector2::new(0.0, GRAVITY);
     under_test(TwoHalfPhysicsSimulator::with_angle_and_gravity(600, angle, gravity).unwrap())
 }
 
 #[test]
-pub(crate) fn what_stands_on_a_box_is_drawn_after_it_wherever_their_middles_are() {
+pub(crate) fn objects_on_a_box_are_drawn_after_it_at_any_position() {
     for angle in [70, 90, 110] {
         for aside in [-12.0, -4.0, 0.0, 4.0, 12.0] {
             for depth in [18.0, 40.0] {
@@ -556,7 +556,7 @@ fn a_capsule_that_stands_on_a_box_is_drawn_after_it_and_one_behind_it_before_it(
 }
 
 #[test]
-pub(crate) fn of_objects_side_by_side_the_nearer_is_drawn_later() {
+pub(crate) fn the_nearer_of_two_objects_side_by_side_is_drawn_later() {
     let mut simulator = simulator();
     let far = solid(&mut simulator, [40.0, 60.0, 20.0], [0.0, 0.0, 90.0]);
     let near = solid(&mut simulator, [40.0, 60.0, 20.0], [10.0, 0.0, 60.0]);
@@ -567,7 +567,7 @@ pub(crate) fn of_objects_side_by_side_the_nearer_is_drawn_later() {
 }
 
 #[test]
-pub(crate) fn one_that_jumps_before_another_is_drawn_later_and_behind_it_earlier() {
+pub(crate) fn a_figure_that_jumps_before_another_is_drawn_later_and_one_behind_it_earlier() {
     for (z, expected) in [(30.0, [1, 0]), (90.0, [0, 1])] {
         for height in [0.0, 10.0, 40.0] {
             let mut simulator = weightless();
@@ -591,7 +591,7 @@ pub(crate) fn ties_are_drawn_in_the_order_in_which_they_were_made_and_the_order_
 }
 
 #[test]
-pub(crate) fn the_order_of_drawing_has_everything_that_takes_part_and_is_enabled_once() {
+pub(crate) fn the_order_of_drawing_has_every_listed_and_enabled_object_once() {
     let mut simulator = weightless();
     let floor = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 0.0, 100.0]);
     let there = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
@@ -636,7 +636,7 @@ pub(crate) fn a_position_that_does_not_appear_on_the_screen_is_refused() {
 }
 
 #[test]
-pub(crate) fn what_a_filter_leaves_out_is_picked_through() {
+pub(crate) fn picking_passes_through_filtered_objects() {
     let (mut simulator, [round, square]) = ball_behind_box(90);
     simulator.body_mut(round).unwrap().set_position3d(Vector3::new(100.0, 0.0, 60.0));
     run(&mut simulator, 1);
@@ -658,7 +658,7 @@ fn one_along_each_axis() -> (TwoHalfPhysicsSimulator, [GeomId; 4]) {
 }
 
 #[test]
-pub(crate) fn a_box_finds_what_it_meets_in_all_three_axes() {
+pub(crate) fn a_box_query_finds_overlaps_in_all_three_axes() {
     let (simulator, [middle, right, above, behind]) = one_along_each_axis();
     let found = |low: [f32; 3], high: [f32; 3]| simulator.query_box(low.into(), high.into(), |_| true);
     assert_eq!(found([-5.0, 5.0, -5.0], [5.0, 15.0, 5.0]), [middle]);
@@ -669,14 +669,14 @@ pub(crate) fn a_box_finds_what_it_meets_in_all_three_axes() {
 }
 
 #[test]
-pub(crate) fn a_box_finds_nothing_that_its_filter_leaves_out() {
+pub(crate) fn a_box_query_skips_filtered_objects() {
     let (simulator, [middle, right, ..]) = one_along_each_axis();
     let (low, high) = (Vector3::new(-5.0, 5.0, -5.0), Vector3::new(95.0, 15.0, 5.0));
     assert_eq!(simulator.query_box(low, high, |geom| geom != middle), [right]);
 }
 
 #[test]
-pub(crate) fn a_box_that_is_none_finds_nothing() {
+pub(crate) fn an_invalid_box_query_finds_nothing() {
     let (simulator, _) = one_along_each_axis();
     let everything = Vector3::new(500.0, 500.0, 500.0);
     assert_eq!(simulator.query_box(-everything, everything, |_| true).len(), 4);
@@ -688,7 +688,7 @@ pub(crate) fn a_box_that_is_none_finds_nothing() {
 }
 
 #[test]
-pub(crate) fn a_geom_overlaps_what_is_in_it_and_not_what_is_before_it_or_behind() {
+pub(crate) fn a_geom_overlaps_objects_in_it_and_not_those_before_it_or_behind() {
     let mut simulator = weightless();
     let places = [[0.0, 0.0, 0.0], [15.0, 0.0, 0.0], [15.0, 0.0, 25.0], [15.0, 0.0, -25.0]];
     let bodies = places.map(|place| solid(&mut simulator, [20.0; 3], place));

@@ -1,4 +1,4 @@
-//! Random scenes: what must hold in every one. The same scenes in every run.
+//! Random scenes: invariants of all of them. The same scenes in every run.
 
 use std::cell::Cell;
 
@@ -13,10 +13,10 @@ use twohalf::{
 };
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
-/// Scenes per property.
+/// Number of scenes per property.
 const CASES: u32 = 48;
 
-/// Middle of the room in which objects begin, px.
+/// Middle of the space in which objects begin, px.
 const MIDDLE: [f32; 3] = [90.0, 60.0, 60.0];
 
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +30,7 @@ enum Form {
     Angle,
 }
 
-/// An object: extents in px, place of its middle, velocity along X, up and Z.
+/// An object: extents in px, position of its middle, velocity along X, up and Z.
 #[derive(Debug, Clone, Copy)]
 struct Thing {
     form: Form,
@@ -66,7 +66,7 @@ fn thing(speed: f32) -> impl Strategy<Value = Thing> {
     )
 }
 
-/// Some objects that do not overlap: each has a cell of 60 px of its own and lies anywhere within it.
+/// Some objects that do not overlap: each has a cell of 60 px of its own and is anywhere within it.
 fn things(speed: f32) -> impl Strategy<Value = Vec<Thing>> {
     let cell = [0.0..16.0_f32, 0.0..16.0, 0.0..16.0];
     proptest::collection::vec((thing(speed), cell), 2..13).prop_map(|things| {
@@ -231,8 +231,8 @@ pub(crate) fn without_gravity_the_kinetic_energy_does_not_grow() {
         for _ in 0..300 {
             simulator.update(DT);
             let now = kinetic(&simulator, &bodies);
-            // Overlap is undone by velocities of its own. What five passes leave of contacts with several points may
-            // be taken back in the next step: 2e-4 (measured).
+            // Bias velocities correct overlap. The error that five iterations leave in contacts with several points may be
+            // corrected in the next step: 2e-4 (measured).
             assert!(now <= last * 1.001 && now <= start * 1.000_001, "{start} {last} {now}");
             last = now;
         }
@@ -254,8 +254,8 @@ pub(crate) fn with_gravity_the_energy_grows_by_no_more_than_corrections_and_the_
             let excess = simulator.contacts().map(|contact| (-contact.separation - SLOP).max(0.0));
             let excess: f64 = excess.map(f64::from).sum();
             let now = energy(&simulator, &bodies);
-            // 0.8 of the overlap beyond the slop lifts at most everything. What gravity adds to a velocity v in the
-            // step of a bounce comes back as well: (v + g dt)² - v² over 2 g, and v dt of height on the way up.
+            // 0.8 of the overlap beyond the slop lifts at most everything. The velocity of gravity in the step of a bounce
+            // comes back as well: (v + g dt)² - v² over 2 g, and v dt of height on the way up.
             let explained = weight * (0.8 * excess + 2.0 * (fastest + 1.0) * f64::from(DT));
             assert!(now <= last + explained, "{last} {now} {explained}");
             assert!(now <= start * 1.000_001, "{start} {now}");
@@ -264,8 +264,8 @@ pub(crate) fn with_gravity_the_energy_grows_by_no_more_than_corrections_and_the_
     });
 }
 
-/// How far a body is inside a box that is not tilted, given by its least and greatest corners: the least way out of what
-/// both have in common, 0 if they do not overlap. For a ball what the distance of its middle says.
+/// Penetration depth of a body in an axis-aligned box, given by its least and greatest corners: the least displacement that
+/// separates them, 0 if they do not overlap. For a ball it follows from the distance of its middle.
 fn overlap(simulator: &TwoHalfPhysicsSimulator, body: BodyId, low: Vector3, high: Vector3) -> f32 {
     let geom = simulator.geom(simulator.body(body).unwrap().ground().object_geom().unwrap()).unwrap();
     let footprint = geom.virtual_geom();
@@ -284,13 +284,13 @@ fn overlap(simulator: &TwoHalfPhysicsSimulator, body: BodyId, low: Vector3, high
 }
 
 #[test]
-fn after_settling_nothing_is_below_the_ground_or_inside_a_platform() {
-    // The slop, and what a step of gravity adds under those that lie on each other (measured: 0.052).
+fn after_settling_no_body_is_below_the_ground_or_inside_a_platform() {
+    // The slop, and the motion of gravity in a step under those that lie on each other (measured: 0.052).
     check_settled(2.0 * SLOP);
 }
 
 #[test]
-fn after_settling_with_the_precise_set_nothing_is_below_the_ground_or_inside_a_platform() {
+fn after_settling_with_the_precise_set_no_body_is_below_the_ground_or_inside_a_platform() {
     // Measured: 0.137, where a ball has been thrown into a gap and friction holds it there.
     with_scheme(DepthScheme::Precise, || check_settled(0.15));
 }
@@ -320,12 +320,12 @@ fn check_settled(deepest: f32) {
 }
 
 #[test]
-pub(crate) fn while_things_fall_nothing_gets_through_the_ground_or_into_a_platform_by_more_than_a_step() {
+pub(crate) fn falling_bodies_penetrate_the_ground_and_platforms_by_no_more_than_a_step() {
     check(things(40.0), |things| {
         let (mut simulator, bodies) = heavy_scene(&things);
         for _ in 0..400 {
             simulator.update(DT);
-            // They fall by less than 250 px: 224 px/s. With what others push, twice as much.
+            // They fall by less than 250 px: 224 px/s. Hits by others give up to twice as much.
             for &body in &bodies {
                 assert!(simulator.body(body).unwrap().position3d().y > -2.0 * 224.0 * DT);
             }
@@ -341,7 +341,7 @@ fn assert_all_finite(simulator: &TwoHalfPhysicsSimulator, bodies: &[BodyId]) {
 }
 
 #[test]
-pub(crate) fn everything_stays_finite_at_any_speed() {
+pub(crate) fn all_numbers_stay_finite_at_any_speed() {
     for speed in [3e3, 1e7, 1e18, 1e38] {
         check(things(speed), |things| {
             let (mut simulator, bodies) = heavy_scene(&things);
@@ -373,7 +373,7 @@ pub(crate) fn a_scene_that_was_saved_and_loaded_goes_on_with_the_same_bits() {
 
 #[test]
 pub(crate) fn a_scene_of_balls_does_the_same_with_every_broad_phase() {
-    // Their contacts are solved in the order of creation, whoever found them.
+    // Their contacts are solved in the order of creation, for every broad phase.
     let methods = [
         BroadPhaseCollider::SelectiveSweep,
         BroadPhaseCollider::SweepAndPrune,

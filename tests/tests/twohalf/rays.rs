@@ -134,14 +134,14 @@ fn a_shape_around_the_start_is_hit_only_where_the_ray_enters_it_again() {
     let at = |x: f32, down: f32| Vector3::new(x, y - down, 0.0);
     let hit = simulator.ray_cast3d(at(-25.0, -5.0), at(50.0, -5.0), only_cup).unwrap();
     assert_near3(hit.point, at(20.0, -5.0).into(), ROUNDING);
-    // Along the floor of the cup it never leaves it, whatever parts that has.
+    // Along the floor of the cup it never leaves it, for any decomposition.
     assert_eq!(simulator.ray_cast3d(at(-25.0, 15.0), at(50.0, 15.0), only_cup), None);
     let hit = simulator.ray_cast3d(at(-50.0, 15.0), at(50.0, 15.0), only_cup).unwrap();
     assert_near3(hit.point, at(-30.0, 15.0).into(), ROUNDING);
 }
 
 #[test]
-fn a_ray_in_the_plane_of_flat_geoms_enters_where_the_2d_engine_says() {
+fn a_ray_in_the_plane_of_flat_geoms_equals_that_of_the_2d_engine() {
     let mut simulator = weightless();
     for (index, at) in [[0.0, 100.0, 0.0], [60.0, 130.0, 0.0], [-70.0, 60.0, 0.0]].into_iter().enumerate() {
         let body = solid(&mut simulator, [40.0, 20.0, 30.0], at);
@@ -166,7 +166,7 @@ fn a_ray_in_the_plane_of_flat_geoms_enters_where_the_2d_engine_says() {
 }
 
 #[test]
-fn a_ray_that_goes_nowhere_or_is_not_finite_hits_nothing() {
+fn a_ray_of_length_zero_or_with_non_finite_numbers_has_no_hit() {
     let mut simulator = weightless();
     platform(&mut simulator, [40.0, 20.0, 30.0], [0.0, 0.0, 0.0]);
     let far = [0.0, 100.0, 0.0];

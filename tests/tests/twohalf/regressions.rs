@@ -10,7 +10,7 @@ use twohalf::{
 };
 
 #[test]
-pub(crate) fn what_parts_along_z_while_it_lands_stays_on_top() {
+pub(crate) fn a_body_that_separates_along_z_while_it_lands_stays_on_top() {
     for drift in [-20.0, 0.0, 20.0] {
         let mut simulator = simulator();
         let post = solid(&mut simulator, [100.0, 40.0, 40.0], [0.0, 0.0, 0.0]);
@@ -23,7 +23,7 @@ pub(crate) fn what_parts_along_z_while_it_lands_stays_on_top() {
 }
 
 #[test]
-pub(crate) fn what_is_faster_than_half_of_both_depths_per_step_does_not_come_out_behind() {
+pub(crate) fn a_body_faster_than_half_of_both_depths_per_step_does_not_tunnel() {
     for phase in 0..20 {
         let mut simulator = weightless();
         let post = solid(&mut simulator, [20.0, 60.0, 20.0], [0.0, 0.0, 0.0]);
@@ -48,7 +48,7 @@ pub(crate) fn a_box_that_is_given_a_spin_about_x_and_y_stays_where_it_lies() {
 }
 
 #[test]
-pub(crate) fn who_walks_off_an_edge_at_a_set_velocity_is_in_the_air_after_one_step() {
+pub(crate) fn a_figure_that_walks_off_an_edge_is_in_the_air_after_one_step() {
     let mut simulator = simulator();
     platform(&mut simulator, [100.0, 40.0, 100.0], [0.0, 200.0, 0.0]);
     let body = crate_box(&mut simulator, [20.0, 30.0], [0.0, 241.0, 0.0]);
@@ -66,7 +66,7 @@ pub(crate) fn who_walks_off_an_edge_at_a_set_velocity_is_in_the_air_after_one_st
     assert!(steps_in_the_air > 50);
 }
 
-/// Refuses every contact of one geom that is told to it as the younger one.
+/// Refuses every contact in the callback of one geom as the younger one.
 struct RefusesSecondSide(twohalf::GeomId, usize);
 
 impl EventHandler for RefusesSecondSide {
@@ -95,7 +95,7 @@ fn a_refusal_by_the_second_side_loses_no_event_of_pairs_that_begin_to_touch_late
     }
 }
 
-/// A platform that holds nothing.
+/// A platform whose contacts are refused.
 struct Refuses(PlatformId);
 
 impl EventHandler for Refuses {
@@ -120,7 +120,7 @@ pub(crate) fn a_refused_platform_does_not_take_the_edge_of_a_solid_one_beside_it
     assert_eq!(height_with(true), height_with(false));
 }
 
-/// Makes whatever touches immovable.
+/// Makes every touching body static.
 struct Sticks(BodyId);
 
 impl EventHandler for Sticks {
@@ -165,7 +165,7 @@ fn a_long_box_that_is_thrown_flat_against_a_ceiling_comes_back_flat_at_any_speed
             throw(&mut simulator, body, [0.0, speed, 0.0]);
             run(&mut simulator, 20);
             let view = simulator.body(body).unwrap();
-            // It would turn by several rad/s if its two corners were pushed one after the other.
+            // It would turn by several rad/s if its two corners were solved one after the other.
             assert!(view.angular_velocity().abs() < 1e-3, "{speed}: {}", view.angular_velocity());
             assert!(view.velocity3d().y.abs() < 20.0 * GRAVITY * DT, "{speed}: {}", view.velocity3d().y);
         }

@@ -1,5 +1,5 @@
-//! Outlines, depth profiles and platforms that are edited where something touches them or sleeps on them, and belts and platforms
-//! that are slow.
+//! Outlines, depth profiles and platforms that are edited while bodies touch them or sleep on them, and slow belts and
+//! platforms.
 
 use conformance::fixtures::depth::{
     assert_goes_on_after_loading, assert_near, geom_of, place, platform, run, set_platform_surface,
@@ -30,7 +30,7 @@ fn reshape(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, profile: Depth
 }
 
 #[test]
-fn a_crate_that_is_halved_stands_on_the_ground_and_what_is_on_it_comes_down() {
+fn a_halved_crate_stands_on_the_ground_and_the_load_on_it_sinks() {
     precise(|mut simulator| {
         let below = solid(&mut simulator, [40.0, 40.0, 40.0], [100.0, 0.0, 50.0]);
         let above = solid(&mut simulator, [40.0, 40.0, 40.0], [100.0, 40.0, 50.0]);
@@ -91,7 +91,7 @@ fn a_reshaped_upright_body_has_its_new_height_and_footprint() {
 }
 
 #[test]
-fn a_platform_that_is_turned_is_solid_where_it_is_and_nowhere_else() {
+fn a_turned_platform_collides_at_its_new_pose_alone() {
     precise(|mut simulator| {
         let id = platform(&mut simulator, [200.0, 40.0, 200.0], [200.0, 100.0, 150.0]);
         let old = solid(&mut simulator, [20.0, 20.0, 20.0], [285.0, 140.0, 235.0]);
@@ -166,7 +166,7 @@ fn slow_belts_and_platforms_carry_bodies_at_their_speed() {
         simulator.platform_mut(lift).unwrap().set_velocity(Vector3::new(0.1, 0.2, -0.1)).unwrap();
         run(&mut simulator, 20 * SECOND);
         let (on_belt, on_lift) = (place(&simulator, on_belt), place(&simulator, on_lift));
-        // Of ways of 4 and 2 px. Measured: within 0.02 px.
+        // Of displacements of 4 and 2 px. Measured: within 0.02 px.
         for (moved, expected) in [
             (on_belt - Vector3::new(0.0, 40.0, 0.0), [4.0, 0.0, 2.0]),
             (on_lift - Vector3::new(300.0, 40.0, 0.0), [2.0, 4.0, -2.0]),

@@ -1,4 +1,5 @@
-//! Prisms that roll along X from corner to corner over the ground and over platforms, as polygons of the plane do. Lengths in px.
+//! Prisms that roll along X from corner to corner over the ground and over platforms, as polygons of the plane do. Lengths in
+//! px.
 
 use std::f32::consts::TAU;
 
@@ -13,7 +14,7 @@ struct Prism {
     speed: f32,
     gravity: f32,
     rate: f32,
-    /// Length of the platforms on which it rolls; 0 for the ground.
+    /// Length in px of the platforms on which it rolls; 0 for the ground.
     tile: f32,
 }
 
@@ -61,7 +62,7 @@ impl Prism {
     }
 }
 
-/// As `core/precise_rolling.rs` derives it.
+/// The law is derived in `core/precise_rolling.rs`.
 fn assert_loses_what_its_corners_take(prism: &Prism) {
     let (mut simulator, body) = prism.world();
     let core = |simulator: &TwoHalfPhysicsSimulator| {

@@ -26,7 +26,7 @@ fn middles(simulator: &TwoHalfPhysicsSimulator, rope: &SpawnedRope) -> Vec<Vecto
 }
 
 #[test]
-fn no_part_of_a_rope_gets_longer_while_it_swings() {
+fn no_segment_of_a_rope_stretches_while_it_swings() {
     precise(|| {
         let mut simulator = simulator();
         let rope = Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Free(below([60.0, 0.0, 80.0]))).parts(8);
@@ -81,7 +81,8 @@ fn three_hundred_times_the_mass_of_a_bead_swings_on_a_rope_at_sixty_steps_per_se
     });
 }
 
-/// A rope of twenty parts of 10 px from a point 1000 px up, with a load of so many times the mass of a bead, and gravity 900 px/s².
+/// A rope of twenty segments of 10 px from a point 1000 px up, with a load of `times` the mass of a bead, and gravity 900
+/// px/s².
 fn loaded(times: f32, direction: [f32; 3]) -> (TwoHalfPhysicsSimulator, SpawnedRope) {
     let mut simulator = simulator();
     simulator.set_gravity(Vector2::new(0.0, 900.0)).unwrap();
@@ -205,9 +206,9 @@ fn broken(simulator: &TwoHalfPhysicsSimulator) -> Vec<JointId> {
 }
 
 #[test]
-fn a_rope_tears_where_it_bears_most() {
+fn a_rope_breaks_at_its_greatest_load() {
     precise(|| {
-        // Hanging still it bears the weight of ten of eleven beads at the top, the other one being the hook.
+        // At rest the top segment carries the weight of ten of eleven beads, the other one being the hook.
         let mut simulator = simulator();
         let rope = Rope::new(RopeEnd::Fixed(HOOK), RopeEnd::Free(below([0.0, 100.0, 0.0]))).mass(2.0);
         let rope = spawn_rope(&mut simulator, rope.greatest_force(2.5 * 2.0 * GRAVITY)).unwrap();
@@ -222,7 +223,7 @@ fn a_rope_tears_where_it_bears_most() {
             torn.extend(broken(&simulator));
         }
         assert!(!torn.is_empty());
-        // What is torn off flies as far as it likes.
+        // The torn-off end flies without limit.
         assert!((middles(&simulator, &rope)[10] - Vector3::from(HOOK)).norm() > 200.0);
     });
 }

@@ -46,7 +46,7 @@ pub(crate) fn the_busy_scene_has_contacts_of_pairs_and_with_the_ground() {
 }
 
 #[test]
-pub(crate) fn forces_along_z_that_wait_are_saved() {
+pub(crate) fn pending_forces_along_z_are_saved() {
     let (mut simulator, bodies) = busy_scene();
     simulator.body_mut(bodies[0]).unwrap().apply_force_z(3.0);
     simulator.body_mut(bodies[0]).unwrap().apply_impulse_z(4.0);
@@ -155,7 +155,7 @@ fn a_save_whose_plane_has_the_methods_of_another_scheme_is_refused() {
 }
 
 #[test]
-pub(crate) fn a_save_with_a_refused_argument_that_there_is_not_is_refused() {
+pub(crate) fn a_save_with_an_unknown_rejected_argument_is_refused() {
     let message = refusal(|saved| {
         saved["world"]["depths"]["bodies"]["entries"][0][1]["rejected"] = json!(["position3d", "colour"]);
     });
@@ -199,7 +199,7 @@ fn rejected(simulator: &TwoHalfPhysicsSimulator) -> Vec<&'static str> {
 }
 
 #[test]
-pub(crate) fn refusals_that_wait_are_told_after_loading() {
+pub(crate) fn pending_refusals_are_reported_after_loading() {
     let mut simulator = ball_and_platform();
     refuse_everything(&mut simulator);
     let mut loaded = loaded(&simulator);
@@ -230,7 +230,7 @@ fn a_contact_with_a_geom_that_has_left_its_list_goes_on_after_loading() {
     core.set_broad_phase_collider(BroadPhaseCollider::SweepAndPrune).unwrap();
     let mut simulator = TwoHalfPhysicsSimulator::from_core(600, 90, core).unwrap();
     let first = crate_box(&mut simulator, [20.0, 20.0], [0.0, 100.0, 50.0]);
-    // The table of pairs has no place for fewer than three.
+    // The table of pairs is too small for more than two.
     crate_box(&mut simulator, [20.0, 20.0], [500.0, 100.0, 50.0]);
     crate_box(&mut simulator, [20.0, 20.0], [800.0, 100.0, 50.0]);
     run(&mut simulator, 1);
@@ -260,7 +260,7 @@ pub(crate) fn settings_of_balls_that_their_boxes_cannot_follow_are_saved_and_loa
 }
 
 #[test]
-pub(crate) fn a_geom_whose_outline_is_wider_than_numbers_go_is_saved_and_loaded() {
+pub(crate) fn a_geom_with_an_overflowing_outline_is_saved_and_loaded() {
     let mut core = PhysicsSimulator::default();
     core.set_narrow_phase_collider(NarrowPhaseCollider::Sat);
     let body = BodyFactory::create_rectangle_body_in(&mut core, 10.0, 10.0, 1.0).unwrap();

@@ -1,4 +1,4 @@
-//! Another scheme is chosen while things move and rest.
+//! Another scheme is chosen while bodies move and rest.
 
 use farseer_core::{GeomPlacement, Methods};
 use twohalf::{BodyId, DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
@@ -7,7 +7,7 @@ use conformance::fixtures::depth::{DT, ball, fix, place, platform, run, solid, t
 
 const ALL: [DepthScheme; 3] = [DepthScheme::Faithful, DepthScheme::Precise, DepthScheme::Thesis];
 
-/// All ways from one scheme to another.
+/// All changes from one scheme to another.
 fn switches() -> impl Iterator<Item = [DepthScheme; 2]> {
     ALL.into_iter().flat_map(|from| ALL.into_iter().map(move |to| [from, to])).filter(|[from, to]| from != to)
 }
@@ -91,7 +91,7 @@ fn a_scheme_chosen_in_mid_run_is_saved_and_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn setting_the_present_scheme_changes_nothing() {
+fn setting_the_present_scheme_has_no_effect() {
     for scheme in ALL {
         let (mut simulator, _) = resting(scheme);
         let before = simulator.snapshot();
@@ -114,7 +114,7 @@ fn contacts_are_empty_until_the_next_update_and_then_found_again() {
     }
 }
 
-/// Refuses both other schemes with these words, and goes on as if nobody had asked.
+/// Asserts that both other schemes are refused with these words, without an effect on the run.
 fn assert_refused(simulator: &mut TwoHalfPhysicsSimulator, words: &str) {
     for scheme in [DepthScheme::Faithful, DepthScheme::Thesis] {
         let before = simulator.snapshot();
@@ -126,7 +126,7 @@ fn assert_refused(simulator: &mut TwoHalfPhysicsSimulator, words: &str) {
 }
 
 #[test]
-fn features_of_the_precise_scheme_are_refused_to_the_others_and_nothing_changes() {
+fn other_schemes_refuse_features_of_the_precise_scheme_without_effect() {
     let (mut simulator, _) = resting(DepthScheme::Precise);
     let lift = platform(&mut simulator, [50.0, 10.0, 50.0], [600.0, 0.0, 0.0]);
     simulator.platform_mut(lift).unwrap().set_velocity(Vector3::new(0.0, 5.0, 0.0)).unwrap();

@@ -1,5 +1,5 @@
-//! Surfaces of several parts do not trip what slides, walks or rolls along them: walls, slopes, the foot of a slope.
-//! Seams of level floors are in `platforms` and `meeting`.
+//! Surfaces of several parts do not stop bodies that slide, walk or roll along them: walls, slopes, the foot of a slope. Seams
+//! of level floors are in `platforms` and `meeting`.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, ball, fix, place, platform, run, set_platform_surface, set_surface, simulator, solid,
@@ -7,7 +7,7 @@ use conformance::fixtures::depth::{
 };
 use twohalf::{BodyId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
-/// Starting places per case: where within a step the seam is crossed.
+/// Number of starting positions per case: the phases of a step at which the seam is crossed.
 const PHASES: usize = 25;
 
 /// A box of 40 x 20 x 20 or a ball of radius 10.
@@ -18,8 +18,8 @@ fn object(simulator: &mut TwoHalfPhysicsSimulator, is_ball: bool, place: [f32; 3
     }
 }
 
-/// Walks along a wall of two platforms or crates side by side, pressing against it, by setting the velocity before every
-/// update as games do; gives the way along the wall in 3 s at 40 px/s.
+/// Walks along a wall of two platforms or crates side by side, pressing against it, by setting the velocity before every update
+/// as games do. Returns the distance along the wall in 3 s at 40 px/s.
 fn way_along_wall(is_platform: bool, is_ball: bool, is_front: bool, press: f32, phase: usize) -> f32 {
     let mut simulator = simulator();
     for sign in [-1.0, 1.0] {
@@ -59,7 +59,7 @@ fn assert_all_walk_along(is_platform: bool) {
             for press in [10.0, 40.0, 100.0] {
                 for phase in 0..PHASES {
                     let way = way_along_wall(is_platform, is_ball, is_front, press, phase);
-                    // Without friction nothing acts along the wall.
+                    // Without friction no force acts along the wall.
                     let case = format!("ball: {is_ball}, front: {is_front}, {press} px/s, phase {phase}");
                     assert!((way - 120.0).abs() < 0.1, "{case}: {way}");
                 }
@@ -143,7 +143,7 @@ pub(crate) fn a_ball_rolls_from_a_level_platform_onto_a_slope() {
     }
 }
 
-/// Two slopes in one line, side by side along X or along Z, and an object that slides over their seam: the greatest
+/// Two slopes in one line, side by side along X or along Z, and an object that slides over their seam. Returns the greatest
 /// deviation from their common plane, and the greatest loss of speed per step.
 fn over_slopes(is_ball: bool, friction: f32, along_z: bool, phase: usize) -> [f32; 2] {
     let angle = 0.3_f32;
@@ -201,7 +201,7 @@ pub(crate) fn two_slopes_in_one_line_are_one_slope() {
 }
 
 #[test]
-pub(crate) fn who_lets_go_of_a_wall_and_jumps_comes_down_in_front_of_it() {
+pub(crate) fn a_figure_that_stops_pressing_and_jumps_lands_in_front_of_the_wall() {
     for is_platform in [true, false] {
         for is_ball in [true, false] {
             for [x, z] in [[0.0, 1.0], [0.0, -1.0], [1.0, 0.0], [-1.0, 0.0]] {
@@ -246,7 +246,7 @@ fn mosaic(simulator: &mut TwoHalfPhysicsSimulator, is_platform: bool) {
 }
 
 #[test]
-pub(crate) fn who_walks_to_and_fro_over_a_floor_of_many_platforms_goes_where_he_wants() {
+pub(crate) fn a_figure_that_walks_over_a_floor_of_many_platforms_is_not_stopped_by_seams() {
     for is_ball in [true, false] {
         for speed in [13.0, 47.0, 151.0_f32] {
             let mut simulator = simulator();
@@ -277,7 +277,7 @@ pub(crate) fn who_walks_to_and_fro_over_a_floor_of_many_platforms_goes_where_he_
 }
 
 #[test]
-pub(crate) fn who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants() {
+pub(crate) fn a_figure_that_walks_in_depth_over_a_floor_of_many_crates_is_not_stopped_by_seams() {
     for is_ball in [true, false] {
         for speed in [13.0, 47.0, 151.0_f32] {
             let mut simulator = simulator();
@@ -306,7 +306,7 @@ pub(crate) fn who_walks_in_depth_over_a_floor_of_many_crates_goes_where_he_wants
 }
 
 #[test]
-pub(crate) fn the_edge_of_a_seam_that_a_ball_rolls_over_carries_nothing() {
+pub(crate) fn the_edge_of_a_seam_under_a_rolling_ball_has_no_impulse() {
     let mut simulator = simulator();
     for sign in [-1.0, 1.0] {
         platform(&mut simulator, [200.0, 20.0, 200.0], [100.0 * sign, 0.0, 0.0]);
@@ -319,7 +319,7 @@ pub(crate) fn the_edge_of_a_seam_that_a_ball_rolls_over_carries_nothing() {
         simulator.update(DT);
         let impulses: Vec<f32> = simulator.contacts().map(|contact| contact.normal_impulse).collect();
         together += usize::from(impulses.len() == 2);
-        // A resting ball of mass 1 is held by what gravity gives it in a step.
+        // A resting ball of mass 1 is carried by the impulse of gravity in a step.
         let carried: f32 = impulses.iter().sum();
         assert!((carried - GRAVITY * DT).abs() < 0.02 * GRAVITY * DT, "{impulses:?}");
     }

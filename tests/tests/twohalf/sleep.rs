@@ -1,7 +1,7 @@
-//! What rests in a world with depth sleeps, and wakes.
+//! Bodies at rest in a world with depth sleep, and wake.
 
 use conformance::fixtures::depth::{DT, ball, place, run, solid, with_scheme};
-use farseer_core::{IslandMethod, WhyMethod};
+use farseer_core::{IslandSolver, SolverReason};
 use twohalf::{BodyId, DepthScheme, EventHandler, TwoHalfPhysicsSimulator, Vector3};
 
 /// A box on another one, both at rest for two seconds.
@@ -42,7 +42,7 @@ fn contacts_with_depth_are_solved_iteratively_and_the_reason_is_reported() {
         run(&mut simulator, 1);
         let islands = simulator.core().islands();
         let told: Vec<_> = islands.iter().map(|island| (island.method, island.why)).collect();
-        assert_eq!(told, [(IslandMethod::Passes, WhyMethod::HasDepth)]);
+        assert_eq!(told, [(IslandSolver::Iterative, SolverReason::HasDepth)]);
     });
 }
 
@@ -128,7 +128,7 @@ fn a_sleeping_world_moves_no_body() {
     });
 }
 
-/// Hears of nothing; but with a handler all stages are gone through, whatever sleeps.
+/// A handler without callbacks; but with a handler all stages run, even if all bodies sleep.
 struct Listens;
 
 impl EventHandler for Listens {}
@@ -164,7 +164,7 @@ fn a_body_asleep_on_the_ground_wakes_and_falls_when_its_object_geom_is_removed()
         assert!(!simulator.is_asleep(below) && !simulator.is_asleep(above));
         run(&mut simulator, 50);
         assert!(place(&simulator, below).y < -2.0);
-        // Who stood on it lands on its own ground.
+        // The body that stood on it lands on its own ground.
         run(&mut simulator, 150);
         assert!(place(&simulator, above).y > -0.1);
     });

@@ -1,8 +1,8 @@
 //! Slopes and sheared platforms.
 //!
-//! Tolerances: an object that is put on a slope falls freely for one step before the first contact, so speeds along the
-//! slope differ from a t by less than g dt = 1 px/s, and places by that over the time; the path is ahead of the
-//! parabola by v dt / 2.
+//! Tolerances: an object that is put on a slope falls freely for one step before the first contact. So speeds along the slope
+//! differ from a t by less than g dt = 1 px/s, and positions by that over the time. The path is ahead of the parabola by v dt /
+//! 2.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, geom_of, place, run, run_until_hit,
@@ -60,7 +60,7 @@ fn origin(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Vector3 {
     simulator.body(body).unwrap().origin3d()
 }
 
-/// Lets a body go for a second and a half and asserts that it goes down the slope with an acceleration.
+/// Releases a body for a second and a half and asserts that it goes down the slope with an acceleration.
 #[track_caller]
 fn assert_accelerates(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId, angle: f32, acceleration: f32) {
     let (time, start) = (1.5, origin(simulator, body));
@@ -161,7 +161,7 @@ pub(crate) fn a_ball_that_rolls_across_a_slope_keeps_its_velocity_in_depth() {
     view.set_linear_velocity_z(30.0);
     view.set_angular_velocity3d(normal.cross(&along) / 15.0);
     assert_accelerates(&mut simulator, body, angle, GRAVITY * angle.sin() / 1.5);
-    // What acts has no part along Z; five passes per step leave a little.
+    // The forces have no component along Z; five iterations per step leave a small one.
     assert_near(velocity(&simulator, body).z, 30.0, 0.05);
 }
 
@@ -194,7 +194,7 @@ pub(crate) fn a_box_walks_off_a_slope_along_z() {
     assert_near(place(&simulator, body).y, 0.0, SLOP + 0.1);
 }
 
-/// A sheared platform of 100 x 40 x 80 in a simulator whose Z axis is at 60 degrees: X from -50 to 50 and Z from 20 to
+/// A sheared platform of 100 x 40 x 80 in a simulator whose Z axis is at 60 degrees. It has X from -50 to 50 and Z from 20 to
 /// 100 about its middle, top at 60. `angle` is that of its edges in depth.
 fn sheared(simulator: &mut TwoHalfPhysicsSimulator, angle: i32) -> PlatformId {
     let position = Vector3::new(0.0, 20.0, 60.0);
@@ -235,7 +235,7 @@ pub(crate) fn the_edges_of_a_sheared_platform_run_at_its_angle_on_the_screen() {
 }
 
 #[test]
-pub(crate) fn objects_stand_on_the_whole_top_of_a_sheared_platform_as_it_is_drawn() {
+pub(crate) fn objects_stand_everywhere_on_the_top_of_a_sheared_platform_as_it_is_drawn() {
     for angle in ANGLES {
         for across in [-0.9, 0.0, 0.9] {
             for deep in [-0.9, 0.0, 0.9] {

@@ -44,7 +44,7 @@ fn a_spawned_figure_does_not_topple_when_it_is_hit_above_its_middle() {
 }
 
 #[test]
-fn an_invalid_thing_is_refused_by_name_and_adds_nothing() {
+fn an_invalid_spawn_is_refused_by_name_and_adds_nothing() {
     let mut simulator = simulator();
     let refused: [(Thing, &str); 5] = [
         (Prism::new([0.0, 1.0, 1.0]), "width"),
@@ -77,7 +77,7 @@ fn an_invalid_lane_adds_nothing() {
 }
 
 #[test]
-fn the_upper_edge_of_a_slope_is_at_the_given_place() {
+fn the_upper_edge_of_a_slope_is_at_the_given_position() {
     let mut simulator = simulator();
     for (from, to) in
         [([100.0, 20.0], [400.0, 140.0]), ([400.0, 120.0], [730.0, 0.0]), ([0.0, 30.0], [90.0, 30.0])]
@@ -98,7 +98,7 @@ fn the_upper_edge_of_a_slope_is_at_the_given_place() {
 }
 
 #[test]
-fn a_slope_that_cannot_be_is_refused() {
+fn an_invalid_slope_is_refused() {
     let mut simulator = simulator();
     for (from, to, z, thickness) in [
         ([0.0, 0.0], [0.0, 50.0], [0.0, 10.0], 5.0),
@@ -115,13 +115,13 @@ fn a_slope_that_cannot_be_is_refused() {
 }
 
 #[test]
-fn the_friction_type_is_chosen_after_things_are_there_and_acts_from_the_next_update_on() {
+fn a_later_choice_of_the_friction_type_acts_from_the_next_update_on() {
     let mut simulator = simulator();
     let crate_box = |friction| Prism::new([30.0, 20.0, 30.0]).friction(friction);
     let floor = spawn_block(&mut simulator, [-500.0, 900.0], [0.0, 10.0], [-400.0, 400.0]).unwrap();
     simulator.platform_mut(floor).unwrap().set_friction_coefficient(0.2);
     let on_platform = spawn(&mut simulator, crate_box(0.6).at([0.0, 10.0, 0.0])).unwrap();
-    // Its ground has the friction that it has, unless it is told otherwise.
+    // Its ground has its own friction, unless a setting changes it.
     let on_ground = spawn(&mut simulator, crate_box(0.6).at([0.0, 0.0, 900.0])).unwrap();
     simulator.body_mut(on_ground.body).unwrap().ground_mut().set_friction_coefficient(0.2);
     (0..60).for_each(|_| simulator.update(1.0 / 120.0));

@@ -1,4 +1,4 @@
-//! Upright things on slopes of 10 to 84 degrees: on those that friction does not hold them on they slide with g (sin a - mu cos a).
+//! Upright bodies on slopes of 10 to 84 degrees: on slopes above the friction angle they slide with g (sin a - mu cos a).
 
 use conformance::fixtures::depth::{
     assert_goes_on_after_loading, assert_near, place, set_platform_surface, simulator, velocity, with_scheme,
@@ -11,9 +11,9 @@ use twohalf_factories::{Cylinder, Figure, Prism, Thing, spawn};
 
 /// px/s².
 const GRAVITY: f32 = 900.0;
-/// Degrees from level. Around 60 the upward part of the normal passes one half.
+/// Slopes in degrees from level. Around 60 the upward component of the normal is one half.
 const STEEP: [f32; 7] = [59.0, 60.1, 65.0, 70.0, 75.0, 80.0, 84.0];
-/// The same for slopes along Z, whose pitch ends at 1.4 rad.
+/// Steepest slope along Z in degrees; its pitch ends at 1.4 rad.
 const STEEPEST_PITCH: f32 = 80.0;
 
 /// A slope that begins 5,000 px up and falls along X or Z, to the side of the sign.
@@ -58,7 +58,7 @@ impl Slope {
         if self.along_z { Vector3::new(0.0, -sine, along) } else { Vector3::new(along, -sine, 0.0) }
     }
 
-    /// Puts a thing without drag on it that reaches so far towards the rise.
+    /// Puts a body without drag on it whose footprint extends by `reach` towards the rise.
     fn put(self, simulator: &mut TwoHalfPhysicsSimulator, thing: Thing, reach: f32) -> BodyId {
         let rise = -self.sign * (reach - 0.01);
         let [x, z] = if self.along_z { [0.0, rise] } else { [rise, 0.0] };
@@ -187,7 +187,7 @@ fn a_figure_slides_down_a_steep_slope_that_is_a_wall_to_it() {
             simulator.walk(body, &mut walker, MoveInput::default(), 1.0 / 60.0).unwrap();
             simulator.update(1.0 / 60.0);
         }
-        // In the air its wish to stand still brakes it by 600 px/s² along X and Z, which takes less than half.
+        // In the air its input of no motion brakes it by 600 px/s² along X and Z, which takes less than half.
         let speed = velocity(&simulator, body).dot(&slope.down());
         assert!(speed > 0.25 * GRAVITY * slope.angle().sin(), "{slope:?}: {speed}");
         assert!(!walker.is_grounded());

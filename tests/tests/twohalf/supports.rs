@@ -1,4 +1,4 @@
-//! What is beneath a point, and what holds a body up.
+//! Surfaces beneath a point, and supports of a body.
 
 use conformance::fixtures::depth::{
     assert_near, assert_near3, ball, fix, geom_of, place, platform, run, set_platform_surface, set_surface,
@@ -14,7 +14,7 @@ const UP: [f32; 3] = [0.0, 1.0, 0.0];
 /// Heights of a few hundred px in f32, after some operations.
 const ROUNDING: f32 = 1e-3;
 
-/// ContactTarget, height and normal of what is beneath a point.
+/// ContactTarget, height and normal of the surface beneath a point.
 fn beneath(simulator: &TwoHalfPhysicsSimulator, point: [f32; 3]) -> Option<(ContactTarget, f32, Vector3)> {
     let surface = simulator.surface_beneath(Vector3::from(point))?;
     Some((surface.partner, surface.height, surface.normal))
@@ -38,13 +38,13 @@ pub(crate) fn the_ground_is_beneath_every_point_that_is_not_below_it() {
     for point in [[0.0, 0.0, 0.0], [-300.0, 50.0, -70.0], [1e6, 1e6, 1e6]] {
         assert_eq!(beneath(&simulator, point), Some((ContactTarget::Ground, 0.0, Vector3::from(UP))));
     }
-    // What rests is sunk in by the 0.05 px that are left alone; four times that count as resting.
+    // A resting body overlaps by the slop of 0.05 px; four times that count as resting.
     assert!(beneath(&simulator, [0.0, -0.19, 0.0]).is_some());
     assert_eq!(beneath(&simulator, [0.0, -0.21, 0.0]), None);
 }
 
 #[test]
-pub(crate) fn the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rests_on() {
+pub(crate) fn the_surface_beneath_the_lowest_point_of_a_resting_body_is_its_support() {
     let mut simulator = simulator();
     platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 0.0, 0.0]);
     let on_platform = ball(&mut simulator, 10.0, [0.0, 41.0, 0.0]);
@@ -55,7 +55,7 @@ pub(crate) fn the_surface_beneath_the_lowest_point_of_what_rests_is_what_it_rest
 }
 
 #[test]
-pub(crate) fn a_level_platform_is_beneath_the_points_over_it_and_nothing_of_it_beneath_others() {
+pub(crate) fn a_level_platform_is_beneath_the_points_over_it_and_no_others() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [10.0, 20.0, 100.0]);
     let top = Some((ContactTarget::Platform(id), 60.0, Vector3::from(UP)));
@@ -118,7 +118,7 @@ pub(crate) fn a_slope_is_beneath_at_the_height_of_its_line_with_its_normal() {
 }
 
 #[test]
-pub(crate) fn a_sheared_platform_is_beneath_what_is_drawn_over_its_top() {
+pub(crate) fn a_sheared_platform_is_beneath_the_points_drawn_over_its_top() {
     let mut simulator = weightless();
     let position = Vector3::new(0.0, 20.0, 60.0);
     let id = Platform::with_rotation_and_angle(&mut simulator, 100.0, 40.0, 80.0, position, 0.0, None, 120)
@@ -132,7 +132,7 @@ pub(crate) fn a_sheared_platform_is_beneath_what_is_drawn_over_its_top() {
 }
 
 #[test]
-pub(crate) fn beneath_a_body_is_what_is_beneath_the_middle_of_its_object_geom() {
+pub(crate) fn the_surface_beneath_a_body_is_that_beneath_the_middle_of_its_object_geom() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     let over = ball(&mut simulator, 10.0, [99.0, 100.0, 100.0]);
@@ -146,7 +146,7 @@ pub(crate) fn beneath_a_body_is_what_is_beneath_the_middle_of_its_object_geom() 
 }
 
 #[test]
-pub(crate) fn a_removed_platform_is_beneath_nothing() {
+pub(crate) fn a_removed_platform_is_no_surface() {
     let mut simulator = weightless();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     simulator.remove_platform(id).unwrap();
@@ -198,7 +198,7 @@ pub(crate) fn a_tilted_box_is_beneath_at_the_height_of_its_edges_with_their_norm
 }
 
 #[test]
-pub(crate) fn what_lets_everything_through_is_beneath_nothing() {
+pub(crate) fn sensors_and_disabled_and_disposed_geoms_are_no_surfaces() {
     type Open = fn(&mut TwoHalfPhysicsSimulator, BodyId);
     let opened: [Open; 4] = [
         |simulator, body| simulator.set_is_sensor(geom_of(simulator, body), true).unwrap(),
@@ -220,7 +220,7 @@ pub(crate) fn what_lets_everything_through_is_beneath_nothing() {
 }
 
 #[test]
-pub(crate) fn the_surface_beneath_goes_on_below_what_the_filter_does_not_let_through() {
+pub(crate) fn the_surface_beneath_skips_filtered_objects() {
     let mut simulator = weightless();
     let block = platform(&mut simulator, [200.0, 10.0, 100.0], [0.0, 20.0, 0.0]);
     let bodies = [60.0, 100.0].map(|y| solid(&mut simulator, [40.0, 20.0, 30.0], [0.0, y, 0.0]));
@@ -236,7 +236,7 @@ pub(crate) fn the_surface_beneath_goes_on_below_what_the_filter_does_not_let_thr
 }
 
 #[test]
-pub(crate) fn beneath_a_cup_is_what_it_stands_on_and_not_its_own_floor() {
+pub(crate) fn the_surface_beneath_a_cup_is_its_support_and_not_its_own_floor() {
     let mut simulator = weightless();
     let cup = solid(&mut simulator, [4.0; 3], [0.0; 3]);
     // Walls from -30 to -20 and from 20 to 30, and a floor 10 below the middle.
@@ -267,7 +267,7 @@ pub(crate) fn beneath_a_cup_is_what_it_stands_on_and_not_its_own_floor() {
 }
 
 #[test]
-pub(crate) fn what_a_body_falls_on_was_the_surface_beneath_it() {
+pub(crate) fn a_body_falls_on_the_surface_beneath_it() {
     let mut simulator = simulator();
     let lower = solid(&mut simulator, [60.0, 30.0, 30.0], [0.0, 0.0, 0.0]);
     run(&mut simulator, 50);
@@ -285,7 +285,7 @@ fn support(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Option<Support>
 }
 
 #[test]
-pub(crate) fn in_the_air_nothing_holds_a_body_up() {
+pub(crate) fn in_the_air_a_body_has_no_support() {
     let mut simulator = simulator();
     let body = ball(&mut simulator, 10.0, [0.0, 100.0, 0.0]);
     run(&mut simulator, 5);
@@ -294,7 +294,7 @@ pub(crate) fn in_the_air_nothing_holds_a_body_up() {
 }
 
 #[test]
-pub(crate) fn on_the_ground_the_ground_holds_a_body_up() {
+pub(crate) fn on_the_ground_the_ground_is_the_support() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let body = match is_ball {
@@ -336,7 +336,7 @@ pub(crate) fn a_body_that_rests_is_grounded_in_every_update() {
 }
 
 #[test]
-pub(crate) fn what_jumps_is_not_grounded_from_the_first_update_in_which_it_is_off_the_ground() {
+pub(crate) fn a_jumping_body_is_not_grounded_from_its_first_update_off_the_ground() {
     let mut simulator = simulator();
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 0.0, 0.0]);
     run(&mut simulator, 50);
@@ -348,7 +348,7 @@ pub(crate) fn what_jumps_is_not_grounded_from_the_first_update_in_which_it_is_of
 }
 
 #[test]
-pub(crate) fn a_platform_holds_up_what_stands_on_it() {
+pub(crate) fn a_platform_supports_the_bodies_on_it() {
     let mut simulator = simulator();
     let id = platform(&mut simulator, [200.0, 40.0, 100.0], [0.0, 20.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 60.0, 45.0]);
@@ -410,7 +410,7 @@ pub(crate) fn a_body_is_grounded_on_slopes_up_to_60_degrees_and_not_on_steeper_o
 }
 
 #[test]
-pub(crate) fn a_body_holds_up_another_one_and_is_not_held_up_by_it() {
+pub(crate) fn a_body_supports_another_one_and_is_not_supported_by_it() {
     for is_ball in [true, false] {
         let mut simulator = simulator();
         let lower = solid(&mut simulator, [60.0, 30.0, 30.0], [0.0, 0.0, 0.0]);
@@ -429,7 +429,7 @@ pub(crate) fn a_body_holds_up_another_one_and_is_not_held_up_by_it() {
 }
 
 #[test]
-pub(crate) fn a_wall_holds_nobody_up() {
+pub(crate) fn a_wall_is_no_support() {
     let mut simulator = simulator();
     let wall = platform(&mut simulator, [200.0, 200.0, 100.0], [0.0, -50.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 100.0, 39.5]);
@@ -441,7 +441,7 @@ pub(crate) fn a_wall_holds_nobody_up() {
 }
 
 #[test]
-pub(crate) fn what_stands_on_the_ground_beside_a_wall_is_grounded() {
+pub(crate) fn a_body_on_the_ground_beside_a_wall_is_grounded() {
     let mut simulator = simulator();
     platform(&mut simulator, [200.0, 200.0, 100.0], [0.0, 0.0, 100.0]);
     let body = solid(&mut simulator, [40.0, 20.0, 20.0], [0.0, 0.0, 39.0]);
@@ -454,7 +454,7 @@ pub(crate) fn what_stands_on_the_ground_beside_a_wall_is_grounded() {
 }
 
 #[test]
-pub(crate) fn a_sensor_holds_nobody_up() {
+pub(crate) fn a_sensor_is_no_support() {
     let mut simulator = simulator();
     let lower = solid(&mut simulator, [60.0, 30.0, 30.0], [0.0, 20.0, 0.0]);
     fix(&mut simulator, lower);
@@ -468,7 +468,7 @@ pub(crate) fn a_sensor_holds_nobody_up() {
 }
 
 #[test]
-pub(crate) fn what_is_bouncy_comes_to_rest_and_stays_grounded() {
+pub(crate) fn a_bouncy_body_comes_to_rest_and_stays_grounded() {
     for on_platform in [true, false] {
         for is_ball in [true, false] {
             for restitution in [0.1, 0.5, 0.8] {

@@ -1,4 +1,4 @@
-//! Boxes that are moved through the world until they meet something. Tolerances: rounding of coordinates up to 500, unless said.
+//! Boxes that are swept through the world until they hit an object. Tolerances: rounding of coordinates up to 500, unless said.
 
 use conformance::fixtures::depth::{
     assert_near, assert_near3, ball, geom_of, platform, run, solid, throw, weightless, with_scheme,
@@ -17,7 +17,7 @@ fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
 }
 
-/// A box about a place, moved.
+/// A box about a position, swept along a displacement.
 fn sweep(
     simulator: &TwoHalfPhysicsSimulator,
     middle: Vector3,
@@ -72,7 +72,7 @@ fn a_box_meets_a_ball_with_its_face_its_edge_or_its_corner() {
     let body = ball(&mut simulator, 15.0, [0.0, 85.0, 0.0]);
     simulator.update(0.0);
     let geom = ContactTarget::Geom(geom_of(&simulator, body));
-    // So far beside it that the corner of the box is 5, 9 or 0 px from the ball's middle along Y and Z.
+    // Offsets at which the corner of the box is 5, 9 or 0 px from the ball's middle along Y and Z.
     for (aside, from) in [([0.0, 0.0], [0.0, 0.0]), ([9.0, 0.0], [5.0, 0.0]), ([9.0, 11.0], [5.0, 9.0])] {
         let start = Vector3::new(-100.0, 100.0 + aside[0], aside[1]);
         let hit = sweep(&simulator, start, [6.0, 4.0, 2.0], Vector3::new(200.0, 0.0, 0.0)).unwrap();
@@ -99,7 +99,7 @@ fn a_box_that_falls_on_a_slope_meets_it_with_its_lower_corner() {
     assert_near3(hit.normal, beneath.normal.into(), ROUNDING);
 }
 
-/// Of every shape that a geom can have, about X 0, Y 100 and Z 0.
+/// Geoms of every shape, about X 0, Y 100 and Z 0.
 fn shapes() -> Vec<(TwoHalfPhysicsSimulator, GeomId)> {
     let middle = |height: f32| [0.0, 100.0 - 0.5 * height, 0.0];
     let wedge = Footprint::new(&[[-20.0, -10.0], [20.0, -10.0], [0.0, 20.0]].map(Vector2::from)).unwrap();
@@ -138,7 +138,7 @@ fn angle(simulator: &mut TwoHalfPhysicsSimulator, body: BodyId) -> GeomId {
     geom
 }
 
-/// From afar towards somewhere near the shapes, and a bit farther.
+/// A random sweep from afar to a point near the shapes, and slightly farther.
 fn random_course(random: &mut Random) -> (Vector3, [f32; 3], Vector3) {
     let mut vector = |range: f32| Vector3::from([0; 3].map(|_| random.between(-range, range)));
     let (direction, aim, half) = (vector(1.0), vector(30.0), vector(12.0).abs());
@@ -205,7 +205,7 @@ fn a_swept_box_overlaps_its_hit_after_the_time_of_impact_and_not_before() {
     });
 }
 
-/// Part of a way on which a point enters a box about a place.
+/// Fraction of a displacement at which a point enters a box about a position.
 fn entry_of_point(from: Vector3, way: Vector3, middle: Vector3, half: [f32; 3]) -> Option<f32> {
     let (mut entered, mut left) = (f32::NEG_INFINITY, f32::INFINITY);
     for axis in 0..3 {
@@ -216,8 +216,8 @@ fn entry_of_point(from: Vector3, way: Vector3, middle: Vector3, half: [f32; 3]) 
     (entered <= left && (0.0..=1.0).contains(&entered)).then_some(entered)
 }
 
-/// The first part of the way at which a point of the edges of a box enters a platform, or a corner of the platform the box: of
-/// points that are close together, so that it is a little late where two edges meet.
+/// The first fraction of the displacement at which a point of the edges of a box enters a platform, or a corner of the platform
+/// the box. The points are a dense sample, so that it is slightly late where two edges meet.
 fn first_point(
     simulator: &TwoHalfPhysicsSimulator,
     id: twohalf::PlatformId,
@@ -248,7 +248,7 @@ fn first_point(
 }
 
 #[test]
-fn a_box_meets_platforms_that_are_tilted_lean_climb_or_are_turned_where_their_corners_and_edges_do() {
+fn a_swept_box_meets_rotated_and_sheared_platforms_at_their_first_corner_or_edge() {
     precise(|| {
         let mut random = Random::new(11);
         let mut met = 0;
@@ -276,7 +276,7 @@ fn a_box_meets_platforms_that_are_tilted_lean_climb_or_are_turned_where_their_co
                 (Some(hit), Some(expected)) => {
                     met += 1;
                     // Edges up to 25 px long: points are 0.125 apart, and one is half of that from where edges meet, or a few
-                    // times that late where these are nearly along the way.
+                    // times that late where these are nearly along the displacement.
                     let late = (expected - hit.fraction) * 240.0;
                     assert!((-0.01..0.3).contains(&late), "{number}: {late} {hit:?}");
                 }
@@ -314,7 +314,7 @@ fn initial_overlaps_and_surfaces_slid_along_do_not_stop_a_swept_box() {
     let mut simulator = weightless();
     platform(&mut simulator, [400.0, 20.0, 100.0], [0.0, 0.0, 0.0]);
     let wall = platform(&mut simulator, [20.0, 60.0, 100.0], [190.0, 20.0, 0.0]);
-    // Just on the floor, and sunk in as what rests on it.
+    // Just on the floor, and as deep as a resting body.
     for bottom in [20.0, 19.95] {
         let (low, high) = (Vector3::new(-10.0, bottom, -10.0), Vector3::new(10.0, bottom + 40.0, 10.0));
         let hit = simulator.sweep_box(low, high, Vector3::new(300.0, 0.0, 0.0), |_| true).unwrap();
@@ -372,14 +372,14 @@ fn a_box_flies_as_far_as_it_was_swept_before() {
             run(&mut simulator, 1);
             steps += 1;
         }
-        // Of the step in which they touch nobody knows more than that.
+        // The time of the touch is known up to a step.
         let gone = (simulator.body(body).unwrap().position3d() - from).norm();
         assert_near(gone, hit.fraction * way.norm(), 2.0 * way.norm() * 0.01);
     });
 }
 
 #[test]
-fn an_empty_motionless_or_non_finite_box_hits_nothing() {
+fn an_empty_motionless_or_non_finite_swept_box_has_no_hit() {
     let mut simulator = weightless();
     platform(&mut simulator, [40.0, 20.0, 30.0], [0.0, 0.0, 0.0]);
     let (low, high) = (Vector3::new(-5.0, 95.0, -5.0), Vector3::new(5.0, 105.0, 5.0));

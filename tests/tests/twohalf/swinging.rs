@@ -1,4 +1,4 @@
-//! Platforms that swing about an upright hinge, and doors that are pushed.
+//! Platforms that swing about an upright hinge, and doors that bodies push.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -19,7 +19,7 @@ const HINGE: [f32; 2] = [100.0, 100.0];
 const WIDTH: f32 = 60.0;
 const DEPTH: f32 = 6.0;
 
-/// What a slab of mass 3 has about the end of its width.
+/// Moment of inertia of a slab of mass 3 about the end of its width, in mass units * px².
 const INERTIA: f32 = 3.0 * (WIDTH * WIDTH / 3.0 + DEPTH * DEPTH / 12.0);
 
 /// On a hinge without spring and damper, with stops at half a turn.
@@ -33,7 +33,7 @@ const LOOSE: Swing = Swing {
     greatest_angle: PI,
 };
 
-/// One that comes back: there and back in so many seconds.
+/// A hinge with a spring: there and back in a number of seconds.
 fn sprung(period: f32, damping: f32) -> Swing {
     let frequency = 2.0 * PI / period;
     let stiffness = INERTIA * frequency * frequency;
@@ -130,15 +130,15 @@ fn angular_momentum_about_the_hinge_is_kept_while_balls_fly_about_it() {
         for rate in [60.0, 100.0, 240.0, 960.0] {
             let (lost, fastest) = lost_in_flight(rate);
             assert!(fastest > 1.0);
-            // A contact pushes along the normal that it has when a step begins, and the door turns in it: the error follows the
-            // length of the step. Measured, 0.37 to 0.72 of it.
+            // The impulse of a contact is along the normal at the beginning of the step, and the door turns in it: the error is
+            // proportional to the length of the step. Measured, 0.37 to 0.72 of it.
             assert!(lost < 0.8 / rate, "{lost} at {rate}");
         }
     });
 }
 
 #[test]
-fn left_alone_it_swings_as_the_law_says_at_every_length_of_step() {
+fn a_free_door_swings_by_its_law_at_every_length_of_step() {
     precise(|| {
         for rate in [30.0, 60.0, 240.0] {
             for damping in [0.0, 0.2] {
@@ -191,7 +191,7 @@ fn it_passes_no_stop_under_any_load() {
             assert!((-0.3..=0.5).contains(&yaw(&simulator, door)));
         }
         assert_near(yaw(&simulator, door), 0.5, 1e-3);
-        // Its front face is at 0.5 rad: what presses it goes no farther, but slides along it.
+        // Its front face is at 0.5 rad: a body that presses against it goes no farther, but slides along it.
         let at = place(&simulator, body);
         let (sine, cosine) = 0.5f32.sin_cos();
         let corner = Vector2::new(at.x - HINGE[0] - 8.0, at.z - HINGE[1] + 8.0);
@@ -218,7 +218,7 @@ fn pressed_against_a_stop_it_acts_as_a_static_wall() {
     });
 }
 
-/// Who walks through.
+/// Bodies that walk through.
 fn guests() -> [Thing; 4] {
     [
         Figure::new([20.0, 60.0, 16.0]).mass(70.0),
@@ -243,7 +243,7 @@ fn figures_walk_through_it_at_every_length_of_step_and_it_closes_behind_them() {
                 let open = FRAC_PI_2 - yaw(&simulator, door);
                 widest = widest.max(open);
                 let at = actor.place(&simulator);
-                // Nobody is thrown up, or aside far.
+                // No body is thrown up, or far aside.
                 assert!(at.y < 0.1 && (at.z - 55.0).abs() < 0.5, "{at:?}");
             }
             let at = actor.place(&simulator);
@@ -275,7 +275,7 @@ fn a_figure_in_it_is_pushed_and_not_crushed_when_it_swings_back() {
                 }
             }
             if has_wall {
-                // Nothing rubs: it slides out, as from between the blades of scissors.
+                // Without friction it slides out, as from between the blades of scissors.
                 assert!(place(&simulator, body).x > HINGE[0] + WIDTH);
             } else {
                 assert!(place(&simulator, body).z < 100.0);
@@ -296,7 +296,7 @@ fn at_rest_it_sleeps_and_a_touch_a_kick_and_an_edit_wake_it() {
         assert_near(yaw(&simulator, door), 0.0, 2e-3);
         let still = yaw(&simulator, door);
         assert!(simulator.is_asleep(body));
-        // It is no body, and nothing is awake.
+        // It is no body, and all bodies sleep.
         let asleep = |simulator: &TwoHalfPhysicsSimulator| simulator.core().counters().bodies_asleep;
         assert_eq!(asleep(&simulator), 1);
         run(&mut simulator, 10);
@@ -330,7 +330,7 @@ fn jammed() -> (TwoHalfPhysicsSimulator, PlatformId, BodyId) {
 }
 
 #[test]
-fn a_body_that_keeps_it_open_sleeps_with_it_and_it_closes_without_that_body() {
+fn a_body_that_blocks_it_sleeps_with_it_and_it_closes_without_that_body() {
     precise(|| {
         let (mut simulator, door, body) = jammed();
         assert!(simulator.is_asleep(body), "{:?}", simulator.why_awake(body));
@@ -363,7 +363,7 @@ fn a_hit_wakes_bodies_asleep_on_its_other_side() {
             has_woken |= !simulator.is_asleep(body);
         }
         assert!(has_woken);
-        // And all of it comes to rest again.
+        // All of it comes to rest again.
         throw(&mut simulator, thrown, [0.0; 3]);
         run(&mut simulator, 1500);
         assert!(simulator.is_asleep(body), "{:?}", simulator.why_awake(body));
@@ -398,7 +398,7 @@ fn saved_in_its_swing_it_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn a_clone_and_one_that_lists_all_anew_go_on_with_the_same_bits() {
+fn a_clone_and_a_rebuilt_simulator_go_on_with_the_same_bits() {
     precise(|| {
         let mut simulator = simulator();
         let door = hang(&mut simulator, sprung(0.9, 0.1));
@@ -422,7 +422,7 @@ fn a_clone_and_one_that_lists_all_anew_go_on_with_the_same_bits() {
 }
 
 #[test]
-fn invalid_hinges_are_refused_and_change_nothing() {
+fn invalid_hinges_are_refused_without_effect() {
     precise(|| {
         let mut simulator = simulator();
         let door = hang(&mut simulator, sprung(1.0, 0.2));
@@ -478,7 +478,7 @@ fn invalid_hinges_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn taken_off_its_hinge_it_stands_still_and_set_elsewhere_its_hinge_goes_along() {
+fn without_a_hinge_it_is_static_and_a_teleport_moves_its_hinge() {
     precise(|| {
         let mut simulator = weightless();
         let door = hang(&mut simulator, LOOSE);

@@ -1,7 +1,7 @@
-//! The thesis' own scheme (thesis 3.5): what it does, and what it gets wrong beside contacts in three axes.
+//! The thesis' own scheme (thesis 3.5): its behaviour, and its errors beside contacts in three axes.
 //!
-//! Objects whose depths differ by less than half the smaller depth meet in X and Y, as outlines. All others meet along Z
-//! only, when their footprints and their height intervals overlap, without friction.
+//! Objects whose depths differ by less than half the smaller depth meet in X and Y, as outlines. All others meet along Z only,
+//! when their footprints and their height intervals overlap, without friction.
 
 use conformance::fixtures::depth::{
     DT, GRAVITY, SLOP, assert_near, assert_near3, ball, collisions_of, fix, geom_of, place, platform, run,
@@ -71,7 +71,7 @@ fn objects_farther_apart_in_depth_meet_along_z_even_where_they_come_from_the_sid
     assert_eq!((thesis_axis, thesis_speed), (Axis::Depth, 80.0));
     assert!(thesis_z > 29.0);
     assert_eq!((axis, z), (Axis::Plane, 15.0));
-    // Two points in the plane: five passes leave less than 1e-4 of the speed.
+    // Two points in the plane: five iterations leave less than 1e-4 of the speed.
     assert_near(speed, 0.0, 80.0 * 1e-4);
 }
 
@@ -91,7 +91,7 @@ fn a_body_that_comes_from_the_front_collides_along_z_with_both() {
 }
 
 #[test]
-fn it_lets_outlines_collide_along_z_if_only_their_boxes_overlap() {
+fn outlines_collide_along_z_if_only_their_boxes_overlap() {
     let speeds = BOTH.map(|scheme| {
         let mut simulator = with(scheme, 0.0);
         let bars = [0.0, 40.0].map(|x| solid(&mut simulator, [100.0, 10.0, 10.0], [x, 500.0, -2.0 * x]));
@@ -209,7 +209,7 @@ fn ground_and_platforms_are_the_same_with_both() {
 
 #[test]
 fn a_wide_profile_makes_the_plane_the_axis_again() {
-    // Half the smaller depth is what counts: two deep objects meet in the plane farther apart.
+    // Half the smaller depth counts: two deep objects meet in the plane farther apart.
     let mut simulator = with(DepthScheme::Thesis, 0.0);
     let wall = post(&mut simulator);
     let body = solid(&mut simulator, [20.0, 20.0, 20.0], [-100.0, 510.0, 15.0]);

@@ -1,4 +1,4 @@
-//! Bodies whose time passes more slowly than that of the others, or not at all.
+//! Bodies with a time scale below that of the others, or of 0.
 
 use conformance::fixtures::depth::{
     DT, assert_goes_on_after_loading, assert_near, assert_near3, ball, momentum, place, platform, run,
@@ -126,7 +126,7 @@ fn a_collision_with_a_slowed_body_keeps_momentum() {
             let before = momentum(&simulator, &[slow, other]);
             run(&mut simulator, 60);
             assert_near3(momentum(&simulator, &[slow, other]), before.into(), 0.05);
-            // They go on together, as is seen.
+            // Their velocities on the screen are equal.
             assert_near(velocity(&simulator, slow).x * scale, velocity(&simulator, other).x, 0.5);
         }
     });
@@ -241,7 +241,7 @@ fn a_slow_figure_is_carried_as_fast_as_others() {
         }
         let lift = simulator.platform(lift).unwrap().position3d();
         assert_near(place(&simulator, figure).y, lift.y + 20.0, 0.1);
-        // It takes up the speed in its own time: 40 / 0.25 px/s at 1500 px/s², during which 1 / 0.25 as much time passes.
+        // It reaches the speed in its own time: 40 / 0.25 px/s at 1500 px/s², during which 1 / 0.25 as much time passes.
         let lag = 0.5 * 40.0 * (160.0 / 1500.0 / 0.25);
         assert_near(place(&simulator, figure).x, lift.x - lag, 1.0);
     });

@@ -1,9 +1,10 @@
-//! Towers of light crates under somebody heavy who jumps and walks on them. Gravity 900 px/s², crates of 40 px, a figure of mass 70.
+//! Towers of light crates under a heavy figure that jumps and walks on them. Gravity 900 px/s², crates of 40 px, a figure of
+//! mass 70.
 
 use std::f32::consts::TAU;
 
 use conformance::fixtures::depth::assert_near;
-use twohalf::farseer_core::{IslandMethod, WhyMethod};
+use twohalf::farseer_core::{IslandSolver, SolverReason};
 use twohalf::{MoveInput, TwoHalfPhysicsSimulator, Vector2, Vector3};
 use twohalf_factories::{Actor, Figure, Prism, Spawned, spawn};
 
@@ -21,7 +22,7 @@ struct Stage {
 }
 
 impl Stage {
-    /// Crates with their middles at these places, and a figure that stands at another one.
+    /// Crates with their middles at these positions, and a figure that stands at another one.
     fn new(rate: f32, mass: f32, places: &[[f32; 3]], figure: [f32; 3]) -> Self {
         let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap();
         let add = |&place| spawn(&mut simulator, Prism::new([40.0; 3]).mass(mass).at(place)).unwrap();
@@ -36,7 +37,7 @@ impl Stage {
         Stage::new(rate, mass, &places, [beside, 160.0, 50.0])
     }
 
-    /// So many seconds, with a jump in each.
+    /// Runs a number of seconds, with a jump in each.
     fn play(&mut self, seconds: f32, wish: impl Fn(f32) -> MoveInput) {
         for _ in 0..(seconds * self.rate).round() as usize {
             let time = self.step as f32 / self.rate;
@@ -131,8 +132,8 @@ fn only_islands_with_a_heavy_load_use_the_direct_solver_and_report_it() {
         let islands = stage.simulator.core().islands();
         islands.iter().map(|island| (island.method, island.why)).collect::<Vec<_>>()
     };
-    assert_eq!(told(6.0), [(IslandMethod::Whole, WhyMethod::Pays)]);
-    assert_eq!(told(70.0), [(IslandMethod::Passes, WhyMethod::HasDepth)]);
+    assert_eq!(told(6.0), [(IslandSolver::Direct, SolverReason::Pays)]);
+    assert_eq!(told(70.0), [(IslandSolver::Iterative, SolverReason::HasDepth)]);
 }
 
 #[test]
@@ -147,8 +148,8 @@ fn a_figure_that_lands_on_a_crate_at_full_speed_does_not_throw_it_away() {
 }
 
 #[test]
-fn a_heavy_box_and_the_light_one_below_it_slide_as_far_as_friction_lets_them_in_any_direction() {
-    // Both together with mu = 0.4: v² / (2 mu g) = 200² / 720 = 55.6 px, along their way.
+fn a_heavy_box_and_the_light_one_below_it_slide_the_distance_of_friction_in_any_direction() {
+    // Both together with mu = 0.4: v² / (2 mu g) = 200² / 720 = 55.6 px, along their path.
     let mut simulator = TwoHalfPhysicsSimulator::with_gravity(480, Vector2::new(0.0, 900.0)).unwrap();
     let mut add = |mass: f32, height: f32, y: f32| {
         let made = spawn(&mut simulator, Prism::new([80.0, height, 80.0]).mass(mass).at([0.0, y, 0.0]));

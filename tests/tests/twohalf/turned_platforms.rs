@@ -46,7 +46,7 @@ fn wedge() -> Footprint {
     Footprint::new(&[[-20.0, -10.0], [20.0, -10.0], [0.0, 20.0]].map(Vector2::from)).unwrap()
 }
 
-/// What slides, in four shapes.
+/// The sliding bodies, in four shapes.
 fn sliders() -> [Thing; 4] {
     [
         Cylinder::new(10.0, 40.0),
@@ -57,7 +57,7 @@ fn sliders() -> [Thing; 4] {
 }
 
 #[test]
-fn bodies_slide_down_a_slope_along_z_as_friction_lets_them() {
+fn bodies_slide_down_a_slope_along_z_by_the_law_of_friction() {
     precise(|| {
         for thing in sliders() {
             for friction in [0.0, 0.2] {
@@ -109,7 +109,7 @@ fn a_ball_rolls_down_a_slope_along_z_like_down_one_along_x() {
         run(&mut simulator, 100);
         let before = velocity(&simulator, ball).norm();
         run(&mut simulator, 100);
-        // Of a solid ball 5/7 of it.
+        // A solid ball has 5/7 of it.
         assert_near(velocity(&simulator, ball).norm() - before, GRAVITY * sin * 5.0 / 7.0, 0.3);
     });
 }
@@ -127,7 +127,7 @@ fn a_slope_that_leads_aslant_is_slid_down_along_its_steepest_line() {
             let body = put(&mut simulator, thing.friction(0.0), [0.0, top.height + 12.0, 500.0]);
             run(&mut simulator, 200);
             let v = velocity(&simulator, body);
-            // The steepest line is the way of gravity along the surface.
+            // The steepest line is the direction of gravity along the surface.
             let down = Vector3::new(0.0, -1.0, 0.0);
             let steepest = (down - top.normal * top.normal.dot(&down)).normalize();
             assert!(v.norm() > 30.0);
@@ -145,7 +145,7 @@ fn a_cylinder_half_over_the_side_of_a_slope_stands_on_it_and_past_the_side_does_
         let on = put(&mut simulator, Cylinder::new(10.0, 40.0).friction(1.0), [58.0, 75.0, 200.0]);
         let off = put(&mut simulator, Cylinder::new(10.0, 40.0).friction(1.0), [-60.5, 75.0, 200.0]);
         run(&mut simulator, 300);
-        // The highest place beneath it is where its rim crosses the side, 6 behind its middle.
+        // The highest point beneath it is where its rim crosses the side, 6 behind its middle.
         assert_near(place(&simulator, on).y, 70.0 + 6.0 * 0.3f32.tan(), 0.05);
         assert_near(place(&simulator, off).y, 0.0, 0.05);
     });
@@ -161,7 +161,7 @@ fn the_side_of_a_turned_platform_deflects_a_body_that_slides_along_it() {
             let body = put(&mut simulator, thing.friction(0.0), [0.0, 30.0, 20.0]);
             throw(&mut simulator, body, [0.0, 0.0, 100.0]);
             run(&mut simulator, 90);
-            // What it has along the side stays, what it has against it is lost.
+            // The velocity component along the side remains, the component against it is lost.
             let (sin, cos) = 0.6f32.sin_cos();
             let v = velocity(&simulator, body);
             assert_near(v.x, 100.0 * sin * cos, 0.5);
@@ -228,7 +228,7 @@ fn a_rotating_platform_sweeps_bodies_in_its_path() {
                 fastest = fastest.max(velocity(&simulator, body).z);
                 assert!(!is_inside(&simulator, id, place(&simulator, body) + Vector3::new(0.0, 10.0, 0.0)));
             }
-            // As fast as the side from where it is hit, 50 out, to where it slides off its end.
+            // Between the speeds of the side at the point of the hit, 50 out, and at its end, where it slides off.
             assert!((45.0..115.0).contains(&fastest), "{thing:?}: {fastest}");
         }
     });

@@ -14,7 +14,7 @@ fn precise(test: impl FnOnce()) {
     with_scheme(DepthScheme::Precise, test);
 }
 
-/// A thing without drag.
+/// An upright body without drag.
 fn put(simulator: &mut TwoHalfPhysicsSimulator, thing: Thing, at: [f32; 3]) -> BodyId {
     let body = spawn(simulator, thing.at(at)).unwrap().body;
     let mut view = simulator.body_mut(body).unwrap();
@@ -27,7 +27,7 @@ fn velocity(simulator: &TwoHalfPhysicsSimulator, body: BodyId) -> Vector3 {
     simulator.body(body).unwrap().velocity3d()
 }
 
-/// Things are in the lists, and nothing has moved.
+/// Adds the objects to the lists without any motion.
 fn let_enter(simulator: &mut TwoHalfPhysicsSimulator) {
     simulator.set_enabled(false);
     simulator.update(DT);
@@ -42,7 +42,7 @@ fn assert_near(found: f32, wanted: f32, tolerance: f32) {
     assert!((found - wanted).abs() <= tolerance, "{found}, not {wanted}");
 }
 
-/// Of everything upright.
+/// All kinds of upright bodies.
 fn things() -> [Thing; 3] {
     [Cylinder::new(10.0, 40.0), Capsule::new(10.0, 40.0), Prism::footprint(wedge(), 40.0)]
 }
@@ -93,7 +93,7 @@ fn two_cylinders_that_come_at_each_other_nineteen_twentieths_aside_slide_past() 
         throw(&mut simulator, one, [100.0, 0.0, 0.0]);
         throw(&mut simulator, other, [-100.0, 0.0, 0.0]);
         run(&mut simulator, 200);
-        // Where they touch the normal has sine 19/20: what they have along it is lost, the rest stays.
+        // At the contact the normal has sine 19/20: the velocity component along it is lost, the rest remains.
         let (cosine, sine) = ((1.0f32 - 0.95 * 0.95).sqrt(), 0.95);
         let [v, w] = [one, other].map(|body| velocity(&simulator, body));
         assert_near(v.x, 100.0 * sine * sine, 0.5);
@@ -118,7 +118,7 @@ fn cylinders_that_pass_a_tenth_of_a_pixel_apart_do_not_touch() {
 }
 
 #[test]
-fn a_cylinder_slides_down_a_slope_as_friction_lets_it() {
+fn a_cylinder_slides_down_a_slope_by_the_law_of_friction() {
     precise(|| {
         for thing in things() {
             for friction in [0.0, 0.2] {
@@ -287,7 +287,7 @@ fn a_wedge_deflects_a_body_that_slides_along_its_side() {
         let body = put(&mut simulator, Cylinder::new(5.0, 20.0).friction(0.0), [-60.0, 10.0, 105.0]);
         throw(&mut simulator, body, [100.0, 0.0, 0.0]);
         run(&mut simulator, 80);
-        // Its left side goes 20 to the right and 30 to the back: what is along it is kept.
+        // Its left side goes 20 to the right and 30 to the back: the velocity component along it remains.
         let along = Vector3::new(20.0, 0.0, 30.0).normalize();
         let kept = along * 100.0 * along.x;
         assert_near((velocity(&simulator, body) - kept).norm(), 0.0, 1.0);

@@ -46,8 +46,8 @@ fn conversions_and_velocities_have_the_recorded_bits() {
     });
 }
 
-/// The original takes infinities and NaN and goes on with them; here they are refused and change nothing. A
-/// recorded sequence is followed up to the first of them.
+/// The original accepts infinities and NaN and goes on with them; here they are refused without an effect. A recorded sequence
+/// is compared up to the first of them.
 #[test]
 fn rotations_set_one_after_the_other_have_the_recorded_bits() {
     let refusals = std::cell::Cell::new(0);

@@ -12,7 +12,7 @@ fn text<'a>(record: &'a Value, key: &str) -> &'a str {
     record[key].as_str().unwrap_or_else(|| panic!("no {key} in {record}"))
 }
 
-/// With brute force its answer replaces the test of the boxes, so that every pair reaches the narrow phase.
+/// With brute force its answer replaces the test of the AABBs, so that every pair reaches the narrow phase.
 struct TakesEveryPair;
 
 impl EventHandler for TakesEveryPair {
@@ -38,7 +38,7 @@ fn add_geom(simulator: &mut PhysicsSimulator, record: &Value, grid_size: f32) ->
     geom
 }
 
-/// What the narrow phase finds between two recorded geoms, the first being made first.
+/// Contacts of the narrow phase between two recorded geoms, the first being made first.
 struct Pair {
     simulator: PhysicsSimulator,
     geoms: [GeomId; 2],
@@ -88,7 +88,7 @@ fn recorded_id(record: &Value) -> Vec<i64> {
     record["id"].as_array().unwrap().iter().map(|n| n.as_i64().unwrap()).collect()
 }
 
-/// The simulator sorts what the narrow phase finds; the record does not.
+/// The simulator sorts the contacts of the narrow phase; the record does not.
 fn deepest_first(records: &[Value]) -> Vec<&Value> {
     let mut sorted: Vec<&Value> = records.iter().collect();
     let separation = |record: &&Value| floats(text(record, "separation"))[0];
@@ -133,7 +133,7 @@ fn sat_contacts_are_as_recorded() {
     contacts_are_as_recorded("contacts_sat", NarrowPhaseCollider::Sat);
 }
 
-/// The limit stops the search, so the contact that a limit of k + 1 adds is the one found at place k.
+/// The limit stops the search, so the contact that a limit of k + 1 adds is the k-th one.
 #[test]
 fn grid_contacts_are_found_in_the_recorded_order() {
     check("contacts_distance_grid", "Collide", |case| {

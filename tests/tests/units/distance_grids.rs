@@ -44,7 +44,7 @@ fn expect_grid(case: &Case, grid: &DistanceGrid) {
 }
 
 #[test]
-fn grids_answer_as_recorded() {
+fn grids_return_the_recorded_values() {
     check("distance_grid", "DistanceGrid", |case| {
         let (simulator, _, id) = recorded_geom(case);
         let geom = simulator.geom(id).unwrap();

@@ -1,4 +1,4 @@
-//! What the original throws on, against the record: here an error that names the argument.
+//! Exceptions of the original, against the record: here an error that names the argument.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -28,7 +28,7 @@ const NULL_REFERENCES: [&str; 14] = [
     "CurveKeyCollection.Add(null)",
 ];
 
-/// Cases of parts that have tests of their own, or that the port has no counterpart for.
+/// Cases of parts that have tests of their own, or no counterpart in the port.
 const ELSEWHERE: [(&str, &str); 12] = [
     ("FixedRevoluteJoint.Anchor without body", "joints without bodies"),
     ("RevoluteJoint.SetInitialAnchor without body", "joints without bodies"),
@@ -141,7 +141,7 @@ fn clone_of_disposed_geom() -> Option<&'static str> {
     refused(simulator.clone_geom(body, geom))
 }
 
-/// What the port refuses in each case, or `None` if it goes on.
+/// Names of the arguments that the port refuses in each case, or `None` if it goes on.
 fn port() -> Vec<(&'static str, Option<&'static str>)> {
     use BodyFactory as B;
     vec![
@@ -196,7 +196,7 @@ const BELOW: [&str; 6] = [
     "Simulator.Update with negative dt",
 ];
 
-/// The port's name of what the original's exception names.
+/// The port's name of the parameter of the original's exception.
 fn argument_name(case: &str, parameter: Option<&str>) -> &'static str {
     match (case, parameter) {
         ("BroadPhaseCollider set with geoms present", _) => "the geom list",
@@ -219,12 +219,12 @@ fn argument_name(case: &str, parameter: Option<&str>) -> &'static str {
     }
 }
 
-/// What the original lets through to become NaN is refused here.
+/// Values that become NaN in the original are refused here.
 const REFUSED_HERE_ONLY: [(&str, &str); 2] =
     [("Body.MomentOfInertia=NaN", "moment_of_inertia"), ("CreatePolygonBody collinear", "vertices")];
 
 #[test]
-fn what_the_original_throws_on_is_refused_naming_the_argument() {
+fn exceptions_of_the_original_are_refusals_that_name_the_argument() {
     let recorded = recorded();
     let mut wrong = Vec::new();
     for (case, refused) in port() {
@@ -258,7 +258,7 @@ fn geoms_are_disposed_twice_without_error() {
     assert_eq!([simulator.dispose(geom), simulator.dispose(geom)], [Ok(()), Ok(())]);
 }
 
-/// Disposes the second geom when the first pair is told.
+/// Disposes the second geom in the callback of the first pair.
 struct DisposesOnce(Option<GeomId>);
 
 impl EventHandler for DisposesOnce {
@@ -276,7 +276,7 @@ impl EventHandler for DisposesOnce {
     }
 }
 
-/// The narrow phase meets a geom whose grid is gone, in the same update; the original throws there.
+/// The narrow phase meets a geom whose grid was removed in the same update; the original throws there.
 #[test]
 fn a_disposed_geom_has_no_contacts() {
     let (mut simulator, first) = with_box(false);
@@ -292,7 +292,7 @@ fn a_disposed_geom_has_no_contacts() {
     assert_eq!(touching, [(first, middle)]);
 }
 
-/// The original throws in the next update, or goes on with NaN. Here the setter takes no NaN.
+/// The original throws in the next update, or goes on with NaN. Here the setter refuses NaN.
 #[test]
 fn velocities_of_nan_are_refused_and_the_body_goes_on() {
     for is_quadratic_drag_enabled in [false, true] {

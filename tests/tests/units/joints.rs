@@ -1,4 +1,4 @@
-//! Joints and springs between two bodies against what the original read out step by step (behaviour chapters 10, 11).
+//! Joints and springs between two bodies against the recordings of the original step by step (behaviour chapters 10, 11).
 
 use conformance::units::{Case, Words, assert_bits, assert_words, cases, floats};
 use farseer_core::math::Vector2;
@@ -14,7 +14,7 @@ enum Link {
     Spring(SpringId),
 }
 
-/// What `updated_events` counts; the original's recorder listened to these kinds only.
+/// Counter of `updated_events`; the original's recorder listened to these kinds only.
 struct UpdateCounter {
     listens: bool,
     count: i64,
@@ -42,7 +42,7 @@ fn words(record: &Value, key: &str) -> Vec<f32> {
     floats(record[key].as_str().unwrap_or_else(|| panic!("{key} in {record}")))
 }
 
-/// The recorder gave the body an angle below 0, which the body takes as a turn.
+/// The recorder gave the body an angle below 0, which counts as a turn.
 fn create_body(simulator: &mut PhysicsSimulator, record: &Value, total_rotation: f32) -> BodyId {
     let number = |key| words(record, key)[0];
     let (width, height, mass) = (number("width"), number("height"), number("mass"));

@@ -1,4 +1,4 @@
-//! Single functions of the 2D engine against what the original gave (`golden/units`).
+//! Single functions of the 2D engine against the recordings of the original (`golden/units`).
 
 mod bodies;
 mod contacts;

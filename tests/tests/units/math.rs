@@ -8,8 +8,8 @@ use farseer_core::math::{
 };
 use farseer_core::shape::Aabb;
 
-/// The values both interpolators were recorded with. Like all constants in this file they are not in the
-/// record but follow from its results, here from those at corners and on axes.
+/// Numbers at the nodes of both interpolators in the record. Like all constants in this file they are not in the record but
+/// follow from its results, here from those at corners and on axes.
 const VALUES: [f32; 4] = [1.0, -2.0, 3.5, 7.0];
 
 fn scalars(case: &Case) -> [f32; 5] {
@@ -204,7 +204,7 @@ fn vectors_too_short_or_too_long_to_square_do_not_normalize() {
 }
 
 #[test]
-fn a_vector_is_divided_by_way_of_the_reciprocal() {
+fn a_vector_is_divided_by_multiplication_with_the_reciprocal() {
     assert_words(&vector2::divide_by(Vector2::new(5.0, 7.0), 3.0), "3fd55556 40155556");
     assert_words(&vector2::divide_by(Vector2::new(9.0, 10.0), 10.0), "3f666667 3f800000");
 }
@@ -370,7 +370,7 @@ fn circular_interpolation_stays_in_its_limits() {
 }
 
 #[test]
-fn simulation_units_are_found_by_way_of_the_reciprocal() {
+fn simulation_units_are_converted_by_the_reciprocal() {
     let mut units = ConvertUnits::default();
     assert_words(&units.to_sim_units(7), "3e0f5c29");
     units.set_display_unit_to_sim_unit_ratio(30.0).unwrap();
@@ -385,7 +385,7 @@ fn vectors_and_pairs_convert_by_component() {
     assert_eq!(units.to_sim_units((100.0_f64, 50.0)), units.to_sim_units((100.0_f32, 50.0)));
 }
 
-/// The original takes every ratio.
+/// The original accepts every ratio.
 #[test]
 fn a_ratio_that_is_not_finite_is_refused() {
     for ratio in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {

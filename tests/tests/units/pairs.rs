@@ -7,8 +7,8 @@ fn whole_numbers(value: &serde_json::Value) -> Vec<i64> {
     value.as_array().unwrap().iter().map(|n| n.as_i64().unwrap()).collect()
 }
 
-/// The record counts the bits of the original's table, and asks for the pair of the first
-/// and the last geom twice in both orders.
+/// The record counts the bits of the original's table, and queries the pair of the first and the last geom twice in both
+/// orders.
 #[test]
 fn pairs_have_the_recorded_indices() {
     check("pair_bitmap", "GeomPairBitmap", |case| {
@@ -42,7 +42,7 @@ fn words(order: &SelectiveSweepOrder) -> String {
     order.ends().map(word).collect::<Vec<_>>().join(" ")
 }
 
-/// The order by value, then begins before ends, then creation: what the port does where the original throws.
+/// The order by value, then begins before ends, then creation: that of the port where the original throws.
 fn plain_order(intervals: &[(f32, f32)]) -> String {
     let mut ends: Vec<(f32, bool, usize)> = Vec::new();
     for (index, &(begin, end)) in intervals.iter().enumerate() {

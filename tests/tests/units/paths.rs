@@ -15,7 +15,7 @@ fn link_type(name: &str) -> LinkType {
     }
 }
 
-/// What the case asks for.
+/// Makes the path of a case.
 fn make(case: &Case, simulator: &mut PhysicsSimulator) -> Path {
     let input = &case.input;
     let factory = ComplexFactory {
@@ -66,7 +66,7 @@ fn make(case: &Case, simulator: &mut PhysicsSimulator) -> Path {
     .unwrap()
 }
 
-/// A record of an object, with a note of what was looked at.
+/// A record of an object, with a count of the values that were read.
 struct Record<'a>(&'a Value, std::cell::Cell<usize>);
 
 impl<'a> Record<'a> {

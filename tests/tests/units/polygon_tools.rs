@@ -137,7 +137,7 @@ fn size(input: &Fields) -> (u32, u32) {
     (side("width"), side("height"))
 }
 
-/// Whether the call failed as the record says.
+/// Whether the call failed as recorded.
 fn failed_as_recorded<T: std::fmt::Debug>(case: &Case, result: &Result<T, Error>, exception: &str) -> bool {
     let Some(thrown) = case.throws() else {
         return false;

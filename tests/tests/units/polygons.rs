@@ -227,7 +227,7 @@ fn wide_l_shape() -> Vertices {
 }
 
 #[test]
-fn decomposition_stops_at_the_number_asked_for() {
+fn decomposition_stops_at_the_requested_number() {
     let pieces = [-1, 0, 1, 2].map(|max| wide_l_shape().decompose(max).unwrap().len());
     assert_eq!(pieces, [0, 0, 1, 2]);
 }
@@ -250,7 +250,7 @@ fn comb(teeth: u16) -> Vertices {
 }
 
 #[test]
-fn more_than_fifty_pieces_are_an_error_only_if_asked_for() {
+fn more_than_fifty_pieces_are_an_error_only_on_request() {
     let comb = comb(55);
     assert_eq!(comb.decompose(50).unwrap().len(), 50);
     let error = comb.decompose(51).unwrap_err();

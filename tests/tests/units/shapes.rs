@@ -6,7 +6,7 @@ use farseer_core::shape::vertices::MAX_VERTICES;
 use farseer_core::shape::{Aabb, Vertices};
 use farseer_core::{Error, Result};
 
-/// What the original made is made here to the bit; what it threw on is refused here.
+/// Outlines of the original are reproduced to the bit; its exceptions are errors here.
 fn expect_outline(case: &Case, outline: Result<Vertices>) {
     match case.throws() {
         Some(exception) => {
@@ -180,7 +180,7 @@ fn box_of_chapter_05() -> Aabb {
 }
 
 #[test]
-fn a_box_knows_its_distance_from_a_point() {
+fn the_distance_of_a_box_from_a_point_is_negative_inside() {
     let distances = [(8.0, 14.0), (8.0, 6.0), (2.0, 6.0)]
         .map(|(x, y)| box_of_chapter_05().get_distance(Vector2::new(x, y)));
     assert_eq!(distances, [5.0, 3.0, -1.0]);
@@ -236,7 +236,7 @@ fn the_box_of_an_outline_encloses_it() {
 }
 
 #[test]
-fn the_box_of_nothing_is_zero() {
+fn the_box_of_an_empty_outline_is_zero() {
     assert_eq!(Aabb::from_vertices(&[]), Aabb::default());
 }
 

@@ -12,7 +12,7 @@ use crate::{Canvas, Color, PlatformLook, Point, SpriteBatch, Texture2D, Transfor
 
 const STILL: Transform = Transform::IDENTITY;
 
-/// Greatest number of copies of a texture beside each other on a face; more could not be told apart.
+/// Greatest number of copies of a texture beside each other on a face; more could not be distinguished.
 const MAX_TILES: f32 = 512.0;
 /// Least sine of the angle between two sides of an outline whose common corner is drawn as an edge of the
 /// solid; a ratio.

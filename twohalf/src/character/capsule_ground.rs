@@ -1,6 +1,6 @@
 //! Ground of a capsule: the height and normal at which its lower hemisphere rests on boxes and prisms.
 
-use farseer_core::SpaceFoot;
+use farseer_core::DepthQueryFootprint;
 
 use crate::Vector3;
 use crate::shapes::{Face, SlantedBox, WalkableTop};
@@ -16,7 +16,7 @@ pub(super) struct EndSphere {
     pub(super) at: [f32; 2],
 }
 
-/// Resting pose of a sphere that is lowered onto a shape.
+/// Resting pose of the lower hemisphere of a capsule that is lowered onto a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct CapsuleRest {
     /// Height of the lowest point of the sphere, px, Y up.
@@ -41,7 +41,7 @@ impl EndSphere {
         rests.flatten().reduce(higher)
     }
 
-    /// Rest on a prism, given by its walkable edges.
+    /// Returns the resting pose on a prism, given by its walkable edges; `None` if the sphere misses all of them.
     pub(super) fn on_tops(&self, tops: &[WalkableTop]) -> Option<CapsuleRest> {
         tops.iter().filter_map(|top| self.on_top(top)).reduce(higher)
     }
@@ -50,8 +50,9 @@ impl EndSphere {
         let [a, b] = top.edge;
         if let Some((upright, place)) = &top.upright {
             let offset = [place[0] - self.at[0], place[1] - self.at[1]];
-            let (apart, to) =
-                crate::depth::upright::with_foot(upright, |foot| SpaceFoot::Disc(0.0).gap(foot, offset));
+            let (apart, to) = crate::depth::upright::with_foot(upright, |foot| {
+                DepthQueryFootprint::Disc(0.0).distance_to(foot, offset)
+            });
             return self.on_level(-a.y, apart, [-to[0], -to[1]]);
         }
         let corner = |x: f32, y: f32, z: f32| Vector3::new(x, -y, z);
@@ -67,8 +68,9 @@ impl EndSphere {
         edges.chain([self.on_face(corners, out)]).flatten().reduce(higher)
     }
 
-    /// Rest on a level face at `height`. `apart` is the distance of the centre outside the face, px; `out` is
-    /// its direction.
+    /// Returns the resting pose on a level face at `height`, px; `None` if the sphere misses the face. `apart` is the distance
+    /// of the sphere's centre outside of the face, seen from above, px. `out` is the unit direction (X, Z) from the face to the
+    /// centre.
     fn on_level(&self, height: f32, apart: f32, out: [f32; 2]) -> Option<CapsuleRest> {
         if apart <= 0.0 {
             return Some(CapsuleRest { height, normal: Vector3::y(), edge: None });
@@ -76,7 +78,8 @@ impl EndSphere {
         self.on_point([apart * out[0], apart * out[1]], height)
     }
 
-    /// Rest on a vertex or edge point at `height`; `[x, z]` is the offset of the centre from it, px.
+    /// Returns the resting pose on a vertex or a point of an edge at `height`, px; `None` if the sphere misses the point. `[x,
+    /// z]` is the offset of the sphere's centre from the point, px.
     fn on_point(&self, [x, z]: [f32; 2], height: f32) -> Option<CapsuleRest> {
         let squared = self.radius * self.radius - x * x - z * z;
         (squared > 0.0).then(|| {
@@ -86,7 +89,8 @@ impl EndSphere {
         })
     }
 
-    /// Rest inside a face; `corners` go round it, `out` is its outward normal.
+    /// Returns the resting pose on the inside of a face; `None` if the face does not look up or the sphere touches no point
+    /// inside of it. `corners` are the vertices of the face in order (world, px), `out` is the outward unit normal of the face.
     fn on_face(&self, corners: [Vector3; 4], out: Vector3) -> Option<CapsuleRest> {
         if out.y.is_nan() || out.y <= MIN_FACE_UP {
             return None;
@@ -179,7 +183,7 @@ mod tests {
         assert!((rest.height - (15.0 / cos - 15.0 - top)).abs() < 1e-4 && (rest.normal.y - cos).abs() < 1e-6);
     }
 
-    /// It touches, and overlaps nothing: by the distance to the box of the middle of the ball.
+    /// At rest the centre of the sphere is one radius away from the box: the sphere touches and does not overlap.
     #[test]
     fn wherever_it_rests_it_is_as_far_from_the_box_as_its_radius() {
         let (sin, cos) = (-0.4f32).sin_cos();

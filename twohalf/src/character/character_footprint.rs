@@ -1,6 +1,6 @@
 //! Footprint of a character: a rectangle or a disc in X and Z, and the area that it sweeps.
 
-use farseer_core::SpaceFoot;
+use farseer_core::DepthQueryFootprint;
 
 use super::capsule_ground::EndSphere;
 use crate::shapes::SlantedBox;
@@ -15,13 +15,13 @@ pub(super) struct CharacterFootprint {
     pub(super) right: f32,
     pub(super) front: f32,
     pub(super) back: f32,
-    /// The disc inside the rectangle; `None` for rectangular footprints.
+    /// Disc inside of the footprint's rectangle; `None` for a rectangular footprint.
     pub(super) round: Option<RoundFoot>,
     /// Radius of the lower hemisphere of a capsule, px; 0 for a flat sole.
     end: f32,
 }
 
-/// A disc swept from one place (X, Z) to another. Radius and places in px.
+/// Disc that is swept from one position (X, Z) to another one. Radius and positions are in px.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RoundFoot {
     pub(super) radius: f32,
@@ -30,7 +30,8 @@ pub(super) struct RoundFoot {
 }
 
 impl RoundFoot {
-    /// Corners of the rectangle that the disc sweeps between its ends; `None` without motion.
+    /// Returns the corners (X, Z in px) of the rectangle that the disc sweeps between the two ends of its path; `None` without
+    /// motion.
     fn between(&self) -> Option<[[f32; 2]; 4]> {
         let way = [0, 1].map(|axis| self.to[axis] - self.from[axis]);
         let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
@@ -65,19 +66,19 @@ impl CharacterFootprint {
         CharacterFootprint { left, right, front, back, round: None, end: 0.0 }
     }
 
-    /// The lower hemisphere as a sphere; `None` for a flat sole.
+    /// Returns the lower hemisphere of the character as a sphere; `None` for a flat sole.
     pub(super) fn ball(&self) -> Option<EndSphere> {
         let round = self.round.filter(|_| self.end > 0.0)?;
         Some(EndSphere { radius: self.end, at: round.from })
     }
 
-    /// The same footprint with a flat sole.
+    /// Returns this footprint with a flat sole instead of a hemisphere.
     pub(super) fn flat(&self) -> Self {
         CharacterFootprint { end: 0.0, ..*self }
     }
 
-    /// The footprint of the part of the character below `height`, px above its lowest point. A hemisphere is
-    /// narrower there.
+    /// Returns the footprint of the part of the character below `height`, which is in px above the lowest point of the
+    /// character. The part of a hemisphere is narrower than the character.
     pub(super) fn up_to(&self, height: f32) -> Self {
         let Some(round) = self.round.filter(|_| height < self.end) else { return *self };
         let height = height.max(0.0);
@@ -101,7 +102,7 @@ impl CharacterFootprint {
         }
     }
 
-    /// The area that the footprint sweeps along `way`.
+    /// Returns the footprint of the area that this footprint sweeps along the displacement `way`, px.
     pub(super) fn swept(&self, way: Vector3) -> Self {
         let moved = self.moved(way);
         CharacterFootprint {
@@ -114,7 +115,7 @@ impl CharacterFootprint {
         }
     }
 
-    /// The footprint with its skin: a shape that only touches it overlaps this one.
+    /// Returns the footprint enlarged by `FOOTPRINT_SKIN`, so that it overlaps each shape that touches the original footprint.
     pub(super) fn whole(&self) -> Self {
         self.widened(FOOTPRINT_SKIN)
     }
@@ -130,7 +131,7 @@ impl CharacterFootprint {
         }
     }
 
-    /// Whether the footprint overlaps the footprint of a box.
+    /// Returns whether this footprint overlaps the footprint `covered` of a box.
     pub(super) fn overlaps_box(&self, covered: &CharacterFootprint) -> bool {
         let span = self.span(covered.front, covered.back);
         span.is_some_and(|[left, right]| left < covered.right && covered.left < right)
@@ -140,24 +141,24 @@ impl CharacterFootprint {
         self.front < back && front < self.back
     }
 
-    /// Least and greatest X of the footprint between two Z, px; `None` if it is outside of them.
+    /// Least and greatest X of the footprint between two Z, px; `None` if no part of the footprint lies between them.
     pub(super) fn span(&self, front: f32, back: f32) -> Option<[f32; 2]> {
         if !self.overlaps_depth(front, back) {
             return None;
         }
         let Some(round) = self.round else { return Some([self.left, self.right]) };
         let disc = |[x, z]: [f32; 2]| {
-            let span = SpaceFoot::Disc(round.radius).span(front - z, back - z);
+            let span = DepthQueryFootprint::Disc(round.radius).x_range(front - z, back - z);
             span.map(|span| span.map(|end| end + x))
         };
         let between = round.between();
-        let between = between.and_then(|corners| SpaceFoot::Polygon(&corners).span(front, back));
+        let between = between.and_then(|corners| DepthQueryFootprint::Polygon(&corners).x_range(front, back));
         let spans = [disc(round.from), disc(round.to), between];
         spans.into_iter().flatten().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
     }
 
-    /// Highest point of a box above the footprint: height in px, Y up, and the upward component of the normal
-    /// there.
+    /// Returns the highest point of a box within the footprint: height in px, Y up, and upward component of the unit normal
+    /// there. `None` if footprint and box do not overlap in X and Z.
     pub(super) fn roof(&self, shape: &SlantedBox) -> Option<(f32, f32)> {
         let Some(round) = self.round else {
             let corners = [
@@ -166,29 +167,34 @@ impl CharacterFootprint {
                 [self.right, self.back],
                 [self.left, self.back],
             ];
-            return height_of(SpaceFoot::Polygon(&corners).roof([0.0; 2], shape));
+            return height_of(DepthQueryFootprint::Polygon(&corners).top_surface([0.0; 2], shape));
         };
-        let disc = |at: [f32; 2]| height_of(SpaceFoot::Disc(round.radius).roof(at, shape));
+        let disc = |at: [f32; 2]| height_of(DepthQueryFootprint::Disc(round.radius).top_surface(at, shape));
         let between = round.between();
-        let between =
-            between.and_then(|corners| height_of(SpaceFoot::Polygon(&corners).roof([0.0; 2], shape)));
+        let between = between.and_then(|corners| {
+            height_of(DepthQueryFootprint::Polygon(&corners).top_surface([0.0; 2], shape))
+        });
         let all = [disc(round.from), disc(round.to), between];
         all.into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a })
     }
 
-    /// Whether the footprint overlaps another one whose origin is at `[x, z]`.
-    pub(super) fn meets(&self, other: SpaceFoot<'_>, [x, z]: [f32; 2]) -> bool {
-        let overlaps = |foot: SpaceFoot<'_>, [from_x, from_z]: [f32; 2]| {
-            foot.gap(other, [x - from_x, z - from_z]).0 < 0.0
+    /// Returns whether this footprint overlaps the footprint `other`, whose origin is at `[x, z]` in the world, px.
+    pub(super) fn meets(&self, other: DepthQueryFootprint<'_>, [x, z]: [f32; 2]) -> bool {
+        let overlaps = |foot: DepthQueryFootprint<'_>, [from_x, from_z]: [f32; 2]| {
+            foot.distance_to(other, [x - from_x, z - from_z]).0 < 0.0
         };
         let Some(round) = self.round else {
             let (half_x, half_z) = (0.5 * (self.right - self.left), 0.5 * (self.back - self.front));
             let corners = [[-half_x, -half_z], [half_x, -half_z], [half_x, half_z], [-half_x, half_z]];
-            return overlaps(SpaceFoot::Polygon(&corners), [self.left + half_x, self.front + half_z]);
+            return overlaps(
+                DepthQueryFootprint::Polygon(&corners),
+                [self.left + half_x, self.front + half_z],
+            );
         };
-        let disc = SpaceFoot::Disc(round.radius);
-        let between =
-            || round.between().is_some_and(|between| overlaps(SpaceFoot::Polygon(&between), [0.0; 2]));
+        let disc = DepthQueryFootprint::Disc(round.radius);
+        let between = || {
+            round.between().is_some_and(|between| overlaps(DepthQueryFootprint::Polygon(&between), [0.0; 2]))
+        };
         overlaps(disc, round.from) || overlaps(disc, round.to) || between()
     }
 }

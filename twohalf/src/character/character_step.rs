@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{Body, SpaceTouch};
+use farseer_core::{Body, DepthContact};
 
 use super::character_footprint::CharacterFootprint;
 use super::ground_probe::{GroundHit, ProbeLimits, partner_of};
@@ -16,8 +16,8 @@ use crate::{BodyId, ContactTarget, GeomId, TwoHalfPhysicsSimulator, Vector2, Vec
 /// Greatest gap between sole and floor for a falling character to land, px.
 pub(super) const STAND_DISTANCE: f32 = 0.05;
 
-/// Gap kept between sole and floor, px. The edge of the next flush floor is no obstacle then; contacts still
-/// exist at this distance.
+/// Gap kept between sole and floor, px. With it the edge of the next flush floor is no obstacle, and the narrow phase still
+/// reports contacts.
 const SOLE_CLEARANCE: f32 = 0.008;
 /// Gap between sole and the edge of a curb while the character passes over it, px; more than the contact
 /// margin.
@@ -33,7 +33,7 @@ pub(super) const EDGE_PASS_DISTANCE: f32 = 1.7;
 /// Distance ahead of the swept footprint in which curbs are searched, px; more than the gap of touching
 /// shapes.
 const LOOK_AHEAD_DISTANCE: f32 = 0.3;
-/// Change of a velocity by rounding, as a fraction of its norm; dimensionless.
+/// Greatest change of a velocity by rounding, as a fraction of the norm of the velocity; dimensionless.
 const VELOCITY_ROUNDING: f32 = 1e-5;
 /// `LIFT_STEPS`: number of steps ahead in which a curb lifts the character. `FILTER_STEPS`: number of steps
 /// ahead in which the event handler is asked about a curb, so that its answer precedes the lift.
@@ -42,7 +42,7 @@ const FILTER_STEPS: f32 = 3.0;
 /// Spacing of the probes along the path of a hemisphere, as a fraction of its radius. An edge supports it
 /// from one radius before to one radius past, so no probe interval misses an edge.
 const PROBE_SPACING: f32 = 0.5;
-/// Greatest number of these probes, since each costs a query; enough for a path of 8 radii.
+/// Greatest number of probes along the path of a hemisphere, since each probe costs a query; enough for a path of 8 radii.
 const MAX_PROBES: f32 = 16.0;
 /// Distance from a stair within which a hemisphere counts as on it, px. Nearer walls are kept off by the wall
 /// clearance.
@@ -50,12 +50,12 @@ const STAIR_MARGIN: f32 = 0.5;
 /// Least upward component of a contact normal that supports; dimensionless.
 const MIN_SUPPORT_UP: f32 = 0.5;
 
-/// State at the start of a step.
+/// State of a character at the start of one step of its controller: footprint, heights and settings.
 #[derive(Clone, Copy)]
 pub(super) struct StepContext<'a> {
     pub(super) body: BodyId,
     pub(super) near: &'a Neighbours,
-    /// Supports of the character in this step.
+    /// Supports of the character in this step, about which the next update asks the event handler.
     held_by: &'a RefCell<Vec<Footing>>,
     pub(super) geom: GeomId,
     pub(super) footprint: CharacterFootprint,
@@ -79,7 +79,7 @@ pub(super) struct StepContext<'a> {
 }
 
 impl<'a> StepContext<'a> {
-    /// The same step for obstacles between other heights, px.
+    /// Returns a copy of this step state with the heights `knees` and `head` replaced, in px.
     pub(super) fn between(&self, knees: f32, head: f32) -> Self {
         StepContext { knees, head, ..*self }
     }
@@ -90,12 +90,13 @@ impl<'a> StepContext<'a> {
         ProbeLimits { tops, geom, highest: self.soles + above, min_up, but: None, refused, edges }
     }
 
-    /// Whether the event handler has refused contact with the target.
+    /// Returns whether the event handler has refused contact of the character with the target.
     pub(super) fn refuses(&self, partner: ContactTarget) -> bool {
         self.near.refused.contains(&partner)
     }
 
-    /// Records a support with its normal and height. The event handler is asked about it in the next update.
+    /// Appends a support to `held_by`, with its normal and its height in px, so that the next update asks the event handler
+    /// about this support.
     pub(super) fn record_support(&self, partner: ContactTarget, normal: Vector3, height: f32) {
         let position = Vector3::new(self.place.x, height, self.place.z);
         let footing = Footing { this: self.geom, partner, normal, position };
@@ -104,7 +105,7 @@ impl<'a> StepContext<'a> {
         }
     }
 
-    /// The constrained velocity, or the free one if the event handler has refused the target.
+    /// Returns the constrained velocity `held`, or the velocity `free` if the event handler has refused the target.
     pub(super) fn constrain_velocity(&self, partner: ContactTarget, free: Vector3, held: Vector3) -> Vector3 {
         let change = held - free;
         let size = change.norm();
@@ -114,24 +115,24 @@ impl<'a> StepContext<'a> {
         if self.refuses(partner) { free } else { held }
     }
 
-    /// The same step with another footprint.
+    /// Returns a copy of this step state with another footprint.
     pub(super) fn on(&self, footprint: CharacterFootprint) -> Self {
         StepContext { footprint, ..*self }
     }
 
-    /// The same step with a flat sole.
+    /// Returns a copy of this step state whose footprint has a flat sole.
     pub(super) fn flat(&self) -> Self {
         self.on(self.footprint.flat())
     }
 
-    /// Height of the floor ahead of a hemisphere, px. A hemisphere that was lifted over an edge keeps that
-    /// height, unless the path descends from there.
+    /// Height of the floor ahead of a hemisphere, px. A hemisphere that was lifted over an edge keeps the height of the edge,
+    /// unless the path descends behind the edge.
     fn height_at(&self, next: &GroundHit, floor: &GroundHit) -> f32 {
         let is_lifted = |edge: &f32| *edge <= self.soles && next.height >= floor.height;
         next.edge.filter(|edge| is_lifted(edge) || next.up < self.min_up).unwrap_or(next.height)
     }
 
-    /// Whether a contact with a normal impulse supports the character.
+    /// Returns whether a contact with a normal impulse supports the character.
     fn is_held_up(&self) -> bool {
         self.near.touches.iter().any(|touch| {
             let [.., up, _] = normal_towards(touch, self.geom);
@@ -233,8 +234,8 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    /// The floor that supports the character before this step. The gap may be as long as the snap distance if
-    /// it stood in the last step and was not thrown up since.
+    /// Returns the floor that supports the character before this step; `None` in the air. If the character stood in the last
+    /// step and was not thrown up since, the gap to the floor may be as long as the snap distance.
     fn current_floor(
         &self,
         step: &StepContext<'_>,
@@ -256,8 +257,8 @@ impl TwoHalfPhysicsSimulator {
         stands.then_some(floor)
     }
 
-    /// Whether the character was lifted over a curb that it reaches in the next two steps. It stands then,
-    /// however far below its soles the old floor is.
+    /// Returns whether the character was lifted over a curb that it reaches in the next two steps. Such a character stands,
+    /// however far its old floor is below its soles.
     fn is_over_curb(
         &self,
         step: &StepContext<'_>,
@@ -271,7 +272,7 @@ impl TwoHalfPhysicsSimulator {
         curb.is_some_and(|curb| step.soles - curb.height <= EDGE_CLEARANCE + STAND_DISTANCE)
     }
 
-    /// Whether a stair within step height lies under the footprint or within `STAIR_MARGIN` of it.
+    /// Returns whether a stair within step height lies under the footprint or within `STAIR_MARGIN` of it.
     fn is_over_stair(&self, step: &StepContext<'_>, walker: &CharacterController, floor: &GroundHit) -> bool {
         let from = step.height_on(floor);
         let reach = ProbeLimits { highest: from + SOLE_CLEARANCE + walker.walk.step_up, ..step.reach(0.0) };
@@ -286,8 +287,8 @@ impl TwoHalfPhysicsSimulator {
         self.gravity() * self.core.body(body).filter(is_pulled).map_or(0.0, Body::gravity_scale)
     }
 
-    /// Switches gravity off for a standing character, which velocities alone move along the floor: normal
-    /// impulses would cause friction. A body that ignores gravity by itself keeps that setting.
+    /// Switches gravity off for a standing character, which velocities alone move along the floor: normal impulses would cause
+    /// friction. A body that ignored gravity before keeps this setting.
     pub(super) fn suspend_gravity(&mut self, body: BodyId, walker: &mut CharacterController, holds: bool) {
         let Some(mut view) = self.body_mut(body) else { return };
         if holds && !view.ignore_gravity() {
@@ -358,7 +359,7 @@ impl TwoHalfPhysicsSimulator {
         let knees = step.height_on(&floor) + SOLE_CLEARANCE + walker.walk.step_up.max(STAND_DISTANCE);
         let step = &StepContext { knees, ..*step };
         let level = self.level_velocity(step, walker, wish, walker.walk.acceleration);
-        let is_wall = |touch: &SpaceTouch| self.is_fixed(partner_of(touch, step.geom));
+        let is_wall = |touch: &DepthContact| self.is_fixed(partner_of(touch, step.geom));
         let curb = self.curb_ahead(step, (walker, LIFT_STEPS), level, wish, (&floor, &step.near.refused));
         let asked = self.curb_ahead(step, (walker, FILTER_STEPS), level, wish, (&floor, &[]));
         asked.into_iter().for_each(|curb| step.record_support(curb.partner, Vector3::y(), curb.height));
@@ -385,9 +386,9 @@ impl TwoHalfPhysicsSimulator {
         velocity
     }
 
-    /// The curb that the character reaches within `steps` steps, with the height of the lift over its edge.
-    /// If it reaches a stair within this step, the next stair is measured from that one. Otherwise a
-    /// character that moves half a tread per step would stop at every other edge.
+    /// Returns the curb that the character reaches within `steps` steps, with the height in px of the lift over the edge of the
+    /// curb; `None` if it reaches no curb. If the character reaches a stair within this step, the next stair is measured from
+    /// the reached one. Otherwise a character that moves half a tread per step would stop at every other edge.
     fn curb_ahead(
         &self,
         step: &StepContext<'_>,
@@ -411,8 +412,8 @@ impl TwoHalfPhysicsSimulator {
         second.or(first)
     }
 
-    /// A curb within the path that is higher than the current floor, with the height of the lift over its
-    /// edge.
+    /// Returns a curb within the path that is higher than the current floor, with the height in px of the lift over the edge of
+    /// the curb; `None` if there is no curb.
     fn curb_within(
         &self,
         step: &StepContext<'_>,
@@ -431,9 +432,10 @@ impl TwoHalfPhysicsSimulator {
         (is_ahead && over.height > floor.height + SOLE_CLEARANCE).then_some(over)
     }
 
-    /// The same for a hemisphere: an edge or slope that is higher than the current contact leads. Edges lift
-    /// it as they lift soles, because the rolling path over an edge starts steep. The foot of a slope lifts
-    /// it by the least height.
+    /// Returns an edge or slope within the path that lifts a hemisphere higher than the current contact does, with the height
+    /// in px of the lift; `None` if there is none. Edges lift a hemisphere as they lift flat soles, because the rolling path
+    /// over an edge starts steep. At the foot of a slope the lift is the height of the ground at `ways[0]`, or the height to
+    /// which the current contact leads there if that is greater.
     fn rise_within(
         &self,
         step: &StepContext<'_>,
@@ -461,8 +463,8 @@ impl TwoHalfPhysicsSimulator {
         ends.chain(between).reduce(|highest, rise| if rise.height > highest.height { rise } else { highest })
     }
 
-    /// Height of the floor after this step, px. The descent to a lower floor starts when no part of the
-    /// footprint is above the higher one.
+    /// Height of the floor after this step, px. The descent to a lower floor starts when no part of the footprint is above the
+    /// higher floor.
     fn height_ahead(
         &self,
         step: &StepContext<'_>,
@@ -529,7 +531,8 @@ fn max_lift(walker: &CharacterController) -> f32 {
     walker.walk.step_up + SOLE_CLEARANCE + EDGE_CLEARANCE + STAND_DISTANCE
 }
 
-/// Path relative to the floor in `steps` steps at a velocity, plus `LOOK_AHEAD_DISTANCE` along the input, px.
+/// Returns the displacement of the character relative to its floor in `steps` steps at a velocity, plus `LOOK_AHEAD_DISTANCE`
+/// along the input, in px.
 fn look_ahead(
     step: &StepContext<'_>,
     walker: &CharacterController,

@@ -8,21 +8,22 @@ use crate::projection::to_world;
 use crate::shapes::{SlantedBox, WalkableTop};
 use crate::{ContactTarget, GeomId, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
-/// Inset of the ends of a box that are probed, px, so that rounding does not put them outside.
+/// Inset, in px, of the depths near the front and back end at which a box is probed, so that rounding does not put these depths
+/// outside of the box.
 const BOX_END_INSET: f32 = 1e-3;
 
-/// Margin of the early X test, px. The rounding of coordinates up to 2^23 px is half of it at most.
+/// Margin of the early X test, px. Coordinates up to 2^23 px are rounded by at most half of this margin.
 const SPAN_ROUNDING: f32 = 1.0;
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GroundHit {
     pub(super) partner: ContactTarget,
     pub(super) height: f32,
-    /// Upward component of the unit normal; dimensionless.
+    /// Upward component of the unit normal of the floor; dimensionless, 0..=1.
     pub(super) up: f32,
-    /// Height of the edge that supports a hemisphere, px, Y up.
+    /// Height of the edge that supports a hemisphere, px, Y up; `None` if a face supports it or the sole is flat.
     pub(super) edge: Option<f32>,
-    /// Height gained per px along X and along Z; dimensionless.
+    /// Slope of the floor: height gained per px along X and along Z; dimensionless.
     pub(super) slope: [f32; 2],
 }
 
@@ -45,14 +46,14 @@ impl GroundHit {
         radius * (1.0 - (1.0 - level) / self.up)
     }
 
-    /// Height of the supporting plane after a displacement, px.
+    /// Returns the height of the supporting plane after a displacement of the character, px, Y up.
     pub(super) fn height_along(&self, way: Vector3) -> f32 {
         self.height + self.slope[0] * way.x + self.slope[1] * way.z
     }
 }
 
-/// Limits of a probe: floors up to `highest` in px and with an upward normal component of `min_up` or more,
-/// except `but`.
+/// Limits of a ground probe. It finds floors up to the height `highest` in px, with an upward normal component of at least
+/// `min_up`, and not the target `but`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ProbeLimits<'a> {
     pub(super) tops: &'a [WalkableTop],
@@ -60,7 +61,7 @@ pub(super) struct ProbeLimits<'a> {
     pub(super) highest: f32,
     pub(super) min_up: f32,
     pub(super) but: Option<ContactTarget>,
-    /// Targets that the event handler has refused; they do not support.
+    /// Targets that the event handler has refused to the character; these do not support it.
     pub(super) refused: &'a [ContactTarget],
     /// Height in px up to which an edge supports a hemisphere, also one whose centre is past it.
     pub(super) edges: f32,
@@ -77,7 +78,7 @@ impl ProbeLimits<'_> {
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// The highest floor below the footprint within the limits.
+    /// Returns the highest floor below the footprint within the limits of the probe; `None` if there is no floor.
     pub(super) fn probe_ground(
         &self,
         footprint: &CharacterFootprint,
@@ -110,7 +111,8 @@ impl TwoHalfPhysicsSimulator {
         })
     }
 
-    /// Height of a floor below the footprint with a flat sole, px.
+    /// Returns the height of the target `partner` below the footprint with a flat sole, px, Y up; `None` if no part of the
+    /// target lies below the footprint.
     pub(super) fn height_of(
         &self,
         partner: ContactTarget,
@@ -127,7 +129,7 @@ impl TwoHalfPhysicsSimulator {
         top.map(|(height, _)| height)
     }
 
-    /// Collects the walkable edges of geoms within the depth range of `around`.
+    /// Appends the walkable edges of geoms within the depth range of the footprint `around` to `tops`.
     pub(super) fn gather_tops(
         &self,
         geoms: &[GeomId],
@@ -158,9 +160,9 @@ impl TwoHalfPhysicsSimulator {
     }
 }
 
-/// The target of a contact as seen by one geom.
-pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Option<ContactTarget> {
-    let partner = crate::views::partner_of(touch.partner);
+/// Returns the contact target as seen by one geom of the contact; `None` if the geom is not part of the contact.
+pub(super) fn partner_of(touch: &farseer_core::DepthContact, geom: GeomId) -> Option<ContactTarget> {
+    let partner = crate::views::partner_of(touch.target);
     match partner {
         ContactTarget::Geom(other) if other == geom => Some(ContactTarget::Geom(touch.this)),
         _ if touch.this == geom => Some(partner),
@@ -168,13 +170,13 @@ pub(super) fn partner_of(touch: &farseer_core::SpaceTouch, geom: GeomId) -> Opti
     }
 }
 
-/// Whether a platform exerts contact impulses on a geom.
+/// Returns whether a platform exerts contact impulses on a geom.
 pub(super) fn holds(platform: &Platform, geom: Option<&Geom>) -> bool {
     platform.collision_response_enabled()
         && geom.is_some_and(|geom| platform.filter().may_meet(&geom.filter()))
 }
 
-/// Floors that are prisms: one hit per edge for a flat sole, one per geom for a hemisphere.
+/// Iterates over the floors that are prisms: one hit per edge for a flat sole, one hit per geom for a hemisphere.
 fn geoms_below<'a>(
     footprint: &'a CharacterFootprint,
     reach: &ProbeLimits<'a>,
@@ -260,8 +262,8 @@ pub(super) fn top_of_box(shape: &SlantedBox, footprint: &CharacterFootprint) -> 
     highest
 }
 
-/// Z of the candidate corners of a sheared box above the footprint: both ends, and the crossings of its edges
-/// with the sides.
+/// Iterates over the Z, in px, at which the top of a sheared box can be highest within the footprint. These are both ends of
+/// the common depth range, and the places where edges of the box cross sides of the footprint.
 fn candidate_depths(
     shape: &SlantedBox,
     footprint: &CharacterFootprint,

@@ -9,12 +9,12 @@ use super::wall_avoidance::wall_of;
 use super::{CharacterController, MoveInput};
 use crate::{ContactTarget, TwoHalfPhysicsSimulator, Vector3};
 
-/// Distance beyond the footprint at which a ledge can be grabbed, px.
+/// Greatest distance beyond the character's footprint at which it grabs a ledge, px.
 pub(super) const GRAB_DISTANCE: f32 = 4.0;
 /// Depth of the footprint over the ledge that must be free to stand on, px.
 const STANDING_DEPTH: f32 = 8.0;
-/// Height of the soles above the ledge at the end of the climb, px. The narrow phase has refreshed the
-/// contact with the wall by then.
+/// Height of the soles above the ledge at the end of the climb, px. At this height the narrow phase has refreshed the contact
+/// with the wall.
 const CLIMB_CLEARANCE: f32 = EDGE_PASS_DISTANCE + EDGE_CLEARANCE;
 /// Height above the ledge up to which an obstacle leaves room to stand, px.
 const ROOM_TOLERANCE: f32 = 1.0;
@@ -30,7 +30,7 @@ pub(super) struct Ledge {
 }
 
 impl Ledge {
-    /// Whether the direction is one of the four axes: false only for a damaged save.
+    /// Returns whether the direction is one of the four axes: false only for a damaged save.
     pub(super) fn is_valid(&self) -> bool {
         let axes = [Vector3::x(), Vector3::z()];
         axes.iter().any(|axis| self.towards == *axis || self.towards == -axis)
@@ -42,7 +42,8 @@ impl Ledge {
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// Velocity of a character that hangs on a ledge or grabs one; `None` if it does neither.
+    /// Returns the velocity of a character that hangs on a ledge or grabs one in this step, px/s, Y up; `None` if the character
+    /// does neither.
     pub(super) fn ledge_hang(
         &mut self,
         step: &StepContext<'_>,
@@ -79,7 +80,8 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    /// The ledge in reach along the input, if the character falls and has room to stand there.
+    /// Returns the ledge in reach along the input; `None` if there is none, the character does not fall, or the ledge has no
+    /// room to stand.
     fn find_ledge(
         &self,
         step: &StepContext<'_>,
@@ -108,7 +110,8 @@ impl TwoHalfPhysicsSimulator {
         })
     }
 
-    /// Whether a floor is not above the footprint already.
+    /// Returns whether a floor is at most step height above the soles at the present place of the footprint, so that its ledge
+    /// lies beside the character.
     fn is_beside(&self, step: &StepContext<'_>, floor: &GroundHit) -> bool {
         let here = self.height_of(floor.partner, &step.footprint, &step.reach(f32::MAX));
         here.is_none_or(|here| here <= step.knees)
@@ -120,7 +123,7 @@ impl TwoHalfPhysicsSimulator {
         (height > step.soles - CLIMB_CLEARANCE - STAND_DISTANCE).then_some(height)
     }
 
-    /// Whether no fixed obstacle is at the place where the climb ends.
+    /// Returns whether no fixed obstacle is at the place where the climb ends.
     fn has_room(&self, step: &StepContext<'_>, towards: Vector3, height: f32) -> bool {
         let footprint = step.footprint.swept(towards * (GRAB_DISTANCE + STANDING_DEPTH));
         let (knees, head) = (height + ROOM_TOLERANCE, height + step.head - step.soles);
@@ -147,12 +150,12 @@ impl TwoHalfPhysicsSimulator {
     }
 }
 
-/// Speed of the input towards the ledge, px/s.
+/// Returns the component towards the ledge of the speed that the input asks for, px/s.
 fn along(ledge: &Ledge, wish: MoveInput) -> f32 {
     ledge.towards.x * wish.x + ledge.towards.z * wish.z
 }
 
-/// Whether the input points away from the ledge or the character was thrown off.
+/// Returns whether the input points away from the ledge or the character was thrown off.
 fn is_released(ledge: &Ledge, step: &StepContext<'_>, walker: &CharacterController, wish: MoveInput) -> bool {
     let away = (walker.carried - step.velocity).dot(&ledge.towards);
     (along(ledge, wish) < 0.0 && !wish.jump)

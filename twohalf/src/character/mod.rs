@@ -118,14 +118,15 @@ pub struct CharacterController {
     floor: Option<ContactTarget>,
     /// Velocity of the current or last floor, px/s, Y up.
     carried: Vector3,
-    /// Upward velocity that the last step set, px/s.
+    /// Upward velocity of the body that the last step of the controller set, px/s. A greater one shows that the character was
+    /// thrown up.
     told: f32,
     /// Time since the character last stood, s.
     aloft: f32,
     has_jumped: bool,
     /// Whether the controller has switched gravity off for the body.
     is_held: bool,
-    /// The ledge that it hangs on.
+    /// Ledge that the character hangs on; `None` if it hangs on none.
     ledge: Option<Ledge>,
 }
 
@@ -147,19 +148,20 @@ impl CharacterController {
         wrong.map_or(Ok(()), |number| Err(invalid("walker", number, "without numbers that are not finite")))
     }
 
-    /// Whether the character stood in the last call of [`walk`](TwoHalfPhysicsSimulator::walk). It stands on
-    /// floors within the slope limit, also while it passes over a curb or the edge of a slope. A jump ends
-    /// it. Games choose the animation by it.
+    /// Returns whether the character stood in the last call of [`walk`](TwoHalfPhysicsSimulator::walk). It stands on floors
+    /// within the slope limit, also while it passes over a curb or the edge of a slope. A jump ends it. Games choose the
+    /// animation by it.
     pub fn is_grounded(&self) -> bool {
         self.floor.is_some()
     }
 
-    /// The floor that the character stands on.
+    /// The floor that the character stands on; `None` in the air or on a ledge.
     pub fn floor(&self) -> Option<ContactTarget> {
         self.floor
     }
 
-    /// The target whose ledge it hangs on or climbs over. Games choose the animation by it.
+    /// The target whose ledge the character hangs on or climbs over; `None` if it does neither. Games choose the animation by
+    /// it.
     pub fn ledge(&self) -> Option<ContactTarget> {
         self.ledge.map(|ledge| ledge.partner())
     }

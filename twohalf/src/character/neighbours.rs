@@ -1,7 +1,7 @@
 //! Neighbours of a character, sorted: the order in which the core reports them differs after loading.
 
-use farseer_core::order::{joined, sort_within};
-use farseer_core::{SpacePartner, SpaceTouch};
+use farseer_core::order::{packed_key, sort_by_number_in};
+use farseer_core::{DepthContact, DepthContactTarget};
 
 use super::character_footprint::CharacterFootprint;
 use crate::depth::Footing;
@@ -12,13 +12,13 @@ use crate::{BodyId, ContactTarget, GeomId, TwoHalfPhysicsSimulator};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Neighbours {
     geoms: Vec<GeomId>,
-    /// Walkable edges of the prisms among them.
+    /// Walkable edges of the neighbours that are prisms.
     pub(super) tops: Vec<WalkableTop>,
-    /// Contacts of the body, including speculative ones.
-    pub(super) touches: Vec<SpaceTouch>,
-    /// Targets that the event handler has refused.
+    /// Contacts of the character's body, including speculative ones.
+    pub(super) touches: Vec<DepthContact>,
+    /// Targets that the event handler has refused to the character.
     pub(super) refused: Vec<ContactTarget>,
-    /// Supports of this step, about which the handler is asked.
+    /// Supports of the character in this step, about which the next update asks the event handler.
     pub(super) held_by: Vec<Footing>,
     places: Vec<(u128, u32)>,
 }
@@ -36,30 +36,31 @@ impl TwoHalfPhysicsSimulator {
         let Neighbours { geoms, tops, touches, refused, held_by, places } = near;
         held_by.clear();
         refused.clear();
-        refused
-            .extend(self.core.space_refused_of(body).map(|(_, partner)| crate::views::partner_of(partner)));
+        refused.extend(
+            self.core.vetoed_depth_contacts_of(body).map(|(_, partner)| crate::views::partner_of(partner)),
+        );
         refused.extend(self.world.footings.refused_to(geom));
         geoms.clear();
-        geoms.extend(self.core.space_neighbours_of(body));
+        geoms.extend(self.core.depth_neighbours_of(body));
         let region = [[around.left, -high, around.front], [around.right, -low, around.back]];
-        self.core.for_each_space_geom_in(region, body, |geom| {
+        self.core.for_each_depth_geom_in(region, body, |geom| {
             if self.core.geom(geom).is_some_and(|geom| geom.collision_response_enabled()) {
                 geoms.push(geom);
             }
         });
-        sort_within(places, geoms, |geom| geom.slot() as u128);
+        sort_by_number_in(places, geoms, |geom| geom.slot() as u128);
         geoms.dedup();
         self.gather_tops(geoms, around, tops);
         touches.clear();
-        touches.extend(self.core.space_touches_of(body));
-        sort_within(places, touches, |touch| joined(touch.pieces));
-        sort_within(places, touches, |touch| {
-            let (kind, partner) = match touch.partner {
-                SpacePartner::Geom(geom) => (0, geom.slot() as u32),
-                SpacePartner::Fixture(name) => (1, name),
-                SpacePartner::Ground => (2, 0),
+        touches.extend(self.core.depth_contacts_of(body));
+        sort_by_number_in(places, touches, |touch| packed_key(touch.pieces));
+        sort_by_number_in(places, touches, |touch| {
+            let (kind, partner) = match touch.target {
+                DepthContactTarget::Geom(geom) => (0, geom.slot() as u32),
+                DepthContactTarget::WorldBox(name) => (1, name),
+                DepthContactTarget::Ground => (2, 0),
             };
-            joined([touch.this.slot() as u32, kind, partner])
+            packed_key([touch.this.slot() as u32, kind, partner])
         });
     }
 }

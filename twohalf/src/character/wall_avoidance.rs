@@ -3,7 +3,7 @@
 //! Sides of level, untilted platforms are found by a shape cast before they are touched. Sheared, climbing
 //! and turned boxes are found by the contacts of the narrow phase, which exist before the touch.
 
-use farseer_core::{SpaceFoot, SpaceTouch};
+use farseer_core::{DepthContact, DepthQueryFootprint};
 
 use super::character_footprint::{CharacterFootprint, FOOTPRINT_SKIN, RoundFoot};
 use super::character_step::StepContext;
@@ -17,7 +17,8 @@ pub(super) const WALL_CLEARANCE: f32 = 0.1;
 /// Margin around the footprint in which the height of an obstacle is tested against the step height, px; more
 /// than the contact margin.
 const CURB_MARGIN: f32 = 1.0;
-/// Greatest downward component of the contact normal of a wall, dimensionless; a steeper one is a ceiling.
+/// Greatest downward component of the contact normal of a wall, dimensionless, 0..=1. A surface with a greater component is a
+/// ceiling.
 const MAX_WALL_DOWN: f32 = 0.5;
 
 impl TwoHalfPhysicsSimulator {
@@ -26,7 +27,7 @@ impl TwoHalfPhysicsSimulator {
         &self,
         step: &StepContext<'_>,
         mut velocity: Vector3,
-        is_wall: impl Fn(&SpaceTouch) -> bool,
+        is_wall: impl Fn(&DepthContact) -> bool,
     ) -> Vector3 {
         for touch in step.near.touches.iter().filter(|touch| touch.responds && is_wall(touch)) {
             let Some(partner) = partner_of(touch, step.geom).filter(|&it| self.is_obstacle(step, it)) else {
@@ -45,8 +46,9 @@ impl TwoHalfPhysicsSimulator {
         self.stop_at_platforms(step, velocity)
     }
 
-    /// Whether a contact is higher than the step height. Sides of level platforms are
-    /// [handled](Self::stop_at_platforms) before they are touched.
+    /// Returns whether the target `partner` is an obstacle: higher than the step height. A door on a hinge is none, because the
+    /// character pushes it open. A level platform is none here, because its sides limit the velocity [before they are
+    /// touched](Self::stop_at_platforms).
     fn is_obstacle(&self, step: &StepContext<'_>, partner: ContactTarget) -> bool {
         match partner {
             ContactTarget::Geom(geom) => {
@@ -94,7 +96,7 @@ impl TwoHalfPhysicsSimulator {
     }
 }
 
-/// Limits a velocity so that it stops at a wall that moves with velocity `moving`.
+/// Limits a velocity so that the character stops at a wall that moves with the velocity `moving`, px/s.
 fn stop_at_platform(
     step: &StepContext<'_>,
     mut velocity: Vector3,
@@ -120,8 +122,7 @@ fn stop_at_platform(
 }
 
 impl StepContext<'_> {
-    /// The footprint that a box can block. On stairs, a hemisphere is only as wide as it is at the height of
-    /// the box.
+    /// The footprint that a box can block. On stairs, only the part of a hemisphere below the top of the box counts.
     fn footprint_against(&self, shape: &SlantedBox) -> CharacterFootprint {
         if !self.is_on_stairs {
             return self.footprint;
@@ -130,7 +131,8 @@ impl StepContext<'_> {
         self.footprint.up_to(-(top + shape.centre.y) - self.soles)
     }
 
-    /// Whether a box is a walkable slope under the hemisphere; its sides do not block.
+    /// Returns whether a box is a walkable slope under the hemisphere of the character, so that the sides of the box do not
+    /// block.
     fn is_slope(&self, shape: &SlantedBox, displacement: Vector3) -> bool {
         [self.footprint, self.footprint.moved(displacement)].into_iter().any(|footprint| {
             let rest = footprint.ball().and_then(|ball| ball.on_box(shape));
@@ -142,13 +144,13 @@ impl StepContext<'_> {
 }
 
 /// Unit contact normal towards a geom, Y up.
-pub(super) fn normal_towards(touch: &SpaceTouch, geom: GeomId) -> [f32; 3] {
+pub(super) fn normal_towards(touch: &DepthContact, geom: GeomId) -> [f32; 3] {
     let sign = if touch.this == geom { 1.0 } else { -1.0 };
     let [x, y, z] = touch.normal;
     [sign * x, -sign * y, sign * z]
 }
 
-/// Change of a velocity, seen from above, that limits its approach along a normal to `fastest`, px/s.
+/// Returns the change of a velocity in X and Z, px/s, that limits its component against the normal to `fastest`, px/s.
 fn project_velocity(velocity: Vector3, normal: Vector2, fastest: f32) -> Vector3 {
     let excess = -velocity.x * normal.x - velocity.z * normal.y - fastest;
     if excess <= 0.0 {
@@ -158,15 +160,16 @@ fn project_velocity(velocity: Vector3, normal: Vector2, fastest: f32) -> Vector3
     Vector3::new(push.x, 0.0, push.y)
 }
 
-/// The path of a disc without the component towards a wall after it comes near to it (shape cast by
-/// bisection).
+/// Returns the displacement of a disc in X and Z, px, without the component towards a wall after the disc has come near to the
+/// wall (shape cast by bisection).
 fn stop_disc_at_wall(round: &RoundFoot, wall: &CharacterFootprint, displacement: [f32; 2]) -> [f32; 2] {
     let corners =
         [[wall.left, wall.front], [wall.right, wall.front], [wall.right, wall.back], [wall.left, wall.back]];
-    let disc = SpaceFoot::Disc(round.radius + FOOTPRINT_SKIN + WALL_CLEARANCE - WALL_DISTANCE_ROUNDING);
+    let disc =
+        DepthQueryFootprint::Disc(round.radius + FOOTPRINT_SKIN + WALL_CLEARANCE - WALL_DISTANCE_ROUNDING);
     let gap = |part: f32| {
         let at = [0, 1].map(|axis| -round.from[axis] - part * displacement[axis]);
-        disc.gap(SpaceFoot::Polygon(&corners), at)
+        disc.distance_to(DepthQueryFootprint::Polygon(&corners), at)
     };
     let (now, _) = gap(0.0);
     // A disc that overlaps the wall is left to the contact solver.
@@ -183,9 +186,9 @@ fn stop_disc_at_wall(round: &RoundFoot, wall: &CharacterFootprint, displacement:
     if closing <= 0.0 { displacement } else { [0, 1].map(|axis| displacement[axis] - closing * normal[axis]) }
 }
 
-/// Greatest rounding error of a distance, px.
+/// Greatest rounding error of the distance between a footprint and a wall, px.
 const WALL_DISTANCE_ROUNDING: f32 = 0.002;
-/// Number of bisections of the path, dimensionless.
+/// Number of bisections of the path of a disc towards a wall.
 const BISECTION_STEPS: usize = 12;
 
 /// Path along one axis, px, and the signed distances to the wall from below and from above, px.
@@ -195,13 +198,13 @@ struct WallApproach {
 }
 
 impl WallApproach {
-    /// Distance to the near side, px; negative inside.
+    /// Returns the distance from the footprint to the near side of the wall along this axis, px; negative for overlap.
     fn gap(&self) -> f32 {
         let [low, high] = self.ends;
         if self.displacement > 0.0 { low } else { -high }
     }
 
-    /// Interval of the path during which the two overlap along this axis, as fractions of the path.
+    /// Returns the interval of the path during which footprint and wall overlap along this axis, as fractions of the path.
     fn overlap(&self) -> (f32, f32) {
         let [low, high] = self.ends;
         if self.displacement == 0.0 {
@@ -211,7 +214,8 @@ impl WallApproach {
         (a.min(b), a.max(b))
     }
 
-    /// Whether the wall is entered last along this axis: they overlap along the other axis by then.
+    /// Returns whether footprint and wall begin to overlap last along this axis: at that time they overlap along the axis
+    /// `other`.
     fn is_last(&self, other: &Self) -> bool {
         let (gap, displacement) = (self.gap(), self.displacement.abs());
         let (begins, ends) = other.overlap();
@@ -230,7 +234,8 @@ impl WallApproach {
 }
 
 impl CharacterFootprint {
-    /// Displacements along X and along Z that make the footprint touch another one, from either side, px.
+    /// Returns the displacements along X and those along Z at which this footprint touches the footprint `other` from either
+    /// side, px.
     fn touching_displacements(&self, other: &CharacterFootprint) -> ([f32; 2], [f32; 2]) {
         (
             [other.left - self.right, other.right - self.left],
@@ -239,7 +244,8 @@ impl CharacterFootprint {
     }
 }
 
-/// Footprint of the part of a box between step height and head.
+/// Returns the footprint of the part of a box between step height and head of the character; `None` if the box has no such
+/// part.
 pub(super) fn wall_of(shape: &SlantedBox, step: &StepContext<'_>) -> Option<CharacterFootprint> {
     if shape.is_sheared() || shape.is_turned() {
         return None;

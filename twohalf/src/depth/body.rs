@@ -1,6 +1,8 @@
 //! State of a body beyond that of the core: motion along Z, and its ground.
 
-use farseer_core::{ArgumentNames, Body, BodyId, PhysicsSimulator, Refusals, SpaceBody, SpaceTarget};
+use farseer_core::{
+    ArgumentNames, Body, BodyId, DepthBodyState, DepthTarget, PhysicsSimulator, RejectedArguments,
+};
 use serde::{Deserialize, Serialize};
 
 use super::ground::Ground;
@@ -18,27 +20,28 @@ pub(crate) struct DepthBody {
     /// drawn.
     pub(crate) angular_velocity_x: f32,
     pub(crate) angular_velocity_y: f32,
-    /// Displacement in the last update, px, y down; `None` before the first one.
+    /// Displacement of the body in the last update, px, y down; `None` before the first update.
     pub(crate) motion: Option<Vector3>,
-    /// Penetration in px when the last contact ended; the narrow phase of the precise set uses it.
+    /// Penetration in px when the body's last contact with a static body ended; 0 after other contacts. The narrow phase of the
+    /// precise set tests the next flush face with this tolerance.
     pub(crate) sunk: f32,
-    /// Velocity along Z that only resolves penetration, px/s, of the last update.
+    /// Velocity along Z, px/s, by which the last update resolved penetration (faithful scheme). It is not kept as velocity.
     #[serde(skip)]
     pub(crate) bias_z: f32,
     /// Force along Z for the next update, mass · px/s².
     pub(crate) force_z: f32,
     /// Impulse along Z for the next update, mass · px/s.
     pub(crate) impulse_z: f32,
-    /// Kinematic target.
-    pub(crate) target: Option<SpaceTarget>,
+    /// Target position of a kinematic body along Z; `None` without one.
+    pub(crate) target: Option<DepthTarget>,
     pub(crate) ground: Ground,
     /// The best support in the last update.
     pub(crate) support: Option<Support>,
     /// Whether the support is that of the update before the last, and the body has hardly moved since.
     pub(crate) is_support_kept: bool,
     /// Arguments that setters of this crate have refused since the last report.
-    pub(crate) rejected: Refusals<DepthArguments>,
-    /// Whether the body is in [`edited`](DepthState::edited).
+    pub(crate) rejected: RejectedArguments<DepthArguments>,
+    /// Whether the list `edited` of `DepthState` contains the body.
     #[serde(skip)]
     pub(crate) is_edited: bool,
 }
@@ -60,7 +63,7 @@ impl ArgumentNames for DepthArguments {
 }
 
 impl DepthBody {
-    /// Whether all numbers are finite: false only for a damaged save.
+    /// Returns whether all numbers are finite: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         let numbers = [self.force_z, self.impulse_z, self.sunk];
         self.motion_is_finite()
@@ -78,13 +81,13 @@ impl DepthBody {
 
     /// The input of the precise set for the body, with a velocity in px/s and an acceleration in px/s² along
     /// Z.
-    pub(crate) fn core_input(&self, velocity: f32, acceleration: f32, is_kinematic: bool) -> SpaceBody {
-        SpaceBody {
+    pub(crate) fn core_input(&self, velocity: f32, acceleration: f32, is_kinematic: bool) -> DepthBodyState {
+        DepthBodyState {
             z: self.z,
             velocity,
             acceleration,
-            motion: self.motion.unwrap_or_default().into(),
-            sunk: self.sunk,
+            displacement: self.motion.unwrap_or_default().into(),
+            residual_penetration: self.sunk,
             angular_velocity: [self.angular_velocity_x, self.angular_velocity_y],
             target: self.target.filter(|_| is_kinematic),
         }
@@ -113,7 +116,7 @@ impl DepthBody {
     }
 }
 
-/// Whether the solver can move a body: enabled and dynamic.
+/// Returns whether the solver can move a body: enabled and dynamic.
 pub(crate) fn is_movable(core: &PhysicsSimulator, body: BodyId) -> bool {
     core.body(body).is_some_and(|body| body.enabled() && !body.is_static() && !body.is_kinematic())
 }

@@ -1,7 +1,7 @@
 //! Persistent contacts: key, manifold points with accumulated impulses, and the feature that persists between
 //! updates.
 
-use farseer_core::order::{joined, sort_within};
+use farseer_core::order::{packed_key, sort_by_number_in};
 use farseer_core::{BodyId, GeomId};
 use serde::{Deserialize, Serialize};
 
@@ -13,18 +13,18 @@ use crate::shapes::{Face, PersistedAxis};
 /// Identifies a contact between updates and orders contacts, by creation numbers of geoms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub(crate) enum ContactKey {
-    /// Two geoms, the older one first.
+    /// The contact is between two geoms, by creation numbers, the older geom first.
     Pair(u32, u32),
-    /// A geom and a platform.
+    /// The contact is between a geom, by creation number, and a platform.
     Platform(u32, PlatformId),
-    /// A geom and its body's ground.
+    /// The contact is between a geom, by creation number, and the ground of its body.
     Ground(u32),
 }
 
 impl ContactKey {
-    /// A number with the order of the keys.
+    /// Returns a number that orders contacts as their keys do.
     pub(crate) fn rank(self) -> u128 {
-        joined(match self {
+        packed_key(match self {
             ContactKey::Pair(older, younger) => [0, older, younger],
             ContactKey::Platform(geom, platform) => [1, geom, platform.number()],
             ContactKey::Ground(geom) => [2, geom, 0],
@@ -37,20 +37,20 @@ impl ContactKey {
 pub(crate) enum PersistedFeature {
     /// No feature: the contact is found anew in every update.
     Nothing,
-    /// Two outlines that touch along Z; whether the younger geom is behind.
+    /// Two outlines touch along Z; `is_behind` tells whether the younger geom is behind the older one.
     Depth { is_behind: bool },
-    /// An outline on a platform: the contact axis.
+    /// An outline touches a platform along this contact axis.
     Axis(PersistedAxis),
-    /// A ball whose centre is inside a platform: the face through which it entered.
+    /// The centre of a ball is inside of a platform; it entered through this face.
     Face(Face),
-    /// A ball whose centre is inside a prism: the normal of the side through which it entered.
+    /// The centre of a ball is inside of a prism; it entered through the side with this normal.
     Side(Vector3),
     /// A contact that the core finds in X and Y and this crate solves, because its sides slide along Z.
     Plane,
 }
 
 impl PersistedFeature {
-    /// Whether its numbers are finite: false only for a damaged save.
+    /// Returns whether the numbers of the feature are finite: false only for a damaged save.
     fn is_finite(&self) -> bool {
         match self {
             PersistedFeature::Side(normal) => normal.iter().all(|number| number.is_finite()),
@@ -69,14 +69,14 @@ pub(crate) struct Contact {
     pub(crate) this: GeomId,
     pub(crate) body: BodyId,
     pub(crate) partner: ContactTarget,
-    /// The body of the target, if that is a geom.
+    /// Body of the target; `None` if the target is not a geom.
     pub(crate) partner_body: Option<BodyId>,
     /// Unit normal of the first point, from the target to `this`, y down.
     pub(crate) normal: Vector3,
     pub(crate) kept: PersistedFeature,
-    /// Index of the first point in the list.
+    /// Index of the first point of the contact in the list of points.
     pub(crate) first_point: u32,
-    /// Number of points.
+    /// Number of points of the contact.
     pub(crate) point_count: u32,
     /// Combined friction coefficient, dimensionless.
     pub(crate) friction: f32,
@@ -96,7 +96,7 @@ impl Contact {
         Axis::of(self.normal.z)
     }
 
-    /// The points of the contact in the list that it belongs to.
+    /// Returns the points of the contact, a part of the given list of all points.
     pub(crate) fn points_in<'a>(&self, points: &'a [ContactPoint]) -> &'a [ContactPoint] {
         &points[self.first_point as usize..(self.first_point + self.point_count) as usize]
     }
@@ -118,7 +118,7 @@ pub(crate) struct ContactPoint {
     pub(crate) feature: u32,
     /// Accumulated normal impulse, mass · px/s, 0 or more.
     pub(crate) normal_impulse: f32,
-    /// Accumulated friction impulses along the two tangents of the solver, mass · px/s.
+    /// Accumulated friction impulses along the first and the second tangent of the solver, mass · px/s.
     pub(crate) friction_impulse: [f32; 2],
 }
 
@@ -127,7 +127,7 @@ pub(crate) struct ContactPoint {
 pub(crate) struct ContactList {
     pub(crate) touches: Vec<Contact>,
     pub(crate) points: Vec<ContactPoint>,
-    /// Buffer for sorting.
+    /// Reused buffer for sorting: ranks of keys with indices of contacts.
     #[serde(skip)]
     pub(crate) places: Vec<(u128, u32)>,
 }
@@ -152,10 +152,10 @@ impl ContactList {
     }
 
     pub(crate) fn sort(&mut self) {
-        sort_within(&mut self.places, &mut self.touches, |touch| touch.key.rank());
+        sort_by_number_in(&mut self.places, &mut self.touches, |touch| touch.key.rank());
     }
 
-    /// Whether keys are sorted, ranges are in bounds and numbers are finite: false only for a damaged save.
+    /// Returns whether keys are sorted, ranges are in bounds and numbers are finite: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         let finite = |v: &Vector3| v.iter().all(|number| number.is_finite());
         let in_bounds = |touch: &Contact| {

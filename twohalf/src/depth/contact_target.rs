@@ -8,16 +8,16 @@ use super::platform_id::PlatformId;
 /// The target of a contact: the other side, as seen by a geom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum ContactTarget {
-    /// Another object's geom.
+    /// The target is a geom of another object.
     Geom(GeomId),
-    /// A platform.
+    /// The target is a platform.
     Platform(PlatformId),
-    /// The body's own ground: the plane Y = 0.
+    /// The target is the body's own ground: the plane Y = 0.
     Ground,
 }
 
 impl ContactTarget {
-    /// Whether it is the ground.
+    /// Returns whether the target is the ground.
     #[doc(alias = "IsGround")]
     pub fn is_ground(&self) -> bool {
         matches!(self, ContactTarget::Ground)
@@ -27,16 +27,16 @@ impl ContactTarget {
 /// Axes along which a contact acts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Axis {
-    /// X and Y: sides, tops and undersides.
+    /// The contact acts along X and Y: at sides, tops and undersides.
     Plane,
-    /// Z: fronts and backs.
+    /// The contact acts along Z: at fronts and backs.
     Depth,
-    /// All three: a ball, or the slanted side of a platform.
+    /// The contact acts along all three axes: of a ball, or at the slanted side of a platform.
     Oblique,
 }
 
 impl Axis {
-    /// The axes of a normal with this Z component.
+    /// Returns the axes along which a contact acts whose unit normal has this Z component.
     pub(crate) fn of(normal_z: f32) -> Self {
         match normal_z.abs() {
             0.0 => Axis::Plane,

@@ -3,7 +3,7 @@
 use farseer_core::BodyId;
 use serde::{Deserialize, Serialize};
 
-/// A monitored body.
+/// A body whose crushing is reported, with its tolerance and its last state.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct CrushMonitor {
     pub(crate) body: BodyId,
@@ -13,7 +13,7 @@ pub(crate) struct CrushMonitor {
 }
 
 impl CrushMonitor {
-    /// Whether the tolerance is in range: false only for a damaged save.
+    /// Returns whether the tolerance is in range: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         self.tolerance.is_finite() && self.tolerance >= 0.0
     }

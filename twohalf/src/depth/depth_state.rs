@@ -17,26 +17,27 @@ pub(crate) struct DepthState {
     /// Bodies with changes that the precise set has not received yet.
     #[serde(skip)]
     pub(crate) edited: Vec<BodyId>,
-    /// Bodies with a force along Z that cannot move yet.
+    /// Bodies with a force along Z that cannot move yet, because they do not take part in the simulation.
     #[serde(skip)]
     pub(crate) waiting: Vec<BodyId>,
     /// Bodies whose force along Z the precise set has received. A body that does not move yet may change its
     /// mass, so the force is sent again.
     #[serde(skip)]
     pub(crate) forced: Vec<BodyId>,
-    /// Whether the core has received all bodies once.
+    /// Whether the precise set has received the depth states of all bodies once.
     #[serde(skip)]
     pub(crate) is_sent: bool,
 }
 
 impl DepthState {
-    /// Whether there is an upright geom; only the precise set supports those.
+    /// Returns whether any geom is upright; only the precise set supports upright geoms.
     pub(crate) fn have_uprights(&self, core: &PhysicsSimulator) -> bool {
         let profile = |geom: GeomId| self.profiles.get(geom);
         core.geoms().any(|geom| profile(geom).is_some_and(|profile| profile.is_upright()))
     }
 
-    /// A body to be changed, or whose geoms are to be changed; it is sent to the core again.
+    /// Returns a body for a change of itself or of its geoms; `None` for a stale id. The next update sends the body to the core
+    /// again.
     pub(crate) fn edit(&mut self, id: BodyId) -> Option<&mut DepthBody> {
         let state = self.bodies.get_mut(id)?;
         if !std::mem::replace(&mut state.is_edited, true) {

@@ -1,4 +1,5 @@
-//! Supports and walls of characters that have no contact; the event handler is asked about them.
+//! Surfaces that the character controller finds by its own queries, as floor or wall, and for which the solver has no contact.
+//! The next update asks the event handler about each of them, as it asks about contacts.
 
 use farseer_core::GeomId;
 use serde::{Deserialize, Serialize};
@@ -6,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::contact_target::ContactTarget;
 use crate::Vector3;
 
-/// A support or wall of a character without a contact.
+/// A floor or wall that the character controller has found by a query, without a contact in the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Footing {
     /// The object geom of the character.
@@ -21,7 +22,7 @@ pub(crate) struct Footing {
 /// Queue between [`walk`](crate::TwoHalfPhysicsSimulator::walk) and the updates that ask an event handler.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Footings {
-    /// Supports and walls that the next update asks about.
+    /// Supports and walls about which the next update asks the event handler.
     pub(crate) asked: Vec<Footing>,
     /// Sorted pairs that the handler has refused in the last update that asked.
     pub(crate) refused: Vec<(GeomId, ContactTarget)>,
@@ -37,7 +38,7 @@ impl Footings {
         }
     }
 
-    /// Targets that a handler has refused to a character.
+    /// Iterates over the targets that the event handler has refused to the character with this object geom.
     pub(crate) fn refused_to(&self, this: GeomId) -> impl Iterator<Item = ContactTarget> + '_ {
         let first = self.refused.partition_point(|&(other, _)| other < this);
         let of_this = self.refused[first..].iter().take_while(move |&&(other, _)| other == this);
@@ -50,7 +51,7 @@ impl Footings {
         self.refused.clear();
     }
 
-    /// Whether all numbers are finite and the pairs are sorted: false only for a damaged save.
+    /// Returns whether all numbers are finite and the pairs are sorted: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         let is_finite = |vector: &Vector3| vector.iter().all(|number| number.is_finite());
         let is_sorted = self.refused.is_sorted();

@@ -46,22 +46,22 @@ impl Ground {
         self.shadow_image
     }
 
-    /// The same ground for a body that has no geoms yet.
+    /// Returns this ground without an object geom, for a new body that has no geoms yet.
     pub(crate) fn without_object(self) -> Self {
         Ground { object_geom: None, ..self }
     }
 
-    /// Sets the object geom if the body has none.
+    /// Sets the object geom if the ground has none.
     pub(crate) fn adopt_object(&mut self, geom: GeomId) {
         self.object_geom.get_or_insert(geom);
     }
 
-    /// Clears the object geom if it is the one that left the body.
+    /// Clears the object geom if it is `geom`, which has left the body.
     pub(crate) fn clear_removed_geom(&mut self, geom: GeomId) {
         self.object_geom.take_if(|object| *object == geom);
     }
 
-    /// Whether the coefficients are finite: false only for a damaged save.
+    /// Returns whether the coefficients are finite: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         self.restitution_coefficient.is_finite() && self.friction_coefficient.is_finite()
     }

@@ -6,7 +6,8 @@ mod turned;
 
 use farseer_core::math::scalar;
 use farseer_core::{
-    ArgumentNames, CollisionCategory, CollisionFilter, Fixture, FixtureMotion, Refusals, SurfaceCoefficients,
+    ArgumentNames, CollisionCategory, CollisionFilter, RejectedArguments, SurfaceCoefficients, WorldBox,
+    WorldBoxMotion,
 };
 use serde::{Deserialize, Serialize};
 
@@ -50,7 +51,7 @@ pub struct Platform {
     filter: CollisionFilter,
     surface: SurfaceCoefficients,
     /// Arguments that setters have refused since the last report.
-    rejected: Refusals<PlatformArguments>,
+    rejected: RejectedArguments<PlatformArguments>,
     /// Speed of the surface along the level edges and along Z, px/s.
     surface_speed: [f32; 2],
     motion: Option<PlatformMotion>,
@@ -59,7 +60,7 @@ pub struct Platform {
     pitch: f32,
     /// Angle about the upright axis, radians; `None` if it was never turned.
     yaw: Option<f32>,
-    /// Computed from the other fields.
+    /// Box in the frame of the narrow phase (px, y down), computed from the other fields.
     #[serde(skip)]
     shape: SlantedBox,
 }
@@ -75,21 +76,22 @@ impl ArgumentNames for PlatformArguments {
 /// Motion of a kinematic or hinged platform.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct PlatformMotion {
-    /// Centre of the box in the frame of the narrow phase; the position is derived from it.
+    /// Centre of the box in the frame of the narrow phase (px, y down). The position of the platform is derived from it.
     centre: Vector3,
-    /// Kinematic target of the position.
+    /// Target of the platform's position in the world, px; `None` if it follows its velocity.
     target: Option<Vector3>,
     /// The motion in the form that the core takes.
     #[serde(rename = "told")]
-    core_motion: FixtureMotion,
+    core_motion: WorldBoxMotion,
 }
 
 impl PlatformMotion {
-    /// Whether all numbers are finite: false only for a damaged save.
+    /// Returns whether all numbers are finite: false only for a damaged save.
     fn is_finite(&self) -> bool {
-        let FixtureMotion { velocity, target, way, turning, yaw_target, .. } = self.core_motion;
+        let WorldBoxMotion { velocity, target, displacement: way, yaw_rate: turning, yaw_target, .. } =
+            self.core_motion;
         let is_driven = target.is_some() || yaw_target.is_some() || velocity != [0.0; 3];
-        if self.core_motion.swing().is_some_and(|swing| is_driven || !swing::is_valid(swing)) {
+        if self.core_motion.hinge().is_some_and(|swing| is_driven || !swing::is_valid(swing)) {
             return false;
         }
         let turns = [turning, yaw_target.map_or(0.0, |(target, _)| target)];
@@ -100,9 +102,9 @@ impl PlatformMotion {
     }
 }
 
-/// Construction and changes.
+/// Construction and changes of platforms.
 impl Platform {
-    /// A platform of a width, height and depth, px.
+    /// Returns a platform of a width, height and depth, px.
     pub(crate) fn checked(
         [width, height, depth]: [f32; 3],
         position3d: Vector3,
@@ -133,7 +135,7 @@ impl Platform {
             shadow_image,
             filter: CollisionFilter::default(),
             surface: SurfaceCoefficients::default(),
-            rejected: Refusals::default(),
+            rejected: RejectedArguments::default(),
             surface_speed: [0.0; 2],
             motion: None,
             is_one_way: false,
@@ -144,7 +146,7 @@ impl Platform {
         platform.shaped(projection)
     }
 
-    /// The platform with its shape recomputed.
+    /// Returns the platform with its box computed from its other properties.
     pub(super) fn shaped(mut self, projection: &Projection) -> Result<Self> {
         let Platform { width, height, depth, position3d, rotation, angle_in_z_axis, motion, .. } = self;
         if !rotation.is_finite() {
@@ -172,12 +174,12 @@ impl Platform {
         Ok(self)
     }
 
-    /// Centre of the box at a position, in the frame of the narrow phase.
+    /// Returns the centre of the box for a position of the platform, in the frame of the narrow phase (px, y down).
     fn middle(&self, position3d: Vector3) -> Vector3 {
         Vector3::new(position3d.x, -(position3d.y + self.height * 0.5), position3d.z)
     }
 
-    /// The platform at another position.
+    /// Returns the platform at another position in the world, px.
     pub(crate) fn at(&self, position3d: Vector3, projection: &Projection) -> Result<Self> {
         let mut platform = Platform { position3d, ..self.clone() };
         let centre = platform.middle(position3d);
@@ -186,13 +188,13 @@ impl Platform {
         platform.shaped(projection)
     }
 
-    /// The platform at another rotation, radians.
+    /// Returns the platform at another tilt, radians.
     pub(crate) fn tilted(&self, rotation: f32, projection: &Projection) -> Result<Self> {
         Platform { rotation, ..self.clone() }.shaped(projection)
     }
 
-    /// Sets a velocity, or a target. Returns whether it was static before, since the core then takes it as a
-    /// new kind of box.
+    /// Sets a velocity (px/s), or a target position (px), of the platform. Returns whether the platform was static before; the
+    /// core then receives it as a moving box.
     pub(crate) fn set_motion(&mut self, velocity: Vector3, target: Option<Vector3>) -> bool {
         let towards = target.map(|target| (self.middle(target).into(), false));
         let core_motion = self.motion.map(|motion| motion.core_motion).unwrap_or_default();
@@ -200,12 +202,12 @@ impl Platform {
         self.motion = Some(PlatformMotion {
             centre: self.shape.centre,
             target,
-            core_motion: FixtureMotion { velocity: velocity.into(), target: towards, ..core_motion },
+            core_motion: WorldBoxMotion { velocity: velocity.into(), target: towards, ..core_motion },
         });
         stood_still
     }
 
-    /// The platform with a belt as surface.
+    /// Returns the platform with a belt of this speed as its surface, px/s.
     pub(crate) fn with_surface_speed(&self, surface_speed: [f32; 2]) -> Result<Self> {
         let platform = Platform { surface_speed, ..self.clone() };
         platform.check_turn()?;
@@ -220,7 +222,8 @@ impl Platform {
         &mut self.filter
     }
 
-    /// Sets a coefficient; a value that is not finite is recorded as refused.
+    /// Sets a coefficient of the surface. A value that is not finite is refused, and the name of the argument is added to
+    /// `rejected`.
     pub(crate) fn set_coefficient(
         &mut self,
         argument: &'static str,
@@ -239,7 +242,7 @@ impl Platform {
         self.rejected.take()
     }
 
-    /// Whether all values are in range: false only for a damaged save. Recomputes the shape.
+    /// Returns whether all values are in range: false only for a damaged save. Recomputes the shape.
     pub(super) fn restore(&mut self, projection: &Projection) -> bool {
         let sizes = [self.width, self.height, self.depth];
         let is_valid = sizes.iter().all(|size| size.is_finite() && *size > 0.0)
@@ -257,9 +260,9 @@ impl Platform {
         }
     }
 
-    /// The platform in the form that the core takes.
-    pub(crate) fn fixture(&self, id: PlatformId) -> Fixture {
-        Fixture {
+    /// Returns the platform as a world box of the core.
+    pub(crate) fn fixture(&self, id: PlatformId) -> WorldBox {
+        WorldBox {
             id: id.number(),
             shape: self.shape,
             rotation: self.rotation,
@@ -272,11 +275,11 @@ impl Platform {
         }
     }
 
-    pub(crate) fn core_motion(&self) -> Option<FixtureMotion> {
+    pub(crate) fn core_motion(&self) -> Option<WorldBoxMotion> {
         self.motion.map(|motion| motion.core_motion)
     }
 
-    /// Whether it has a feature that only the precise set supports.
+    /// Returns whether the platform has a feature that only the precise set supports.
     pub(super) fn is_precise(&self) -> bool {
         self.motion.is_some()
             || self.surface_speed != [0.0; 2]
@@ -284,8 +287,8 @@ impl Platform {
             || self.is_sloped_or_turned()
     }
 
-    /// Stores the motion of an update.
-    pub(super) fn has_moved(&mut self, centre: Vector3, yaw: Option<f32>, core_motion: FixtureMotion) {
+    /// Stores centre, yaw and motion of the platform after an update of the core.
+    pub(super) fn has_moved(&mut self, centre: Vector3, yaw: Option<f32>, core_motion: WorldBoxMotion) {
         let Some(motion) = &mut self.motion else { return };
         let has_landed = core_motion.target.is_some_and(|(_, is_reached)| is_reached);
         if let Some(target) = motion.target.filter(|_| has_landed) {
@@ -302,7 +305,7 @@ impl Platform {
     }
 }
 
-/// Properties.
+/// Properties of platforms.
 impl Platform {
     /// Width along X in px, before the tilt.
     pub fn width(&self) -> f32 {
@@ -379,13 +382,13 @@ impl Platform {
         self.filter.group
     }
 
-    /// Whether it collides at all. Default true.
+    /// Returns whether it collides at all. Default true.
     #[doc(alias = "CollisionEnabled")]
     pub fn collision_enabled(&self) -> bool {
         self.filter.is_enabled
     }
 
-    /// Whether its contacts exert impulses; they are reported either way. Default true.
+    /// Returns whether its contacts exert impulses; they are reported either way. Default true.
     #[doc(alias = "CollisionResponseEnabled")]
     pub fn collision_response_enabled(&self) -> bool {
         self.filter.responds
@@ -402,7 +405,7 @@ impl Platform {
         self.surface_speed
     }
 
-    /// Whether it is one-way: objects above its top land on it, all others pass through.
+    /// Returns whether it is one-way: objects above its top land on it, all others pass through.
     pub fn is_one_way(&self) -> bool {
         self.is_one_way
     }
@@ -414,12 +417,12 @@ impl Platform {
         self.shape.corners().map(to_world)
     }
 
-    /// Prescribed velocity in the frame of the narrow phase, px/s.
+    /// Returns the velocity that the game has set, in the frame of the narrow phase (y down), px/s.
     pub(crate) fn prescribed_velocity(&self) -> Vector3 {
         self.motion.map_or(Vector3::zeros(), |motion| motion.core_motion.velocity.into())
     }
 
-    /// Shape in the frame of the narrow phase.
+    /// Returns the box in the frame of the narrow phase (px, y down).
     pub(crate) fn shape(&self) -> &SlantedBox {
         &self.shape
     }

@@ -10,7 +10,7 @@ const MAX_PLATFORMS: u32 = (1 << 31) - 16;
 pub struct PlatformId(u32);
 
 impl PlatformId {
-    /// The next id; `None` after the greatest one.
+    /// Returns the id after this one; `None` after the greatest id.
     pub(super) fn next(self) -> Option<Self> {
         self.0.checked_add(1).filter(|&next| next < MAX_PLATFORMS).map(PlatformId)
     }

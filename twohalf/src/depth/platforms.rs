@@ -1,7 +1,7 @@
 //! All platforms of a simulator, with a broad phase along X.
 
-use farseer_core::FixtureMotion;
-use farseer_core::order::{ordered, sort_numbered};
+use farseer_core::WorldBoxMotion;
+use farseer_core::order::{sort_numbered, total_order_key};
 use serde::{Deserialize, Serialize};
 
 use super::platform::Platform;
@@ -9,23 +9,23 @@ use super::platform_id::PlatformId;
 use crate::error::{invalid, stale};
 use crate::{Projection, Result, Vector3};
 
-/// All platforms of a simulator.
+/// All platforms of a simulator, with sorted left bounds for queries and flags of changes for the core.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Platforms {
-    /// Sorted by id, which is the order of creation.
+    /// Platforms sorted by id, which is the order of creation.
     list: Vec<(PlatformId, Platform)>,
     next: PlatformId,
-    /// Whether the broad phase is up to date.
+    /// Whether `by_left` fits the present platforms.
     #[serde(skip)]
     is_sorted: bool,
-    /// Whether the precise set has all platforms as they are.
+    /// Whether the precise set has the present state of all platforms.
     #[serde(skip)]
     is_sent: bool,
-    /// Whether the precise set has the motions as they are.
+    /// Whether the precise set has the present motions of all platforms.
     #[serde(skip)]
     is_motion_sent: bool,
-    /// Left bounds as sortable numbers with indices into `list`, sorted; and the greatest right bound up to
-    /// each, px.
+    /// Broad phase: left bounds as sortable numbers with indices into `list`, sorted. Each entry also has the greatest right
+    /// bound up to it, px.
     #[serde(skip)]
     by_left: Vec<(u128, u32)>,
     #[serde(skip)]
@@ -72,7 +72,7 @@ impl Platforms {
         (self.is_sorted, self.is_sent) = (false, false);
     }
 
-    /// A platform for changes that keep its box.
+    /// Returns a platform for changes that keep its box.
     pub(crate) fn edit(&mut self, index: usize) -> &mut Platform {
         self.is_sent = false;
         &mut self.list[index].1
@@ -84,7 +84,7 @@ impl Platforms {
         self.is_motion_sent = false;
     }
 
-    /// Replaces a platform by one that turns. `stood_still` tells whether it was static before.
+    /// Replaces a platform by one that turns. `stood_still` tells whether the platform was static before.
     pub(crate) fn turn(&mut self, index: usize, platform: Platform, stood_still: bool) {
         self.list[index].1 = platform;
         self.is_sent &= !stood_still;
@@ -107,25 +107,25 @@ impl Platforms {
         self.is_sent = false;
     }
 
-    /// Whether a platform was added, removed or edited since the last call.
+    /// Returns whether a platform was added, removed or edited since the last call.
     pub(crate) fn take_changed(&mut self) -> bool {
         !std::mem::replace(&mut self.is_sent, true)
     }
 
-    /// Motions of the moving platforms, if one was edited since the last call.
-    pub(crate) fn edited_motions(&mut self) -> impl Iterator<Item = (PlatformId, FixtureMotion)> + '_ {
+    /// Iterates over the motions of all moving platforms if any motion was edited since the last call; else over none.
+    pub(crate) fn edited_motions(&mut self) -> impl Iterator<Item = (PlatformId, WorldBoxMotion)> + '_ {
         let is_sent = std::mem::replace(&mut self.is_motion_sent, true);
         let edited = if is_sent { &[][..] } else { &self.list };
         edited.iter().filter_map(|(id, platform)| Some((*id, platform.core_motion()?)))
     }
 
-    /// Stores the motion of an update.
+    /// Stores centre, yaw and motion of a platform after an update of the core.
     pub(crate) fn has_moved(
         &mut self,
         id: PlatformId,
         centre: Vector3,
         yaw: Option<f32>,
-        motion: FixtureMotion,
+        motion: WorldBoxMotion,
     ) {
         if let Some(index) = self.index_of(id) {
             self.list[index].1.has_moved(centre, yaw, motion);
@@ -133,14 +133,15 @@ impl Platforms {
         }
     }
 
-    /// Stores the motion of a hinged platform that may have fallen asleep, unless it was edited since.
-    pub(crate) fn has_rested(&mut self, id: PlatformId, motion: FixtureMotion) {
+    /// Stores the motion of a hinged platform that may have fallen asleep in the core, unless the game edited the platform
+    /// since.
+    pub(crate) fn has_rested(&mut self, id: PlatformId, motion: WorldBoxMotion) {
         if let Some(index) = self.index_of(id).filter(|_| self.is_sent && self.is_motion_sent) {
             self.list[index].1.has_rested(motion);
         }
     }
 
-    /// Whether a platform has a feature that only the precise set supports.
+    /// Returns whether a platform has a feature that only the precise set supports.
     pub(crate) fn are_precise(&self) -> bool {
         self.list.iter().any(|(_, platform)| platform.is_precise())
     }
@@ -149,14 +150,14 @@ impl Platforms {
         self.list.is_empty()
     }
 
-    /// Updates the broad phase for [`overlapping`](Self::overlapping).
+    /// Sorts the left bounds of all platforms for [`overlapping`](Self::overlapping).
     pub(crate) fn sort(&mut self) {
         if self.is_sorted {
             return;
         }
         self.by_left.clear();
         for ((_, platform), index) in self.list.iter().zip(0..) {
-            self.by_left.push((ordered(platform.shape().bounds().0.x).into(), index));
+            self.by_left.push((total_order_key(platform.shape().bounds().0.x).into(), index));
         }
         // Moving platforms need this in every update, so it sorts in place.
         sort_numbered(&mut self.by_left);
@@ -176,7 +177,7 @@ impl Platforms {
         low: Vector3,
         high: Vector3,
     ) -> impl Iterator<Item = (PlatformId, &Platform)> {
-        let end = self.by_left.partition_point(|entry| entry.0 < ordered(high.x).into());
+        let end = self.by_left.partition_point(|entry| entry.0 < total_order_key(high.x).into());
         let candidates = self.by_left[..end].iter().zip(&self.max_right[..end]).rev();
         candidates.take_while(move |&(_, &reach)| reach > low.x).filter_map(move |(&(_, index), _)| {
             let (id, platform) = &self.list[index as usize];
@@ -191,7 +192,7 @@ impl Platforms {
         self.list.iter_mut().flat_map(|(_, platform)| platform.take_rejected())
     }
 
-    /// Whether all platforms are in range: false only for a damaged save. Recomputes the shapes.
+    /// Returns whether all platforms are in range: false only for a damaged save. Recomputes the shapes.
     pub(crate) fn restore(&mut self, projection: &Projection) -> bool {
         (self.is_sorted, self.is_sent) = (false, false);
         let in_order = self.list.windows(2).all(|pair| pair[0].0 < pair[1].0)

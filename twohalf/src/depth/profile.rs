@@ -67,7 +67,7 @@ impl DepthProfile {
         }
     }
 
-    /// Whether it is a cylinder, capsule or upright prism, whose body does not rotate.
+    /// Returns whether it is a cylinder, capsule or upright prism, whose body does not rotate.
     pub fn is_upright(&self) -> bool {
         self.upright().is_some()
     }
@@ -83,7 +83,7 @@ impl DepthProfile {
         DepthProfile::Prism { depth: nearest_finite(side) }
     }
 
-    /// Refuses sizes out of range.
+    /// Returns the profile, or an error for sizes out of range.
     pub(crate) fn check(self) -> Result<Self> {
         match self {
             DepthProfile::Prism { depth } if !(depth.is_finite() && depth >= 0.0) => {

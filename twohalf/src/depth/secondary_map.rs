@@ -63,7 +63,7 @@ impl<I: Slot, T> SecondaryMap<I, T> {
         }
     }
 
-    /// All entries in the order of their slots, including those of disposed objects.
+    /// Iterates over all entries in the order of their slots, including entries of disposed objects.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (I, &T)> {
         self.entries.iter().flatten().map(|(id, value)| (*id, value))
     }
@@ -72,7 +72,7 @@ impl<I: Slot, T> SecondaryMap<I, T> {
         self.entries.iter_mut().flatten().map(|(id, value)| (*id, value))
     }
 
-    /// Whether every entry lies in its id's slot and passes a test: false only for a damaged save.
+    /// Returns whether every entry lies in its id's slot and passes a test: false only for a damaged save.
     pub(crate) fn is_valid(&self, mut test: impl FnMut(I, &T) -> bool) -> bool {
         self.entries.iter().enumerate().all(|(slot, entry)| {
             entry.as_ref().is_none_or(|(id, value)| id.slot() == slot && test(*id, value))

@@ -7,7 +7,7 @@ use crate::{ContactTarget, Vector3};
 /// Least upward component of the normal of a surface to stand on, dimensionless: slopes up to 60 degrees.
 const MIN_GROUND_UP: f32 = 0.5;
 
-/// A contact target below a body.
+/// Contact target that carries a body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Support {
     /// The target that supports the body.
@@ -17,7 +17,7 @@ pub struct Support {
 }
 
 impl Support {
-    /// Whether the body can stand on it: the surface is no steeper than 60 degrees.
+    /// Returns whether the body can stand on the support: its surface is no steeper than 60 degrees.
     pub fn carries(&self) -> bool {
         self.normal.y >= MIN_GROUND_UP
     }

@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 /// Least time scale greater than 0, dimensionless, so that the scaled mass and velocity stay in range.
 const MIN_TIME_SCALE: f32 = 0.01;
 
-/// Time scale of a body.
+/// Time scale of a body, and for how long the body's time is stopped.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct TimeScale {
     pub(crate) body: BodyId,
-    /// Ratio of its time to the time of the simulator, 0 or 0.01..=1; dimensionless.
+    /// Ratio of the time of the body to the time of the simulator, 0 or 0.01..=1; dimensionless.
     pub(crate) scale: f32,
-    /// Number of updates for which its time remains stopped.
+    /// Number of updates for which the time of the body remains stopped.
     pub(crate) stops: u32,
 }
 
@@ -29,7 +29,7 @@ impl TimeScale {
         self.scale == 1.0 && self.stops == 0
     }
 
-    /// Whether the scale is in range: false only for a damaged save.
+    /// Returns whether the scale is in range: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         TimeScale::is_scale(self.scale)
     }

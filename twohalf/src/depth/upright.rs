@@ -1,28 +1,29 @@
 //! Upright geoms in the form that the core takes, and their extents.
 
-use farseer_core::{Body, GeomRef, SpaceFoot, SpaceUpright, Vertices};
+use farseer_core::{Body, DepthQueryFootprint, GeomRef, VerticalShape, Vertices};
 
 use super::profile::DepthProfile;
 use crate::{Vector2, Vector3};
 
 impl DepthProfile {
-    /// The upright shape in the form that the core takes; `None` for prisms and balls.
-    pub(crate) fn upright(&self) -> Option<SpaceUpright> {
+    /// Returns the upright shape as a vertical shape of the core; `None` for prisms and balls.
+    pub(crate) fn upright(&self) -> Option<VerticalShape> {
         match *self {
             DepthProfile::Cylinder { radius, height } => {
-                Some(SpaceUpright::Cylinder { radius, half_height: 0.5 * height })
+                Some(VerticalShape::Cylinder { radius, half_height: 0.5 * height })
             }
             DepthProfile::Capsule { radius, height } => {
-                Some(SpaceUpright::Capsule { radius, half_height: 0.5 * height })
+                Some(VerticalShape::Capsule { radius, half_height: 0.5 * height })
             }
             DepthProfile::Upright { footprint, height } => {
-                Some(SpaceUpright::Prism { footprint, half_height: 0.5 * height })
+                Some(VerticalShape::Prism { footprint, half_height: 0.5 * height })
             }
             DepthProfile::Prism { .. } | DepthProfile::Round { .. } => None,
         }
     }
 
-    /// The outline of its geom: its silhouette from the front.
+    /// Returns the outline that the geom of an upright profile gets: the silhouette from the front. `None` for prisms and
+    /// balls.
     pub(crate) fn front(&self) -> Option<Vertices> {
         let upright = self.upright()?;
         let ([left, right], half) = (span(&upright), half_height(&upright));
@@ -32,31 +33,31 @@ impl DepthProfile {
     }
 }
 
-/// Half of the height, px.
-pub(crate) fn half_height(upright: &SpaceUpright) -> f32 {
+/// Returns half of the height of an upright shape, px.
+pub(crate) fn half_height(upright: &VerticalShape) -> f32 {
     match *upright {
-        SpaceUpright::Cylinder { half_height, .. }
-        | SpaceUpright::Capsule { half_height, .. }
-        | SpaceUpright::Prism { half_height, .. } => half_height,
+        VerticalShape::Cylinder { half_height, .. }
+        | VerticalShape::Capsule { half_height, .. }
+        | VerticalShape::Prism { half_height, .. } => half_height,
     }
 }
 
-/// Least and greatest X about the geom's origin, px.
-pub(crate) fn span(upright: &SpaceUpright) -> [f32; 2] {
+/// Returns the least and the greatest X of an upright shape relative to the geom's origin, px.
+pub(crate) fn span(upright: &VerticalShape) -> [f32; 2] {
     match upright {
-        SpaceUpright::Cylinder { radius, .. } | SpaceUpright::Capsule { radius, .. } => [-radius, *radius],
-        SpaceUpright::Prism { footprint, .. } => {
+        VerticalShape::Cylinder { radius, .. } | VerticalShape::Capsule { radius, .. } => [-radius, *radius],
+        VerticalShape::Prism { footprint, .. } => {
             let (low, high) = footprint.bounds();
             [low.x, high.x]
         }
     }
 }
 
-/// Least and greatest Z about the body, px.
-pub(crate) fn depths(upright: &SpaceUpright) -> [f32; 2] {
+/// Returns the least and the greatest Z of an upright shape relative to the body's Z, px.
+pub(crate) fn depths(upright: &VerticalShape) -> [f32; 2] {
     match upright {
-        SpaceUpright::Cylinder { radius, .. } | SpaceUpright::Capsule { radius, .. } => [-radius, *radius],
-        SpaceUpright::Prism { footprint, .. } => {
+        VerticalShape::Cylinder { radius, .. } | VerticalShape::Capsule { radius, .. } => [-radius, *radius],
+        VerticalShape::Prism { footprint, .. } => {
             let (low, high) = footprint.bounds();
             [low.y, high.y]
         }
@@ -64,20 +65,21 @@ pub(crate) fn depths(upright: &SpaceUpright) -> [f32; 2] {
 }
 
 /// Calls a function with the footprint of an upright shape.
-pub(crate) fn with_foot<R>(upright: &SpaceUpright, look: impl FnOnce(SpaceFoot<'_>) -> R) -> R {
+pub(crate) fn with_foot<R>(upright: &VerticalShape, look: impl FnOnce(DepthQueryFootprint<'_>) -> R) -> R {
     match upright {
-        SpaceUpright::Cylinder { radius, .. } | SpaceUpright::Capsule { radius, .. } => {
-            look(SpaceFoot::Disc(*radius))
+        VerticalShape::Cylinder { radius, .. } | VerticalShape::Capsule { radius, .. } => {
+            look(DepthQueryFootprint::Disc(*radius))
         }
-        SpaceUpright::Prism { footprint, .. } => {
+        VerticalShape::Prism { footprint, .. } => {
             let corners: Vec<[f32; 2]> =
                 footprint.corners().iter().map(|corner| [corner.x, corner.y]).collect();
-            look(SpaceFoot::Polygon(&corners))
+            look(DepthQueryFootprint::Polygon(&corners))
         }
     }
 }
 
-/// Centre of an upright geom, px, y down; it does not rotate about its body.
+/// Returns the centre of an upright geom in world axes: x right, y down, z into the picture, px. `z` is the depth of the body.
+/// The geom does not rotate about its body.
 pub(crate) fn middle(geom: GeomRef<'_>, body: &Body, z: f32) -> Vector3 {
     let place = body.position() + geom.offset();
     Vector3::new(place.x, place.y, z)

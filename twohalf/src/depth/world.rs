@@ -14,7 +14,7 @@ use super::scheme::DepthScheme;
 use super::time_scale::TimeScale;
 use crate::Projection;
 
-/// State that this crate keeps beside the core.
+/// State that `twohalf` keeps beside the core: depths, platforms, fields, projection and contacts.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct World {
     pub(crate) projection: Projection,
@@ -24,11 +24,11 @@ pub struct World {
     pub(crate) depths: DepthState,
     pub(crate) platforms: Platforms,
     pub(crate) fields: Fields,
-    /// Bodies with a time scale.
+    /// Bodies with a time scale other than 1, with that time scale.
     pub(crate) paces: Vec<TimeScale>,
     /// Bodies whose crushing is reported.
     pub(crate) crush_watches: Vec<CrushMonitor>,
-    /// Supports of characters about which event handlers are asked.
+    /// Supports and walls of characters about which the next update asks an event handler.
     pub(crate) footings: Footings,
     /// Holder and load of broken grips that no event has reported yet.
     pub(crate) broken_grips: Vec<(BodyId, BodyId)>,
@@ -59,7 +59,7 @@ impl World {
         }
     }
 
-    /// Records an argument that a setter of a body has refused.
+    /// Stores the name of an argument that a setter of a body has refused. The next update reports it as an event.
     #[cold]
     pub(crate) fn reject(&mut self, body: BodyId, argument: &'static str) {
         self.depths.bodies[body].rejected.note(argument);
@@ -72,12 +72,12 @@ impl World {
         ((z - near) / (far - near)).clamp(0.0, 1.0)
     }
 
-    /// Whether both sides of a contact take part.
+    /// Returns whether both sides of a contact take part in the simulation.
     pub(crate) fn may_touch(&self, core: &PhysicsSimulator, this: GeomId, partner: ContactTarget) -> bool {
         takes_part(core, this) && self.exists(core, partner)
     }
 
-    /// Whether a target takes part.
+    /// Returns whether a contact target takes part in the simulation.
     pub(crate) fn exists(&self, core: &PhysicsSimulator, partner: ContactTarget) -> bool {
         match partner {
             ContactTarget::Geom(geom) => takes_part(core, geom),
@@ -87,7 +87,7 @@ impl World {
     }
 }
 
-/// Whether a geom is in its list and its body is enabled.
+/// Returns whether a geom is in the list of the simulation and its body is enabled.
 fn takes_part(core: &PhysicsSimulator, geom: GeomId) -> bool {
     core.is_listed(geom)
         && core.geom(geom).and_then(|geom| core.body(geom.body())).is_some_and(|body| body.enabled())

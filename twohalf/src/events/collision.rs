@@ -8,9 +8,9 @@ use crate::depth::{Axis, ContactTarget};
 /// A contact of a geom, as reported to a game.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
-    /// The geom whose contact it is.
+    /// The geom that has the contact.
     pub this: GeomId,
-    /// The contact target.
+    /// The contact target: the other geom, a platform or the ground.
     pub partner: ContactTarget,
     /// Axes along which the contact acts.
     pub axis: Axis,

@@ -20,14 +20,14 @@ pub enum Event {
     /// The end of a contact, or a touch that a handler refuses from now on; two events for two geoms. A
     /// contact that ends by disabling, removing or disposing has no event.
     Separation {
-        /// The geom whose contact it was.
+        /// The geom that had the contact.
         this: GeomId,
         /// The contact target.
         partner: ContactTarget,
     },
     /// The handler refused a pair in the broad phase.
     BroadPhaseVeto {
-        /// First geom, as the handler was told.
+        /// First geom, as in the callback.
         geom1: GeomId,
         /// Second geom.
         geom2: GeomId,
@@ -47,7 +47,7 @@ pub enum Event {
         /// The object.
         object: ObjectId,
     },
-    /// An object left its list, or was to be removed without being in it.
+    /// An object left its list, or was to be removed without being in its list.
     Removed {
         /// The object.
         object: ObjectId,
@@ -97,8 +97,8 @@ pub enum Event {
 }
 
 impl Event {
-    /// The event for an event of the core with the same meaning. Collisions and separations are converted
-    /// elsewhere.
+    /// Returns the event for an event of the core with the same meaning; `None` for collisions and separations, which `stages`
+    /// convert.
     pub(crate) fn from_core(event: CoreEvent) -> Option<Self> {
         Some(match event {
             CoreEvent::BodyUpdated { body } => Event::BodyUpdated { body },

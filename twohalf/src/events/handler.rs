@@ -27,13 +27,13 @@ pub trait EventHandler {
         true
     }
 
-    /// See [`Event::Separation`](crate::Event::Separation).
+    /// Called at the end of a contact: see [`Event::Separation`](crate::Event::Separation).
     #[doc(alias("OnSeparation", "SeparationEventHandler"))]
     fn on_separation(&mut self, context: &mut Context<'_>, this: GeomId, partner: ContactTarget) {
         let _ = (context, this, partner);
     }
 
-    /// Whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is called.
+    /// Returns whether [`on_broad_phase_collision`](Self::on_broad_phase_collision) is called.
     fn handles_broad_phase(&self) -> bool {
         false
     }
@@ -46,35 +46,35 @@ pub trait EventHandler {
         true
     }
 
-    /// See [`Event::BodyUpdated`](crate::Event::BodyUpdated).
+    /// Called for a body that was moved: see [`Event::BodyUpdated`](crate::Event::BodyUpdated).
     #[doc(alias("Updated", "UpdatedEventHandler"))]
     fn on_body_updated(&mut self, context: &mut Context<'_>, body: BodyId) {
         let _ = (context, body);
     }
 
-    /// See [`Event::BodyDisposed`](crate::Event::BodyDisposed).
+    /// Called for a body that was disposed: see [`Event::BodyDisposed`](crate::Event::BodyDisposed).
     #[doc(alias = "Disposed")]
     fn on_body_disposed(&mut self, context: &mut Context<'_>, body: BodyId) {
         let _ = (context, body);
     }
 
-    /// See [`Event::JointBroke`](crate::Event::JointBroke).
+    /// Called for a joint that broke: see [`Event::JointBroke`](crate::Event::JointBroke).
     #[doc(alias = "Broke")]
     fn on_joint_broke(&mut self, context: &mut Context<'_>, joint: JointId) {
         let _ = (context, joint);
     }
 
-    /// See [`Event::SpringBroke`](crate::Event::SpringBroke).
+    /// Called for a spring that broke: see [`Event::SpringBroke`](crate::Event::SpringBroke).
     fn on_spring_broke(&mut self, context: &mut Context<'_>, spring: SpringId) {
         let _ = (context, spring);
     }
 
-    /// An object entered its list.
+    /// Called for an object that entered its list.
     fn on_added(&mut self, object: ObjectId) {
         let _ = object;
     }
 
-    /// An object left its list, or was to be removed without being in it.
+    /// Called for an object that left its list, or was to be removed without being in its list.
     fn on_removed(&mut self, object: ObjectId) {
         let _ = object;
     }

@@ -1,7 +1,7 @@
 //! Collision of spheres with spheres and prisms.
 //!
-//! Frame: the plane's, with z into the picture. A prism is an outline of the plane, convex or not, extruded
-//! by `half_depth` to both sides of its `z`; its front faces -z.
+//! Frame: that of the plane (x right, y down, px), with z into the picture. A prism is an outline of the plane, convex or not,
+//! extruded by `half_depth` to both sides of its `z`. Its front looks towards -z.
 
 use farseer_core::math::{Vector2, Vector3, vector2};
 
@@ -10,11 +10,11 @@ use super::{contains, doubled_area, edges, nearest};
 /// Contact of a ball with another shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ShapeContact {
-    /// Unit vector from the other shape to the ball.
+    /// Unit contact normal from the other shape to the ball, y down.
     pub(crate) normal: Vector3,
     /// Separation in px; negative, since the shapes overlap.
     pub(crate) separation: f32,
-    /// Deepest point of the ball, px.
+    /// Deepest point of the ball inside of the other shape, px, y down.
     pub(crate) point: Vector3,
 }
 
@@ -27,7 +27,8 @@ pub(crate) struct BallPrismContact {
 }
 
 impl ShapeContact {
-    /// The contact of a ball whose centre is at `distance` from a shape; `None` without overlap.
+    /// Returns the contact of a ball whose centre has the signed `distance` from a shape, px; `None` without overlap. `normal`
+    /// points from the shape to the ball.
     fn at(centre: Vector3, radius: f32, distance: f32, normal: Vector3) -> Option<ShapeContact> {
         let separation = distance - radius;
         let point = centre - normal * radius;
@@ -36,7 +37,8 @@ impl ShapeContact {
     }
 }
 
-/// Contact of two balls; the normal points to the second. Balls with the same centre are separated upwards.
+/// Returns the contact of two balls, with the normal from the first to the second; `None` without overlap. Balls with equal
+/// centres are separated upwards.
 pub(crate) fn ball_ball(
     centre_a: Vector3,
     radius_a: f32,
@@ -85,8 +87,8 @@ pub(crate) fn ball_prism(
     Some(BallPrismContact { touch, is_inside: beside < 0.0 && beyond < 0.0 })
 }
 
-/// Outward normal of the face of a prism through which the path from `before` to `now` enters, both relative
-/// to the present prism. `None` if it starts inside or never enters.
+/// Returns the outward unit normal of the face of a prism through which the path from `before` to `now` enters; `None` if the
+/// path starts inside or never enters. Both positions are in the frame of the present prism, px.
 pub(crate) fn entry_face_of_prism(
     before: Vector3,
     now: Vector3,
@@ -120,7 +122,8 @@ pub(crate) fn entry_face_of_prism(
     (entry <= leave).then(|| Vector3::new(normal.x, normal.y, 0.0))
 }
 
-/// First edge that a path crosses inward after `start`: fraction of the path, and outward normal of the edge.
+/// Returns the first edge that a path crosses inward after the fraction `start`: the fraction of the path, 0..=1, and the
+/// outward unit normal of the edge. `None` without one.
 fn first_entry(
     outline: &[Vector2],
     before: Vector2,
@@ -150,8 +153,8 @@ fn first_entry(
     first
 }
 
-/// Contact of a ball whose centre is inside a prism with a given face, by its outward normal, also if another
-/// face is nearer. The penetration is the distance along that normal until the ball is outside.
+/// Returns the contact of a ball, whose centre is inside of a prism, with the face that has the given outward normal, even if
+/// another face is nearer. The penetration is the distance along this normal until the ball is outside.
 ///
 /// For a centre beside the outline this is the distance from the supporting line in that direction.
 pub(crate) fn ball_prism_through_face(
@@ -202,7 +205,7 @@ mod tests {
         Vector3::new(x, y, z)
     }
 
-    /// 20 wide, 10 high, 8 deep, about the origin.
+    /// Returns the contact of a ball with a box 20 wide, 10 high and 8 deep about the origin.
     fn contact_with_box(centre: Vector3, radius: f32) -> Option<BallPrismContact> {
         ball_prism(centre, radius, &rectangle((0.0, 0.0), 20.0, 10.0, 0.0), 0.0, 4.0)
     }

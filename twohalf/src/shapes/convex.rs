@@ -1,7 +1,7 @@
 //! Convex decomposition of outlines, for the separating axis test.
 //!
-//! Frame: the geom's own for new pieces, the plane's after the transformation. Pieces have the core's winding
-//! (negative shoelace area), without repeated vertices and without vertices inside a straight edge.
+//! Frame: that of the geom for new pieces, that of the plane after the transformation. Pieces have the core's winding (negative
+//! shoelace area), without repeated vertices and without vertices inside a straight edge.
 //!
 //! Ear clipping cuts a concave outline into triangles, which are joined as long as they stay convex (Hertel
 //! and Mehlhorn, *Fast Triangulation of Simple Polygons*, 1983). The core's decomposition is not used.
@@ -10,7 +10,7 @@
 
 use farseer_core::Vertices;
 use farseer_core::math::{Matrix, Vector2, vector2};
-use farseer_core::order::{joined as joined_bits, ordered, sort_by_number, sort_numbered};
+use farseer_core::order::{packed_key as joined_bits, sort_by_number, sort_numbered, total_order_key};
 
 use super::{cross64, doubled_area, edges};
 
@@ -26,8 +26,8 @@ pub(crate) struct ConvexPieces {
 }
 
 impl ConvexPieces {
-    /// The outline itself if it is convex, else a decomposition. An outline that crosses itself has none; it
-    /// becomes its convex hull.
+    /// Returns the pieces of an outline: the outline itself if it is convex, else a convex decomposition. An outline that
+    /// crosses itself has no decomposition and becomes its convex hull.
     pub(crate) fn new(outline: &Vertices) -> ConvexPieces {
         let mut pieces = ConvexPieces::default();
         if is_convex(outline) {
@@ -55,7 +55,7 @@ impl ConvexPieces {
         out.extend(self.vertices.iter().map(|vertex| vector2::transform(*vertex, matrix)));
     }
 
-    /// The pieces among the vertices from [`ConvexPieces::transform_into`].
+    /// Iterates over the pieces in the vertex list that [`ConvexPieces::transform_into`] has filled.
     pub(crate) fn pieces<'a>(
         &'a self,
         transformed: &'a [Vector2],
@@ -65,8 +65,8 @@ impl ConvexPieces {
     }
 }
 
-/// Whether an outline is convex: all its vertices turn the same way, once around. Straight and repeated
-/// vertices and either winding are allowed. Fewer than three vertices are convex.
+/// Returns whether an outline is convex: all its vertices turn the same way, once around. Straight and repeated vertices and
+/// either winding are allowed. Fewer than three vertices are convex.
 pub(crate) fn is_convex(outline: &[Vector2]) -> bool {
     let (mut left, mut right, mut halves) = (false, false, 0);
     let steps = || edges(outline).filter(|(a, b)| a != b);
@@ -82,7 +82,8 @@ pub(crate) fn is_convex(outline: &[Vector2]) -> bool {
     !(left && right) && halves <= 2
 }
 
-/// The half plane of directions that contains an edge.
+/// Returns whether the edge from `a` to `b` points down on the screen, or level to the right: one of two half planes of
+/// directions.
 fn points_down((a, b): (Vector2, Vector2)) -> bool {
     b.y > a.y || (b.y == a.y && b.x > a.x)
 }
@@ -136,8 +137,8 @@ struct Ears {
     /// Indices of the remaining vertices, in order.
     rest: Vec<usize>,
     is_left: Vec<bool>,
-    /// By vertex: one that blocked it in the last test. While that remains and the neighbours are the same,
-    /// the test is not repeated.
+    /// By vertex: another vertex inside of its triangle at the last ear test. While that vertex remains and the neighbours are
+    /// the same, the test is not repeated.
     blocking_vertex: Vec<Option<usize>>,
     /// Index in the rest from which the next ear is searched.
     start: usize,
@@ -170,7 +171,7 @@ impl Ears {
         Some([before, tip, after].map(|i| self.vertices[i]))
     }
 
-    /// A remaining vertex between its neighbours.
+    /// Returns the indices of a remaining vertex and its two remaining neighbours, the vertex in the middle.
     fn corners(&self, place: usize) -> [usize; 3] {
         let last = self.rest.len() - 1;
         let before = if place == 0 { last } else { place - 1 };
@@ -178,7 +179,7 @@ impl Ears {
         [before, place, after].map(|place| self.rest[place])
     }
 
-    /// Whether a vertex is an ear: it is not reflex, and its triangle contains no other vertex.
+    /// Returns whether a vertex is an ear: it is not reflex, and its triangle contains no other vertex.
     fn is_ear(&mut self, place: usize) -> bool {
         let corners = self.corners(place);
         if self.blocking_vertex[corners[1]].is_some_and(|i| self.is_left[i]) {
@@ -222,8 +223,8 @@ fn join(pieces: &mut Vec<Vec<Vector2>>) {
     pieces.retain(|piece| !piece.is_empty());
 }
 
-/// Edges with their pieces, sorted by edge. Edges that a piece takes over from a later one are not recorded,
-/// since earlier pieces are never joined with it.
+/// Edges with their pieces, sorted by edge. Edges that a piece takes over from a later piece have no entry, since no earlier
+/// piece is joined with it any more.
 struct EdgeOwners(Vec<(u128, u32)>);
 
 impl EdgeOwners {
@@ -236,7 +237,7 @@ impl EdgeOwners {
         EdgeOwners(owners)
     }
 
-    /// Pieces on the other side of a piece's edges.
+    /// Iterates over the pieces on the other side of the edges of a piece.
     fn across(&self, piece: &[Vector2]) -> impl Iterator<Item = u32> {
         edges(piece).flat_map(|(start, end)| {
             let key = edge_key(end, start);
@@ -252,7 +253,7 @@ fn edge_key(start: Vector2, end: Vector2) -> u128 {
     joined_bits([start.x, start.y, end.x, end.y].map(|number| (number + 0.0).to_bits()))
 }
 
-/// Union of two pieces, if they have a common edge and the union is convex.
+/// Returns the union of two pieces; `None` if they have no common edge or the union is not convex.
 fn joined(a: &[Vector2], b: &[Vector2]) -> Option<Vec<Vector2>> {
     let (i, j) = edges(a).enumerate().find_map(|(i, (start, end))| {
         let j = edges(b).position(|edge| edge == (end, start))?;
@@ -269,7 +270,7 @@ fn joined(a: &[Vector2], b: &[Vector2]) -> Option<Vec<Vector2>> {
 /// two dimensions", 1979).
 fn convex_hull(points: &[Vector2]) -> Vec<Vector2> {
     let mut sorted: Vec<Vector2> = points.to_vec();
-    sort_by_number(&mut sorted, |point| joined_bits([point.x, point.y].map(ordered)));
+    sort_by_number(&mut sorted, |point| joined_bits([point.x, point.y].map(total_order_key)));
     let mut hull: Vec<Vector2> = Vec::with_capacity(sorted.len() + 1);
     add_chain(&mut hull, sorted.iter());
     add_chain(&mut hull, sorted.iter().rev());

@@ -7,8 +7,8 @@
 
 use farseer_core::math::scalar;
 
-/// Greatest time since entry, steps: one for the motion of the step, and one for edits of the game. An axis
-/// that was entered earlier was not entered by this motion.
+/// Greatest time since entry, steps: one step for the motion of the last step, and one for edits of the game. A longer time
+/// means that this motion did not cause the entry.
 pub(crate) const MAX_ENTRY_AGE: f32 = 2.0;
 
 /// Greatest penetration of resting or sliding contacts, as a factor of the slop, dimensionless. Contacts keep
@@ -18,35 +18,36 @@ pub(crate) const RESTING_SLOP_FACTOR: f32 = 2.0;
 /// Penetration and closing motion along one axis.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EntryAxis {
-    /// Penetration, px.
+    /// Penetration along the axis, px.
     pub(crate) penetration: f32,
     /// Closing motion in the last step, px; negative if the shapes separate.
     pub(crate) closing: f32,
 }
 
 impl EntryAxis {
-    /// Time since entry, steps; infinite if the shapes do not close in along the axis, or entered it too long
-    /// ago.
+    /// Returns the time since the shapes began to overlap along the axis, steps. It is infinite if they do not close in along
+    /// the axis, or if the time exceeds `MAX_ENTRY_AGE`.
     pub(crate) fn time(&self) -> f32 {
         let is_recent = self.closing > 0.0 && self.penetration <= MAX_ENTRY_AGE * self.closing;
         if is_recent { self.penetration / self.closing } else { f32::INFINITY }
     }
 
-    /// Whether the axis was flush, or entered, at the time of the last entry, `latest` steps ago.
+    /// Returns whether the axis was flush, or entered, at the time of the last entry, `latest` steps ago.
     pub(crate) fn is_entered_at(&self, latest: f32, slop: f32) -> bool {
         let since = if latest.is_finite() { scalar::max(self.closing, 0.0) * latest } else { 0.0 };
         self.time() <= latest && latest.is_finite() || self.penetration - since <= RESTING_SLOP_FACTOR * slop
     }
 
-    /// Whether this of two tied axes is better: it closes in less, or equally with less penetration.
+    /// Returns whether this axis is better than the axis `other`, both entered last: it has less closing motion, or equal
+    /// closing motion and less penetration.
     pub(crate) fn is_better(&self, other: &EntryAxis) -> bool {
         let (closing, other_closing) = (scalar::max(self.closing, 0.0), scalar::max(other.closing, 0.0));
         closing < other_closing || (closing == other_closing && self.penetration < other.penetration)
     }
 }
 
-/// Whether the contact axis is the depth axis rather than an axis of the plane, which was entered
-/// `plane_time` steps ago. Without motion in depth this needs a flush face along Z.
+/// Returns whether the contact axis is the depth axis and not an axis of the plane. The plane's axis was entered `plane_time`
+/// steps ago. Without motion in depth the depth axis needs a flush face.
 pub(crate) fn is_depth_last(
     plane: EntryAxis,
     plane_time: f32,

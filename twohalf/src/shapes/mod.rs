@@ -29,21 +29,21 @@ pub(crate) use walkable_top::WalkableTop;
 
 use farseer_core::math::{Vector2, vector2};
 
-/// The edges of an outline, as their ends, from the first vertex on.
+/// Iterates over the edges of an outline from the first vertex on, each as its two end points.
 fn edges(outline: &[Vector2]) -> impl Iterator<Item = (Vector2, Vector2)> + Clone {
     let next = |i: usize| if i + 1 == outline.len() { 0 } else { i + 1 };
     (0..outline.len()).map(move |i| (outline[i], outline[next(i)]))
 }
 
-/// Twice the shoelace area: negative in the engine's winding, 0 for fewer than three vertices.
+/// Returns twice the shoelace area of an outline, px²: negative in the engine's winding, 0 for fewer than three vertices.
 fn doubled_area(outline: &[Vector2]) -> f32 {
     // Relative to the first vertex, so that outlines far from the origin keep their digits.
     let Some(&first) = outline.first() else { return 0.0 };
     edges(outline).map(|(a, b)| vector2::cross(a - first, b - first)).sum()
 }
 
-/// Whether a point lies inside an outline, by the number of edges that a ray from it crosses. A point on the
-/// outline is on either side.
+/// Returns whether a point lies inside an outline, by the number of edges that a ray from it crosses. A point on the outline
+/// may count as inside or outside.
 fn contains(outline: &[Vector2], point: Vector2) -> bool {
     let mut is_inside = false;
     for (a, b) in edges(outline) {
@@ -55,7 +55,8 @@ fn contains(outline: &[Vector2], point: Vector2) -> bool {
     is_inside
 }
 
-/// Cross product of `b - a` and `point - a`, without the rounding of f32: which side of an edge a point lies on.
+/// Returns the cross product of `b - a` and `point - a` in double precision, px². Its sign tells on which side of the edge from
+/// `a` to `b` the point lies.
 fn cross64(a: Vector2, b: Vector2, point: Vector2) -> f64 {
     let wide = |v: Vector2| (f64::from(v.x), f64::from(v.y));
     let ((ax, ay), (bx, by), (px, py)) = (wide(a), wide(b), wide(point));
@@ -118,7 +119,7 @@ mod samples {
             .to_vec()
     }
 
-    /// Whether a point is inside an outline, by the angle that the outline turns around it.
+    /// Returns whether a point is inside an outline, by the angle that the outline turns around it.
     pub(super) fn winds_around(outline: &[Vector2], point: Vector2) -> bool {
         let angle = |from: Vector2, to: Vector2| {
             libm::atan2(f64::from(vector2::cross(from, to)), f64::from(vector2::dot(from, to)))

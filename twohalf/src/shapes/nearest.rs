@@ -13,18 +13,18 @@ use super::{contains, doubled_area, edges};
 pub(crate) struct Nearest {
     /// Signed distance, px; negative inside.
     pub(crate) distance: f32,
-    /// Unit outward normal: the gradient of the distance.
+    /// Outward unit normal of the outline at the nearest point: the gradient of the distance.
     pub(crate) normal: Vector2,
     /// Nearest point on the outline, px.
     pub(crate) point: Vector2,
 }
 
-/// Closest point of one edge.
+/// Closest point of one edge to the tested point.
 struct EdgeCandidate {
-    /// Squared distance, px².
+    /// Squared distance of the closest point from the tested point, px².
     squared: f32,
     edge: (Vector2, Vector2),
-    /// Fraction of the edge, 0..=1, dimensionless.
+    /// Position of the closest point as a fraction of the edge, 0..=1, dimensionless.
     along: f32,
 }
 

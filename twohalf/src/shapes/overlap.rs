@@ -28,7 +28,7 @@ impl Bounds {
         Bounds { min: vector2::min(a, b), max: vector2::max(a, b) }
     }
 
-    /// Whether the boxes overlap or are no more than `slack` apart, px; false for NaN.
+    /// Returns whether the boxes overlap or are no more than `slack` apart, px; false for NaN.
     fn meets(&self, other: &Bounds, slack: f32) -> bool {
         self.min.x - other.max.x <= slack
             && other.min.x - self.max.x <= slack
@@ -37,7 +37,7 @@ impl Bounds {
     }
 }
 
-/// A pair of outlines, seen from the first.
+/// A pair of outlines, ordered: tests ask for parts of the first outline inside of the second one.
 #[derive(Clone, Copy)]
 struct OutlinePair<'a> {
     this: &'a [Vector2],
@@ -56,7 +56,7 @@ enum PointLocation {
 }
 
 impl<'a> OutlinePair<'a> {
-    /// The pair seen from both sides; `None` if the AABBs do not overlap.
+    /// Returns the pair of outlines in both orders; `None` if the AABBs do not overlap.
     fn both(a: &'a [Vector2], b: &'a [Vector2]) -> Option<[OutlinePair<'a>; 2]> {
         let (bounds_a, bounds_b) = (Bounds::of(a.iter().copied())?, Bounds::of(b.iter().copied())?);
         let corners = [bounds_a.min, bounds_a.max, bounds_b.min, bounds_b.max];
@@ -81,7 +81,7 @@ impl<'a> OutlinePair<'a> {
         }
     }
 
-    /// Pairs of edges whose AABBs overlap.
+    /// Iterates over the pairs of edges, one of each outline, whose AABBs overlap.
     fn meeting_edges(&self) -> impl Iterator<Item = ((Vector2, Vector2), (Vector2, Vector2))> {
         edges(self.this).flat_map(move |edge| {
             let bounds = Bounds::of_edge(edge);
@@ -93,8 +93,8 @@ impl<'a> OutlinePair<'a> {
         })
     }
 
-    /// Whether a part of an edge of this outline lies inside the other. The second value tells whether all of
-    /// this outline lies on the other one, if no part lies inside.
+    /// Returns two values: whether any part of an edge of the first outline lies inside of the second outline, and, if none
+    /// does, whether all of the first outline lies on the second outline.
     fn has_edge_inside(&self) -> (bool, bool) {
         let mut all_on = true;
         for edge in edges(self.this) {
@@ -113,7 +113,8 @@ impl<'a> OutlinePair<'a> {
         (false, all_on)
     }
 
-    /// Fraction of an edge, 0..=1, at which the next vertex of the other outline lies on it; 1 without one.
+    /// Returns the fraction of the edge after `start`, 0..=1, at which a vertex of the second outline lies on the edge; 1
+    /// without such a vertex.
     fn next_vertex_on_edge(&self, (a, b): (Vector2, Vector2), start: f32) -> f32 {
         let direction = b - a;
         let squared_length = vector2::length_squared(direction);
@@ -149,7 +150,7 @@ fn crossing((a1, a2): (Vector2, Vector2), (b1, b2): (Vector2, Vector2), rounding
     Some(a1 + (a2 - a1) * along)
 }
 
-/// Whether the interiors of two outlines overlap. Outlines that only touch, or that have no interior, do not.
+/// Returns whether the interiors of two outlines overlap. Outlines that only touch, or that have no interior, do not.
 pub(crate) fn outlines_overlap(a: &[Vector2], b: &[Vector2]) -> bool {
     let Some([from_a, from_b]) = OutlinePair::both(a, b) else { return false };
     if doubled_area(a) == 0.0 || doubled_area(b) == 0.0 {
@@ -216,8 +217,8 @@ pub(crate) fn overlap_points(a: &[Vector2], b: &[Vector2], points: &mut Vec<Vect
     }
 }
 
-/// Two distant points of a set: the farthest from the centroid, and the farthest from that one. Both are the
-/// same if all points are equal. `None` without points.
+/// Returns two distant points of a set: the point farthest from the centroid, and the point farthest from the first one. They
+/// are equal if all points of the set are. `None` without points.
 pub(crate) fn span_of(points: &[Vector2]) -> Option<[Vector2; 2]> {
     let first = *points.first()?;
     let sum = points.iter().fold(Vector2::new(0.0, 0.0), |sum, point| sum + (point - first));
@@ -226,8 +227,8 @@ pub(crate) fn span_of(points: &[Vector2]) -> Option<[Vector2; 2]> {
     Some([start, farthest(points, start)?])
 }
 
-/// The farthest of the points; among about equal ones the first, so that rounding does not make the choice
-/// jump between steps.
+/// Returns the point that is farthest from `from`. Among points at nearly the same distance the first one counts, so that
+/// rounding does not change the choice between steps.
 fn farthest(points: &[Vector2], from: Vector2) -> Option<Vector2> {
     let mut best = (*points.first()?, 0.0);
     for &point in points {

@@ -29,13 +29,13 @@ const MIN_PIECE_COS: f32 = 0.9;
 /// Contact axis of a prism and a box that persists between steps.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) enum PersistedAxis {
-    /// Front or back of the box.
+    /// The axis is Z: the prism touches the front or the back of the box.
     Depth { is_front: bool },
-    /// An edge of an outline, with its normal when it was chosen.
+    /// The axis lies in the plane: the normal of an edge, with its value when it was chosen.
     Plane { edge: Edge, normal: Vector2 },
 }
 
-/// An edge of one of the two outlines.
+/// An edge of the prism's outline or of the box's swept outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Edge {
     Box(BoxEdge),
@@ -45,7 +45,7 @@ pub(crate) enum Edge {
 /// Contact manifold of a prism and a box.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BoxManifold {
-    /// Unit vector from the box to the prism.
+    /// Unit contact normal from the box to the prism, y down.
     pub(crate) normal: Vector3,
     pub(crate) points: [BoxPoint; 2],
     pub(crate) count: usize,
@@ -53,7 +53,7 @@ pub(crate) struct BoxManifold {
     pub(crate) is_depth: bool,
 }
 
-/// A point of the manifold.
+/// A contact point of the manifold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BoxPoint {
     pub(crate) position: Vector3,
@@ -65,9 +65,9 @@ pub(crate) struct BoxPoint {
 
 const NO_POINT: BoxPoint = BoxPoint { position: Vector3::new(0.0, 0.0, 0.0), separation: 0.0, feature: 0 };
 
-/// The manifold of a prism and a box, with the axis that persists. `pieces` are the convex pieces of the
-/// outline. `motion` is its displacement relative to the box in the last step, px; `slop` is the allowed
-/// penetration, px. `None` if the shapes do not overlap.
+/// The manifold of a prism and a box, with the axis that persists. `pieces` are the convex pieces of the outline. `motion` is
+/// the displacement of the prism relative to the box in the last step, px; `slop` is the allowed penetration, px. `None` if the
+/// shapes do not overlap.
 #[expect(clippy::too_many_arguments, reason = "two shapes, how they move, and what is remembered of them")]
 pub(crate) fn prism_box<'a>(
     shape: &SlantedBox,
@@ -133,7 +133,7 @@ struct PrismBoxPair<'a, I> {
     slop: f32,
 }
 
-/// Exit through the front or the back of the box.
+/// Contact along Z: the prism leaves through the front or the back of the box.
 #[derive(Clone, Copy)]
 struct Depth {
     is_front: bool,
@@ -146,7 +146,7 @@ impl Depth {
     }
 }
 
-/// Exit within the plane: that of the deepest piece.
+/// Contact in the plane, with the axis and the points of the deepest piece.
 struct Plane {
     deepest: PointSet,
     /// Time since the first piece met the box, steps.
@@ -154,7 +154,7 @@ struct Plane {
     overlapping: usize,
 }
 
-/// From the pieces to the prism.
+/// Contacts of the prism, composed of those of its convex pieces.
 impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
     fn in_plane(&self, kept: Option<PersistedAxis>) -> Option<Plane> {
         let mut plane: Option<Plane> = None;
@@ -174,7 +174,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         plane
     }
 
-    /// Whether the contact axis of a new pair is the depth axis.
+    /// Returns whether the contact axis of a new pair is the depth axis.
     fn leaves(&self, depth: &Depth, plane: &Plane) -> bool {
         let AxisCandidate { penetration, normal3d, .. } = plane.deepest.candidate;
         let in_plane = self.along(penetration, normal3d);

@@ -12,11 +12,11 @@ use super::edges;
 /// Overlap of two outlines.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SatOverlap {
-    /// Time since the entry, steps, at the motion of the last step; infinite if they do not approach.
+    /// Time since the outlines began to overlap, steps, at the motion of the last step; infinite if they do not approach.
     pub(crate) time: f32,
-    /// Least penetration, px.
+    /// Least penetration over all edge normals, px.
     pub(crate) penetration: f32,
-    /// Unit normal of the least penetration, from the first to the second.
+    /// Unit normal of the least penetration, from the first to the second outline.
     pub(crate) normal: Vector2,
 }
 

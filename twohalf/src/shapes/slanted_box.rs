@@ -19,7 +19,7 @@ pub(in crate::shapes) fn shape(numbers: &mut Random, round: usize) -> SlantedBox
     SlantedBox { centre: vector(numbers, 200.0), half, cos, sin, shear, ..SlantedBox::default() }
 }
 
-/// Some of them also climb along z, some are turned about an upright axis.
+/// Level, tilted and sheared boxes, of which some climb along z and some are turned about an upright axis.
 fn turned(numbers: &mut Random, round: usize) -> SlantedBox {
     let shape = shape(numbers, round);
     let (sin, cos) = scalar::sin_cos(numbers.number(-4.0, 4.0));
@@ -46,7 +46,7 @@ fn squared_distance_at(shape: &SlantedBox, point: Vector3, deep: f64) -> f64 {
     across.max(0.0).powi(2) + down.max(0.0).powi(2) + (z - deep).powi(2)
 }
 
-/// By ternary search over the depth, where the function is convex.
+/// Distance of a point from a box by ternary search over the depth, where the distance is convex.
 fn distance_by_search(shape: &SlantedBox, point: Vector3) -> f64 {
     let (mut low, mut high) = (-f64::from(shape.half[2]), f64::from(shape.half[2]));
     for _ in 0..100 {

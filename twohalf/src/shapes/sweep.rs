@@ -5,12 +5,12 @@
 //! an edge of each (Gottschalk, Lin and Manocha, *OBBTree*, 1996). For a box and a round shape it is a larger
 //! box with rounded edges (Ericson, *Real-Time Collision Detection*, 5.5.7).
 
-use farseer_core::SpaceUpright;
+use farseer_core::VerticalShape;
 
 use super::{Face, SlantedBox};
 use crate::{Vector2, Vector3};
 
-/// Hit: time of impact as a fraction of the path, 0..=1, and outward normal.
+/// Hit of a path: time of impact as a fraction of the path, 0..=1, and outward unit normal of the surface, y down.
 pub(crate) type Hit = (f32, Vector3);
 
 /// Gap between parts of a shape that counts as none, as a fraction of the path; dimensionless.
@@ -42,8 +42,8 @@ impl ClipInterval {
         ClipInterval { entered: f32::NEG_INFINITY, left: f32::INFINITY, normal: Vector3::zeros() }
     }
 
-    /// Clips by one more half space: distance of the start outside of it, px, its rate along the path, px,
-    /// and its normal.
+    /// Returns the interval clipped by one more half space; `None` if nothing is left. `distance` is that of the start outside
+    /// of the half space, px; `rate` is its change over the whole path, px.
     fn cut(mut self, distance: f32, rate: f32, normal: Vector3) -> Option<Self> {
         if rate == 0.0 {
             return (distance <= 0.0).then_some(self);
@@ -57,24 +57,24 @@ impl ClipInterval {
         (self.entered <= self.left).then_some(self)
     }
 
-    /// Union of two parts of a convex shape: it starts with the first and ends with the last.
+    /// Returns the union of the intervals in two parts of a convex shape: from the earlier start to the later end.
     fn with(self, other: ClipInterval) -> Self {
         let first = if other.entered < self.entered { other } else { self };
         ClipInterval { left: self.left.max(other.left), ..first }
     }
 
-    /// Whether the path continues from this part directly into another one.
+    /// Returns whether the path continues from the part with this interval directly into the part with the interval `next`.
     fn joins(&self, next: &ClipInterval) -> bool {
         self.entered < next.entered && self.left >= next.entered - JOIN_TOLERANCE
     }
 
-    /// The hit at the start of the interval, unless the path starts inside.
+    /// Returns the hit at the start of the interval; `None` if the path starts inside of the shape.
     pub(crate) fn entry(self) -> Option<Hit> {
         (0.0..=1.0).contains(&self.entered).then_some((self.entered, self.normal))
     }
 }
 
-/// First hit of a shape that consists of parts.
+/// Returns the first hit of a shape that consists of parts; `None` if the path enters no part from outside.
 pub(crate) fn entry_of_parts(parts: &[ClipInterval]) -> Option<Hit> {
     let entries = parts.iter().filter(|part| !parts.iter().any(|other| other.joins(part)));
     let entries = entries.filter_map(|part| part.entry());
@@ -82,7 +82,7 @@ pub(crate) fn entry_of_parts(parts: &[ClipInterval]) -> Option<Hit> {
 }
 
 impl Sweep {
-    /// The path of a point. `None` if it has no length or is not finite.
+    /// Returns the path of a point; `None` if the path has no length or is not finite.
     pub(crate) fn of_point(start: Vector3, displacement: Vector3) -> Option<Self> {
         let length = displacement.norm_squared();
         (start.iter().all(|number| number.is_finite()) && length > 0.0 && length.is_finite())
@@ -99,7 +99,7 @@ impl Sweep {
         self.start + self.displacement * fraction
     }
 
-    /// The path of the box's centre alone.
+    /// Returns the path of the box's centre as a path of a point.
     fn middle(&self) -> Self {
         Sweep { half: Vector3::zeros(), ..*self }
     }
@@ -112,7 +112,8 @@ impl Sweep {
         self.cut_at(inside, normal, (self.start - on_plane).dot(&normal))
     }
 
-    /// Clips by a half space from its `distance` to the start, or to the centre of the box there, px.
+    /// Returns the interval clipped by a half space; `None` if nothing is left. `distance` is the signed distance of the start
+    /// (the point, or the centre of the box) outside of the half space, px.
     fn cut_at(&self, inside: ClipInterval, normal: Vector3, distance: f32) -> Option<ClipInterval> {
         let (distance, rate) = (distance - self.half.dot(&normal.abs()), self.displacement.dot(&normal));
         let slides_along = rate == 0.0 && distance == 0.0 && !self.grazes;
@@ -134,7 +135,7 @@ impl Sweep {
         Some(inside)
     }
 
-    /// Hit of the ground.
+    /// Returns the hit of the ground from above; `None` if the path misses it.
     pub(crate) fn entry_of_ground(&self) -> Option<Hit> {
         self.cut(ClipInterval::new(), -Vector3::y(), Vector3::zeros())?.entry()
     }
@@ -163,23 +164,24 @@ impl Sweep {
         inside.entry()
     }
 
-    /// Interval inside a prism: a convex outline with negative area, extruded to both sides of a depth.
+    /// Returns the interval of the path inside of a prism: a convex outline with negative area, extruded by `half` to both
+    /// sides of the depth `z`.
     pub(crate) fn clip_prism(&self, piece: &[Vector2], z: f32, half: f32) -> Option<ClipInterval> {
         let corner = |at: usize| Vector3::new(piece[at].x, piece[at].y, 0.0);
         let centre = Vector3::new(0.0, 0.0, z);
         if piece.len() < 3 { None } else { self.clip_extrusion(2, centre, half, piece.len(), &corner) }
     }
 
-    /// Interval inside an upright shape about a place.
-    pub(crate) fn clip_upright(&self, shape: &SpaceUpright, at: Vector3) -> Option<ClipInterval> {
+    /// Returns the interval of the path inside of an upright shape whose centre is `at`, px.
+    pub(crate) fn clip_upright(&self, shape: &VerticalShape, at: Vector3) -> Option<ClipInterval> {
         match *shape {
-            SpaceUpright::Cylinder { radius, half_height } => {
+            VerticalShape::Cylinder { radius, half_height } => {
                 self.clip_rounded_box(at, Vector3::new(0.0, half_height, 0.0), radius, true)
             }
-            SpaceUpright::Capsule { radius, half_height } => {
+            VerticalShape::Capsule { radius, half_height } => {
                 self.clip_rounded_box(at, Vector3::new(0.0, half_height - radius, 0.0), radius, false)
             }
-            SpaceUpright::Prism { footprint, half_height } => {
+            VerticalShape::Prism { footprint, half_height } => {
                 let corners = footprint.corners();
                 let corner = |at: usize| Vector3::new(corners[at].x, 0.0, corners[at].y);
                 self.clip_extrusion(1, at, half_height, corners.len(), &corner)
@@ -187,8 +189,8 @@ impl Sweep {
         }
     }
 
-    /// Interval inside a convex outline that is extruded along an axis. `corner` returns its `count` corners
-    /// relative to a place.
+    /// Returns the interval of the path inside of a convex outline that is extruded along an axis. `corner` returns each of its
+    /// `count` corners relative to the place `at`, px.
     fn clip_extrusion(
         &self,
         axis: usize,
@@ -212,13 +214,13 @@ impl Sweep {
         Some(inside)
     }
 
-    /// Interval inside a ball.
+    /// Returns the interval of the path inside of a ball.
     pub(crate) fn clip_ball(&self, centre: Vector3, radius: f32) -> Option<ClipInterval> {
         self.clip_rounded_box(centre, Vector3::zeros(), radius, false)
     }
 
-    /// Interval inside a box rounded by a radius: blocks along the axes, cylinders along its edges and
-    /// spheres about its corners. With `ends` it is rounded about the y axis only.
+    /// Returns the interval of the path inside of a box rounded by a radius: blocks along the axes, cylinders along its edges
+    /// and spheres about its corners. With `ends` the box is rounded about the y axis only.
     fn clip_rounded_box(
         &self,
         centre: Vector3,
@@ -256,7 +258,7 @@ impl Sweep {
         self.within(self.clip_cylinder_or_sphere(centre, radius, Some(axis))?, axis, centre, reach)
     }
 
-    /// Clips to a distance of `reach` from a place along an axis, px.
+    /// Returns the interval clipped to the places within `reach` px of `centre` along an axis; `None` if nothing is left.
     fn within(&self, inside: ClipInterval, axis: usize, centre: Vector3, reach: f32) -> Option<ClipInterval> {
         [-1.0, 1.0].into_iter().try_fold(inside, |inside, side| {
             let out = Vector3::ith(axis, side);
@@ -264,7 +266,8 @@ impl Sweep {
         })
     }
 
-    /// Interval inside a cylinder about a line along an axis, or inside a sphere.
+    /// Returns the interval of the path inside of a cylinder about the axis with the index `line`, or inside of a sphere
+    /// without one.
     fn clip_cylinder_or_sphere(
         &self,
         centre: Vector3,
@@ -293,7 +296,7 @@ impl Sweep {
     }
 }
 
-/// Corners of a box about the origin, without duplicates of a flat one.
+/// Iterates over the corners of a box about the origin. Equal corners of a flat box occur once.
 fn corners_of(half: Vector3) -> impl Iterator<Item = Vector3> {
     let is_high = |corner: usize, axis: usize| corner >> (2 - axis) & 1 == 1;
     let is_own = move |&corner: &usize| (0..3).all(|axis| half[axis] != 0.0 || is_high(corner, axis));

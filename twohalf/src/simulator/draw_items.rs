@@ -10,9 +10,9 @@ use crate::{PlatformId, Vector2, Vector3};
 /// An item to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Drawable {
-    /// A body.
+    /// The item is a body.
     Body(BodyId),
-    /// A platform.
+    /// The item is a platform.
     Platform(PlatformId),
 }
 
@@ -24,7 +24,7 @@ pub(super) struct DrawItem {
     pub(super) high: Vector3,
     /// Depth that orders items without another criterion, px: Z of a body, centre of a platform.
     pub(super) middle: f32,
-    /// Index of its sides, if it is a platform.
+    /// Index of the platform's sides in the list of sides; `None` for a body.
     pub(super) sides: Option<u32>,
     pub(super) screen_low: Vector2,
     pub(super) screen_high: Vector2,
@@ -63,19 +63,19 @@ impl DrawItem {
         item
     }
 
-    /// Whether depth, height and left end are those of another item, to the last bit.
+    /// Returns whether depth, height and left end are those of another item, to the last bit.
     pub(super) fn has_same_position(&self, other: &DrawItem) -> bool {
         let place = |item: &DrawItem| [item.middle, item.low.y, item.screen_low.x].map(f32::to_bits);
         place(self) == place(other)
     }
 
-    /// Least coordinate of the box along a direction, px.
+    /// Returns the least coordinate of the item's box along a unit direction, px.
     fn least_along(&self, n: Vector3) -> f32 {
         (0..3).map(|axis| n[axis] * if n[axis] > 0.0 { self.low[axis] } else { self.high[axis] }).sum()
     }
 
-    /// Separation in px, negative for an overlap, and the direction from this to the other with the greatest
-    /// one.
+    /// Returns the greatest separation from the item `other` over all tested axes, px, negative for an overlap, and the unit
+    /// direction of that axis from this item to the other one.
     fn separation_to(&self, other: &DrawItem, all_sides: &[ViewSides]) -> (f32, Vector3) {
         let mut best = (f32::NEG_INFINITY, Vector3::zeros());
         let mut consider = |gap: f32, n: Vector3| {
@@ -101,8 +101,8 @@ impl DrawItem {
         self.sides.map(|at| &all_sides[at as usize]).into_iter().flatten()
     }
 
-    /// Whether this item is drawn before the other wherever both are visible; `None` if they share no point
-    /// of the screen. `to_viewer` is the direction of the line whose points have one point of the screen.
+    /// Returns whether this item is drawn before the other wherever both are visible; `None` if they share no point of the
+    /// screen. `to_viewer` is the direction of the line whose points have one point of the screen.
     ///
     /// A separating plane of two convex shapes decides: the one on the viewer's side is in front everywhere.
     /// Two solids that interpenetrate have no such plane; [the tops](Self::is_topped_by) decide.
@@ -122,12 +122,12 @@ impl DrawItem {
         topped.or(Some(if nearer == 0.0 { self.middle > other.middle } else { nearer > 0.0 }))
     }
 
-    /// Whether it has an extent in depth; flat pictures have none.
+    /// Returns whether the item has an extent in depth; flat pictures have none.
     fn is_solid(&self) -> bool {
         self.high.z > self.low.z
     }
 
-    /// Least of width, height and depth, px.
+    /// Returns the least of width, height and depth of the item's box, px.
     fn least_size(&self) -> f32 {
         (self.high - self.low).min()
     }
@@ -136,9 +136,9 @@ impl DrawItem {
         (self.high.x - self.low.x) * (self.high.z - self.low.z)
     }
 
-    /// For two solids that interpenetrate: whether the other one's top sticks out of this one, and not the
-    /// reverse. If both or neither do, the one with the smaller footprint is on top, since it is visible
-    /// nowhere else. `None` for equal footprints.
+    /// Returns whether the item `other` is on top of this item, for two solids that interpenetrate: its top sticks out of this
+    /// one, and not the reverse. If both tops stick out or neither does, the item with the smaller footprint is on top, since
+    /// it is visible nowhere else. `None` for equal footprints.
     fn is_topped_by(&self, other: &DrawItem, sides: &[ViewSides]) -> Option<bool> {
         let sticks_out = [self.greatest_rise_to(other, sides), other.greatest_rise_to(self, sides)]
             .map(|rise| rise > MIN_RISE);
@@ -152,7 +152,7 @@ impl DrawItem {
         }
     }
 
-    /// Greatest height of the top of another item over the top of this one, px, at the corners and the centre
+    /// Returns the greatest height of the top of the item `other` above the top of this item, px, at the corners and the centre
     /// of the common footprint. This suffices because tops are planes or ridges.
     fn greatest_rise_to(&self, other: &DrawItem, sides: &[ViewSides]) -> f32 {
         let (low, high) = (self.low.sup(&other.low), self.high.inf(&other.high));
@@ -162,7 +162,7 @@ impl DrawItem {
         rises.into_iter().fold(f32::NEG_INFINITY, f32::max)
     }
 
-    /// Height of its upper surface at a place (X, Z), px.
+    /// Returns the height of the item's upper surface at a place (X, Z), px.
     fn top_at(&self, [x, z]: [f32; 2], sides: &[ViewSides]) -> f32 {
         let faces_up = self.sides_among(sides).filter(|(n, _)| n.y > MIN_TOP_NORMAL_Y);
         let heights = faces_up.map(|(n, reach)| (reach - n.x * x - n.z * z) / n.y);
@@ -191,8 +191,9 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    /// A body with a top has a box from its front to its back, also if it is drawn as a flat picture. A ball
-    /// or a capsule is flat: its picture appears at the centre of the body.
+    /// Returns the bounds of a body as an item; `None` for a body that is not drawn. A body with a top has a box from its front
+    /// to its back, even if it is drawn as a flat picture. A ball or a capsule is flat: its picture appears at the centre of
+    /// the body.
     fn item_of_body(&self, id: BodyId) -> Option<DrawItem> {
         let body = self.body(id).filter(|body| body.enabled())?;
         let drawable = Drawable::Body(id);

@@ -6,15 +6,15 @@ use super::draw_items::{DrawItem, Drawable, ViewSides};
 use super::incremental_sort::IncrementalSort;
 use crate::{TwoHalfPhysicsSimulator, Vector3};
 
-/// Sort key from back to front, with the index of the item in the list.
+/// Sort key of an item from back to front, with the index of the item in the list.
 #[derive(Debug, Clone, Copy)]
 struct ByDepth {
-    /// Z, px.
+    /// Z by which items without another criterion are ordered, px: see `DrawItem::middle`.
     middle: f32,
-    /// Least Y, px.
+    /// Least Y of the item in the world, px.
     height: f32,
     drawable: Drawable,
-    /// Index in the list.
+    /// Index of the item in the list of this frame.
     listed: u32,
 }
 
@@ -104,7 +104,7 @@ impl DrawLists {
 struct ScreenStrips {
     /// Least y, px.
     first: f32,
-    /// Number of strips per px, 1/px.
+    /// Number of strips per px of screen height, 1/px.
     per_length: f32,
     count: usize,
 }
@@ -122,7 +122,7 @@ impl ScreenStrips {
         ScreenStrips { first: low, per_length: count as f32 / (high - low), count }
     }
 
-    /// The strip at a height. The conversion saturates, and NaN is in the first one.
+    /// Returns the index of the strip at a screen height `y`, px. The conversion saturates, and NaN is in the first strip.
     fn at(&self, y: f32) -> u32 {
         (((y - self.first) * self.per_length) as u32).min(self.count as u32 - 1)
     }
@@ -161,14 +161,14 @@ pub struct DrawOrder {
     has_moved: Vec<bool>,
     ranks: Vec<u32>,
     by_depth: IncrementalSort<ByDepth>,
-    /// Sorted from back to front.
+    /// Items of this frame, sorted from back to front.
     items: Vec<DrawItem>,
     sides: Vec<ViewSides>,
     appearances: IncrementalSort<ScreenBounds>,
-    /// Pairs of items, the covered one last.
+    /// Pairs of items that overlap on the screen: the covering item, then the covered one.
     covers: Vec<[u32; 2]>,
     strips: DrawLists,
-    /// Items that each item covers.
+    /// By item: the items that it covers on the screen.
     covered: DrawLists,
     is_visited: Vec<bool>,
     path: Vec<[u32; 2]>,
@@ -256,7 +256,7 @@ impl DrawOrder {
         }
     }
 
-    /// Sorts by left ends.
+    /// Sorts the screen bounds by their left ends.
     fn sort_by_appearance(&mut self) {
         let DrawOrder { listed, now_at, is_known, has_moved, ranks, appearances, .. } = self;
         let entry = |place: u32| ScreenBounds::new(&listed[place as usize], ranks[place as usize], place);
@@ -304,7 +304,7 @@ impl DrawOrder {
         }
     }
 
-    /// Depth-first search: covered items are drawn first.
+    /// Sorts the items topologically by depth-first search: covered items are drawn first.
     fn sort_depth_first(&mut self) {
         let DrawOrder { items, covered, is_visited, path, order, .. } = self;
         is_visited.clear();

@@ -47,7 +47,7 @@ impl<E: Copy> IncrementalSort<E> {
         self.merge(compare);
     }
 
-    /// Merges the moved entries into the others.
+    /// Merges the sorted moved entries into the sorted entries that have not moved.
     fn merge(&mut self, compare: impl Fn(&E, &E) -> Ordering) {
         self.sorted.clear();
         let mut rest = &self.kept[..];

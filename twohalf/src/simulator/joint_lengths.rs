@@ -92,12 +92,12 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    /// Distance between points of two bodies, px.
+    /// Returns the distance in three axes between points of two bodies, px.
     fn distance(&self, [one, other]: [BodyId; 2], [a, b]: [Vector2; 2]) -> Result<f32> {
         Ok((self.point(other, b)? - self.point(one, a)?).norm())
     }
 
-    /// A point of a body, px, y down.
+    /// Returns the position of a point of a body in the frame of the plane with depth, px, y down.
     fn point(&self, id: BodyId, point: Vector2) -> Result<Vector3> {
         let body = self.core.body(id).ok_or(Error::StaleId { argument: "body" })?;
         let point = body.get_world_position(point);

@@ -157,7 +157,7 @@ impl TwoHalfPhysicsSimulator {
         let mut simulator = TwoHalfPhysicsSimulator::of(core, world);
         simulator.core.process_added_and_removed();
         if is_precise {
-            simulator.core.enter_space(LENGTH_UNIT)?;
+            simulator.core.enable_depth(LENGTH_UNIT)?;
         }
         let TwoHalfPhysicsSimulator { core, world, .. } = &mut simulator;
         for body in core.bodies() {
@@ -166,7 +166,7 @@ impl TwoHalfPhysicsSimulator {
         Ok(simulator)
     }
 
-    /// A simulator before its first update.
+    /// Returns a simulator of a core and the state beside it, before its first update.
     fn of(core: PhysicsSimulator, world: World) -> Self {
         let (pipeline, report) = Default::default();
         TwoHalfPhysicsSimulator { core, world, pipeline, report, near: Neighbours::default() }

@@ -172,7 +172,7 @@ impl TwoHalfPhysicsSimulator {
         Ok(self.core.dispose(object)?)
     }
 
-    /// Whether an object was disposed; true for a stale id.
+    /// Returns whether an object was disposed; true for a stale id.
     #[doc(alias = "IsDisposed")]
     pub fn is_disposed(&self, object: impl Into<ObjectId>) -> bool {
         self.core.is_disposed(object)
@@ -185,7 +185,7 @@ impl TwoHalfPhysicsSimulator {
         self.core.clear();
         if self.world.scheme == DepthScheme::Precise {
             // This cannot fail, since the methods stay the same.
-            let _ = self.core.enter_space(LENGTH_UNIT);
+            let _ = self.core.enable_depth(LENGTH_UNIT);
         }
         let world = &mut self.world;
         world.depths = DepthState::default();

@@ -95,7 +95,7 @@ impl TwoHalfPhysicsSimulator {
     }
 }
 
-/// Whether the AABB of a geom overlaps or touches another one.
+/// Returns whether the AABB of a geom overlaps or touches the box from `low` to `high`, px.
 fn overlaps_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
     geom.left <= high.x
         && low.x <= geom.right
@@ -105,7 +105,7 @@ fn overlaps_box(geom: &VirtualGeom, low: Vector3, high: Vector3) -> bool {
         && low.z <= geom.back
 }
 
-/// Whether the convex hull of points contains a point: no line through it has all of them on one side.
+/// Returns whether the convex hull of `points` contains a point: no line through the point has all `points` on one side.
 fn hull_contains(points: &[Vector2], point: Vector2) -> bool {
     let side = |a: Vector2, b: Vector2, p: Vector2| (b - a).perp(&(p - a));
     let is_hull_edge = |a: Vector2, b: Vector2| a != b && points.iter().all(|&p| side(a, b, p) >= 0.0);

@@ -30,7 +30,7 @@ pub struct SweepHit3D {
     pub fraction: f32,
 }
 
-/// A normal in the world without negative zeros.
+/// Returns a normal of the frame of the plane (y down) in the world (Y up), without negative zeros.
 fn outward(normal: Vector3) -> Vector3 {
     to_world(normal).map(|part| part + 0.0)
 }
@@ -111,7 +111,8 @@ impl TwoHalfPhysicsSimulator {
         Some(SweepHit3D { partner, normal: outward(normal), fraction })
     }
 
-    /// First hit of a path, among the targets whose AABBs overlap a box of the world around the path.
+    /// Returns the first hit of a path among the targets whose AABBs overlap the box from `low` to `high` around the path
+    /// (world, px); `None` without a hit.
     fn first_entered(
         &self,
         sweep: &Sweep,

@@ -1,8 +1,8 @@
 //! Saving and loading the whole simulator.
 //!
-//! A loaded simulator continues with the same bits, events and callbacks; a save that contradicts itself is
-//! refused. Pending reports of refused arguments, movements and disposals are saved. Events and counters of
-//! the last update are not, because the next update overwrites them and reads none of them.
+//! A loaded simulator continues with the same bits, events and callbacks; a save that contradicts itself is refused. Pending
+//! reports of refused arguments, movements and disposals are saved. Events and counters of the last update are not saved,
+//! because the next update overwrites them without reading them.
 
 use std::borrow::Cow;
 
@@ -24,7 +24,7 @@ impl<'de> Deserialize<'de> for TwoHalfPhysicsSimulator {
     }
 }
 
-/// A [`TwoHalfPhysicsSimulator`] that was read, for loading with other [`Limits`] than the default ones.
+/// A [`TwoHalfPhysicsSimulator`] that was read from a save and can be loaded with other [`Limits`] than the default ones.
 #[derive(Debug, Clone, Deserialize)]
 pub struct SavedTwoHalfSimulator {
     core: SavedSimulator,
@@ -63,7 +63,7 @@ impl SavedTwoHalfSimulator {
 }
 
 impl TwoHalfPhysicsSimulator {
-    /// Refuses a state that no sequence of calls can make, and recomputes the fields that are not saved.
+    /// Returns an error for a state that no sequence of calls can make, and recomputes the fields that are not saved.
     fn check(&mut self) -> Result<()> {
         let TwoHalfPhysicsSimulator { core, world, .. } = self;
         world.has_rejected = world.depths.bodies.iter_mut().any(|(_, state)| !state.rejected.is_empty());
@@ -117,7 +117,7 @@ impl TwoHalfPhysicsSimulator {
             _ => true,
         };
         let is_precise = matches!(core.methods(), farseer_core::Methods::Precise { .. });
-        if is_precise != (world.scheme == DepthScheme::Precise) || is_precise != core.is_in_space() {
+        if is_precise != (world.scheme == DepthScheme::Precise) || is_precise != core.has_depth() {
             return Err(damaged("the methods of the plane are not those of the scheme"));
         }
         if !core.geoms().all(has_its_box) {

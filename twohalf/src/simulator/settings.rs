@@ -69,7 +69,7 @@ impl TwoHalfPhysicsSimulator {
         self.core.set_limits(limits);
     }
 
-    /// Whether updates move bodies; objects enter and leave either way. Default true.
+    /// Returns whether updates move bodies; objects enter and leave either way. Default true.
     #[doc(alias = "Enabled")]
     pub fn enabled(&self) -> bool {
         self.core.enabled()
@@ -117,8 +117,8 @@ impl TwoHalfPhysicsSimulator {
         self.core.set_friction_type(friction_type);
     }
 
-    /// Whether bodies at rest sleep. Default true; only with [`DepthScheme::Precise`]. A sleeping body costs
-    /// nothing and does not move. It wakes by itself as soon as anything could move it.
+    /// Returns whether bodies at rest sleep. Default true; only with [`DepthScheme::Precise`]. A sleeping body costs nothing
+    /// and does not move. It wakes by itself as soon as anything could move it.
     pub fn is_sleep_enabled(&self) -> bool {
         self.core.is_sleep_enabled()
     }
@@ -128,14 +128,14 @@ impl TwoHalfPhysicsSimulator {
         self.core.set_sleep_enabled(value);
     }
 
-    /// Whether a body was asleep at the end of the last update; false for a stale id.
+    /// Returns whether a body was asleep at the end of the last update; false for a stale id.
     pub fn is_asleep(&self, body: BodyId) -> bool {
         self.core.is_asleep(body)
     }
 
     /// Reason why a body was awake at the end of the last update; `None` for a sleeping one and for a stale
     /// id.
-    pub fn why_awake(&self, body: BodyId) -> Option<farseer_core::WhyAwake> {
+    pub fn why_awake(&self, body: BodyId) -> Option<farseer_core::AwakeReason> {
         self.core.why_awake(body)
     }
 
@@ -182,15 +182,15 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         let is_precise = scheme == DepthScheme::Precise;
-        if scheme == self.world.scheme && is_precise == self.core.is_in_space() {
+        if scheme == self.world.scheme && is_precise == self.core.has_depth() {
             return Ok(());
         }
         if is_precise {
-            self.core.enter_space(LENGTH_UNIT)?;
+            self.core.enable_depth(LENGTH_UNIT)?;
         } else if let Some(what) = self.precise_only_feature() {
             return Err(only_precise(what));
         } else {
-            self.core.leave_space()?;
+            self.core.disable_depth()?;
         }
         self.world.paces.retain(|pace| !pace.is_over());
         self.world.scheme = scheme;

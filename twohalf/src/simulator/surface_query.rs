@@ -1,7 +1,7 @@
 //! Queries of the surface beneath a point, and the walkable tops of geoms.
 
 use farseer_core::math::vector2::transform;
-use farseer_core::{BodyId, GeomId, SpaceFoot};
+use farseer_core::{BodyId, DepthQueryFootprint, GeomId};
 
 use crate::depth::upright;
 use crate::projection::to_world;
@@ -19,8 +19,8 @@ pub struct Surface {
     pub normal: Vector3,
 }
 
-/// Greatest penetration of resting bodies in a surface, as a factor of the allowed penetration,
-/// dimensionless. Usually it is 1; heavily loaded bodies sink deeper.
+/// Greatest penetration of resting bodies in a surface, as a factor of the allowed penetration, dimensionless. Usual
+/// penetrations are 1; heavily loaded bodies sink deeper.
 const MAX_SINK_SLOPS: f32 = 4.0;
 
 impl TwoHalfPhysicsSimulator {
@@ -100,7 +100,7 @@ impl TwoHalfPhysicsSimulator {
         })
     }
 
-    /// Whether a geom collides and responds.
+    /// Returns whether a geom collides and its contacts exert impulses.
     fn can_support(&self, geom: GeomId) -> bool {
         self.core.geom(geom).is_some_and(|geom| {
             let takes_part = geom.collision_enabled() && geom.collision_response_enabled();
@@ -138,7 +138,8 @@ impl TwoHalfPhysicsSimulator {
         }
     }
 
-    /// Top of an upright geom. A capsule has none: like a ball, it is not walkable.
+    /// Returns the walkable top of an upright geom; `None` for all other geoms and for capsules, which are not walkable, like
+    /// balls.
     fn top_of_upright(&self, geom: GeomId) -> Option<WalkableTop> {
         let profile = *self.world.depths.profiles.get(geom)?;
         if matches!(profile, DepthProfile::Capsule { .. }) {
@@ -155,7 +156,7 @@ impl TwoHalfPhysicsSimulator {
     }
 }
 
-/// Surface of a top beneath a place (X, Z), if it is there.
+/// Returns the surface of a walkable top beneath a place (X, Z in px); `None` if the top does not lie beneath the place.
 fn surface_of(top: &WalkableTop, [x, z]: [f32; 2]) -> Option<Surface> {
     let [a, b] = top.edge;
     if !(b.x <= x && x <= a.x && top.front <= z && z <= top.back) {
@@ -164,7 +165,8 @@ fn surface_of(top: &WalkableTop, [x, z]: [f32; 2]) -> Option<Surface> {
     let partner = ContactTarget::Geom(top.geom);
     if let Some((shape, place)) = &top.upright {
         let offset = [place[0] - x, place[1] - z];
-        let (apart, _) = upright::with_foot(shape, |foot| SpaceFoot::Disc(0.0).gap(foot, offset));
+        let (apart, _) =
+            upright::with_foot(shape, |foot| DepthQueryFootprint::Disc(0.0).distance_to(foot, offset));
         let normal = Vector3::new(0.0, 1.0, 0.0);
         return (apart <= 0.0).then_some(Surface { partner, height: -a.y, normal });
     }

@@ -7,8 +7,8 @@ use super::core_events::CoreEventAdapter;
 use crate::depth::{Contact, ContactList, ContactPoint, ContactTarget};
 use crate::events::Event;
 
-/// Calls the handler for every contact of this crate and drops those that it refuses. Then reports the ended
-/// contacts.
+/// Calls the event handler for every contact that `twohalf` found and drops the contacts that the handler refuses. Then reports
+/// the contacts that have ended.
 pub(super) fn emit_contact_events(
     core: &mut PhysicsSimulator,
     game: &mut CoreEventAdapter<'_, '_>,
@@ -19,7 +19,7 @@ pub(super) fn emit_contact_events(
     emit_separation_events(core, game, found);
 }
 
-/// Asks both sides, the older geom first.
+/// Returns whether the event handler accepts a contact. It is called for both sides, the older geom first.
 fn is_accepted(
     core: &mut PhysicsSimulator,
     game: &mut CoreEventAdapter<'_, '_>,
@@ -41,7 +41,7 @@ fn is_accepted(
     true
 }
 
-/// Reports the contacts of the last update that have ended by separation.
+/// Reports the contacts of the last update that have ended by separation, as events and to the event handler.
 fn emit_separation_events(
     core: &mut PhysicsSimulator,
     game: &mut CoreEventAdapter<'_, '_>,

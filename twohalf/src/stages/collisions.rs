@@ -1,14 +1,14 @@
 //! Conversion of contacts to collisions as games see them.
 
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{GeomId, PhysicsSimulator, SpaceTouch};
+use farseer_core::{DepthContact, GeomId, PhysicsSimulator};
 
 use crate::depth::{Contact, ContactPoint, ContactTarget};
 use crate::events::Collision;
 use crate::projection::to_world;
 use crate::views::contact_of;
 
-/// Whether a geom has collision callbacks.
+/// Returns whether a geom has collision callbacks.
 pub(super) fn has_callbacks(core: &PhysicsSimulator, geom: GeomId) -> bool {
     core.geom(geom).is_none_or(|geom| geom.collision_callbacks_enabled())
 }
@@ -17,7 +17,8 @@ pub(super) fn impulse_of_points(points: &[ContactPoint]) -> f32 {
     nearest_finite(points.iter().map(|point| point.normal_impulse).sum())
 }
 
-/// A contact of this crate as one of its geoms sees it.
+/// Returns a contact that `twohalf` found as a collision of one of its geoms: of the other side if `is_partner`. `None` if that
+/// side is no geom or the contact has no points.
 pub(super) fn collision(touch: &Contact, points: &[ContactPoint], is_partner: bool) -> Option<Collision> {
     let deepest = points.iter().min_by(|a, b| a.separation.total_cmp(&b.separation))?;
     let (this, partner, sign) = match (is_partner, touch.partner) {
@@ -37,8 +38,9 @@ pub(super) fn collision(touch: &Contact, points: &[ContactPoint], is_partner: bo
     })
 }
 
-/// A contact as both of its sides see it, the older geom first.
-pub(super) fn collisions(core: &PhysicsSimulator, found: &SpaceTouch) -> [Option<Collision>; 2] {
+/// Returns a contact of the precise set as collisions of both sides, the older geom first. `None` for a side that is no geom or
+/// does not exist any more.
+pub(super) fn collisions(core: &PhysicsSimulator, found: &DepthContact) -> [Option<Collision>; 2] {
     let Some((touch, points)) = contact_of(core, found) else { return [None; 2] };
     [true, false].map(|is_partner| collision(&touch, &points[..found.count], is_partner))
 }

@@ -1,7 +1,7 @@
 //! Contact filter of the precise set: asks the event handler about touching pairs.
 
+use farseer_core::DepthContact;
 use farseer_core::GeomId;
-use farseer_core::SpaceTouch;
 use farseer_core::order::sort_by_number;
 
 use super::collisions::{collisions, has_callbacks};
@@ -12,14 +12,14 @@ use crate::depth::{Axis, ContactTarget, Footing, World};
 use crate::events::{Collision, Context, Event, EventHandler};
 use crate::views::{contact_of, partner_of};
 
-/// Asks the handler about all touches; returns the pairs that it refuses.
+/// Asks the event handler about all touching pairs. Returns the indices of the pairs that the handler refuses.
 pub(super) fn filter_contacts(
     handler: &mut dyn EventHandler,
     context: &mut farseer_core::Context<'_>,
     world: &mut World,
     report: &mut Report,
 ) -> Vec<usize> {
-    let mut found: Vec<(usize, SpaceTouch)> = context.simulator().space_touches_heard().collect();
+    let mut found: Vec<(usize, DepthContact)> = context.simulator().depth_contacts_with_listener().collect();
     sort_by_number(&mut found, |(_, touch)| {
         // `None` comes first.
         contact_of(context.simulator(), touch).map_or(0, |(touch, _)| touch.key.rank() + 1)
@@ -29,13 +29,13 @@ pub(super) fn filter_contacts(
     found.into_iter().map(|(pair, _)| pair).collect()
 }
 
-/// Asks about supports and walls of characters that have no contact.
+/// Asks the event handler about supports and walls that act on characters without a contact.
 fn filter_footings(
     handler: &mut dyn EventHandler,
     context: &mut farseer_core::Context<'_>,
     world: &mut World,
     report: &mut Report,
-    found: &[(usize, SpaceTouch)],
+    found: &[(usize, DepthContact)],
 ) {
     world.footings.refused.clear();
     let mut asked = std::mem::take(&mut world.footings.asked);
@@ -53,11 +53,11 @@ fn filter_footings(
     world.footings.asked = asked;
 }
 
-/// Touching geoms and their targets, as both sides see them, sorted.
-fn sides_of(found: &[(usize, SpaceTouch)]) -> Vec<(GeomId, ContactTarget)> {
+/// Returns the geoms of touching pairs with their contact targets, one entry per side, sorted.
+fn sides_of(found: &[(usize, DepthContact)]) -> Vec<(GeomId, ContactTarget)> {
     let mut sides = Vec::with_capacity(2 * found.len());
     for (_, touch) in found {
-        let partner = partner_of(touch.partner);
+        let partner = partner_of(touch.target);
         sides.push((touch.this, partner));
         if let ContactTarget::Geom(other) = partner {
             sides.push((other, ContactTarget::Geom(touch.this)));
@@ -68,7 +68,7 @@ fn sides_of(found: &[(usize, SpaceTouch)]) -> Vec<(GeomId, ContactTarget)> {
 }
 
 impl Footing {
-    /// The collision as both sides see it.
+    /// Returns the collision as each of both sides sees it; `None` for the second side if the target is no geom.
     fn collisions(&self) -> [Option<Collision>; 2] {
         let Footing { this, partner, normal, position } = *self;
         let collision = |this, partner, normal: Vector3| Collision {
@@ -94,13 +94,13 @@ fn accepts_touch(
     context: &mut farseer_core::Context<'_>,
     world: &mut World,
     report: &mut Report,
-    touch: &SpaceTouch,
+    touch: &DepthContact,
 ) -> bool {
     let collisions = collisions(context.simulator(), touch);
     accepts(handler, context, world, report, collisions)
 }
 
-/// Whether both sides accept a collision.
+/// Returns whether the event handler accepts a collision for both sides.
 fn accepts(
     handler: &mut dyn EventHandler,
     context: &mut farseer_core::Context<'_>,

@@ -19,7 +19,7 @@ pub(super) struct ConvexCache {
 pub(super) type CachedPieces<'a> = (&'a ConvexPieces, &'a [Vector2]);
 
 impl ConvexCache {
-    /// Drops the pieces of a geom whose outline has changed.
+    /// Drops the cached pieces of a geom whose outline has changed.
     pub(super) fn forget(&mut self, geom: GeomId) {
         self.pieces.remove(geom);
     }
@@ -32,7 +32,8 @@ impl ConvexCache {
         Some(())
     }
 
-    /// Transforms the pieces of a geom into the world. Also returns the buffer for contact points.
+    /// Returns the pieces of a geom with vertices transformed into the frame of the plane, and the buffer for contact points;
+    /// `None` for a stale id.
     pub(super) fn transform(
         &mut self,
         core: &PhysicsSimulator,
@@ -45,7 +46,7 @@ impl ConvexCache {
         Some(((pieces, corners), points))
     }
 
-    /// Transforms the pieces of both geoms into the world.
+    /// Returns the pieces of both geoms with vertices transformed into the frame of the plane; `None` for a stale id.
     pub(super) fn transform_both(
         &mut self,
         core: &PhysicsSimulator,

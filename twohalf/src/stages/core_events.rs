@@ -1,5 +1,5 @@
-//! Adapter between the events of the core and the game's handler: rejects pairs separated in depth and adds
-//! depth to the others.
+//! Adapter between the events of the core and the game's handler: it rejects pairs that are separated in depth and adds depth
+//! to the events of all other pairs.
 
 use farseer_core::{
     BodyId, Contact, EventHandler as CoreHandler, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId,
@@ -15,20 +15,20 @@ use crate::Vector3;
 use crate::depth::{Axis, ContactTarget, DepthScheme, DepthState, World};
 use crate::events::{Collision, Context, Event, EventHandler};
 
-/// Data of the pair search of an update.
+/// Data of the pair search of one update: depth intervals, pairs of the core and pairs of `twohalf`.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PairContext {
     pub(super) intervals: DepthIntervals,
-    /// Pairs that the core solved in the last update.
+    /// Pairs that touched in the core in the last update, with their impulses.
     pub(super) pair_cache: PairCache,
     pub(super) convex_cache: ConvexCache,
-    /// Pairs whose contacts this crate finds.
+    /// Pairs whose contacts `twohalf` finds, and not the core.
     pub(super) pairs: Vec<DepthPair>,
     /// By body slot: whether the body moved along Z and no event has reported it yet.
     pub(super) moved: Vec<bool>,
 }
 
-/// Adapter between the core and the game's handler.
+/// Adapter that receives the callbacks of the core and calls the event handler of the game.
 pub(super) struct CoreEventAdapter<'w, 'h> {
     pub(super) world: &'w mut World,
     pub(super) report: &'w mut Report,
@@ -37,7 +37,7 @@ pub(super) struct CoreEventAdapter<'w, 'h> {
 }
 
 impl PairContext {
-    /// Begins the pair search of an update.
+    /// Begins the pair search of an update: stores depth intervals and clears the pairs of `twohalf`.
     pub(super) fn prepare(&mut self, core: &PhysicsSimulator, depths: &DepthState, dt: f32) {
         self.pairs.clear();
         self.pair_cache.prepare(core);
@@ -46,7 +46,7 @@ impl PairContext {
 }
 
 impl CoreEventAdapter<'_, '_> {
-    /// Adopts the events that the core has reported since the last call.
+    /// Appends the events that the core has reported since the last call to the report of the update.
     pub(super) fn adopt_core_events(&mut self, core: &PhysicsSimulator) {
         self.report.adopt_core_events(core, &self.pair_context.pair_cache);
     }
@@ -86,7 +86,7 @@ impl CoreEventAdapter<'_, '_> {
         self.call_handler_within(context, ask).unwrap_or(true)
     }
 
-    /// Whether the game's handler is asked about a pair: only if it did not touch in the last update.
+    /// Returns whether the game's handler is asked about a pair: only if it did not touch in the last update.
     fn needs_filter(&self, pair: &DepthPair) -> bool {
         self.handler.as_deref().is_some_and(|handler| handler.handles_broad_phase())
             && self.pair_context.pair_cache.impulse(pair.key).is_none()
@@ -157,11 +157,11 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
         accepted
     }
 
-    fn on_space_moved(&mut self, context: &mut farseer_core::Context<'_>) {
+    fn on_depth_moved(&mut self, context: &mut farseer_core::Context<'_>) {
         pull_depth_from_core(context.simulator(), self.world);
     }
 
-    fn on_space_touches(&mut self, context: &mut farseer_core::Context<'_>) -> Vec<usize> {
+    fn on_depth_contacts(&mut self, context: &mut farseer_core::Context<'_>) -> Vec<usize> {
         match &mut self.handler {
             Some(handler) => filter_contacts(&mut **handler, context, self.world, self.report),
             None => Vec::new(),
@@ -209,7 +209,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
         accepted
     }
 
-    fn on_untold_collision(
+    fn on_silent_collision(
         &mut self,
         simulator: &PhysicsSimulator,
         this: GeomId,

@@ -1,6 +1,6 @@
 //! Synchronisation of depth with the precise set: input before a step, results after it.
 
-use farseer_core::{BodyId, GeomId, PhysicsSimulator, SpaceBody, SpaceProfile, Swings};
+use farseer_core::{BodyId, DepthBodyState, DepthShape, GeomId, HingeFeature, PhysicsSimulator};
 
 use super::forces::disable;
 use super::report::Report;
@@ -8,7 +8,7 @@ use crate::Vector3;
 use crate::depth::{DepthState, PlatformId, World, is_movable};
 use crate::events::Event;
 
-/// Sends forces again that had no effect in the last update.
+/// Queues the forces along Z that had no effect in the last update, so that the next update sends them to the core again.
 pub(super) fn requeue_forces(depths: &mut DepthState) {
     let mut forced = std::mem::take(&mut depths.forced);
     for id in forced.drain(..) {
@@ -19,26 +19,25 @@ pub(super) fn requeue_forces(depths: &mut DepthState) {
     depths.forced = forced;
 }
 
-/// Sends loaded state to the core, so that queries before the next update work. It has no other effect; that
-/// update sends everything again.
+/// Sends loaded state to the core, so that queries before the next update work. The next update sends all of it again.
 pub(crate) fn list_loaded(core: &mut PhysicsSimulator, world: &World) {
-    if !core.is_in_space() {
+    if !core.has_depth() {
         return;
     }
     let bodies: Vec<BodyId> = core.bodies().collect();
     for id in bodies {
         let (Some(body), Some(state)) = (core.body(id), world.depths.bodies.get(id)) else { continue };
         let input = state.core_input(state.velocity_z, 0.0, body.is_kinematic());
-        core.set_space_body(id, input);
+        core.set_depth_body(id, input);
         for at in 0..core.geoms_of(id).len() {
             push_profile_to_core(core, &world.depths, core.geoms_of(id)[at]);
         }
     }
-    core.set_fixtures(world.platforms.iter().map(|(id, platform)| platform.fixture(id)));
-    core.list_loaded_in_space();
+    core.set_world_boxes(world.platforms.iter().map(|(id, platform)| platform.fixture(id)));
+    core.rebuild_loaded_depth();
 }
 
-/// Sends changes of depth to the core: all of it, if the core has none yet.
+/// Sends changed depth states, shapes, platforms and forces along Z to the core; the first time, all of them.
 pub(super) fn push_depth_to_core(core: &mut PhysicsSimulator, world: &mut World, report: &mut Report) {
     let World { depths, platforms, .. } = world;
     if !std::mem::replace(&mut depths.is_sent, true) {
@@ -63,10 +62,10 @@ pub(super) fn push_depth_to_core(core: &mut PhysicsSimulator, world: &mut World,
     depths.edited = edited;
     if platforms.take_changed() {
         let fixtures = platforms.iter().map(|(id, platform)| platform.fixture(id));
-        core.set_fixtures(fixtures);
+        core.set_world_boxes(fixtures);
     }
     for (id, motion) in platforms.edited_motions() {
-        core.set_fixture_motion(id.number(), motion);
+        core.set_world_box_motion(id.number(), motion);
     }
 }
 
@@ -94,31 +93,41 @@ fn push_body_to_core(core: &mut PhysicsSimulator, depths: &mut DepthState, repor
     }
     state.velocity_z = velocity;
     let input = state.core_input(velocity, acceleration, body.is_kinematic());
-    core.set_space_body(id, input);
+    core.set_depth_body(id, input);
 }
 
 fn push_profile_to_core(core: &mut PhysicsSimulator, depths: &DepthState, id: GeomId) {
     let (Some(view), Some(profile)) = (core.geom(id), depths.profiles.get(id)) else { return };
     let ground = depths.bodies.get(view.body()).map(|state| state.ground);
     let ground = ground.filter(|ground| ground.object_geom() == Some(id));
-    let profile = SpaceProfile {
+    let profile = DepthShape {
         half_depth: profile.half_depth(),
-        is_round: profile.is_round(),
-        ground: ground.map(|ground| [ground.friction_coefficient(), ground.restitution_coefficient()]),
-        upright: profile.upright(),
+        is_sphere: profile.is_round(),
+        ground_surface: ground
+            .map(|ground| [ground.friction_coefficient(), ground.restitution_coefficient()]),
+        vertical: profile.upright(),
     };
-    core.set_space_profile(id, profile);
+    core.set_depth_shape(id, profile);
 }
 
-/// Stores the motion of bodies along Z and of platforms, before callbacks report it.
+/// Stores the motion of bodies along Z and of platforms in the world state after a step of the core, before callbacks report
+/// the motion.
 pub(super) fn pull_depth_from_core(core: &PhysicsSimulator, world: &mut World) {
-    for (number, centre, yaw, motion) in core.fixtures_moved() {
+    for (number, centre, yaw, motion) in core.moving_world_boxes() {
         world.platforms.has_moved(PlatformId::from_number(number), centre, yaw, motion);
     }
     // `for_each` compiles the nested iterators to loops, `for` does not.
-    core.space_moved().for_each(|(id, moved)| {
+    core.moved_depth_bodies().for_each(|(id, moved)| {
         let Some(state) = world.depths.bodies.get_mut(id) else { return };
-        let SpaceBody { z, velocity, angular_velocity: [x, y], motion, sunk, target, .. } = moved;
+        let DepthBodyState {
+            z,
+            velocity,
+            angular_velocity: [x, y],
+            displacement: motion,
+            residual_penetration: sunk,
+            target,
+            ..
+        } = moved;
         (state.z, state.velocity_z, state.motion) = (z, velocity, Some(Vector3::from(motion)));
         (state.angular_velocity_x, state.angular_velocity_y) = (x, y);
         (state.sunk, state.target) = (sunk, target);
@@ -127,17 +136,18 @@ pub(super) fn pull_depth_from_core(core: &PhysicsSimulator, world: &mut World) {
     });
 }
 
-/// Stores the state of bodies that have fallen asleep: no velocity, and no force.
+/// Stores the depth state of bodies that have fallen asleep in the core: velocity and force along Z are 0.
 pub(super) fn pull_sleep_from_core(core: &PhysicsSimulator, world: &mut World) {
     let World { depths, platforms, .. } = world;
-    if Swings::ARE_THERE {
-        for (number, .., motion) in core.fixtures_moved().filter(|(.., motion)| motion.swing().is_some()) {
+    if HingeFeature::ENABLED {
+        for (number, .., motion) in core.moving_world_boxes().filter(|(.., motion)| motion.hinge().is_some())
+        {
             platforms.has_rested(PlatformId::from_number(number), motion);
         }
     }
-    for (id, rested) in core.space_rested() {
+    for (id, rested) in core.newly_asleep_depth_bodies() {
         let Some(state) = depths.bodies.get_mut(id).filter(|state| !state.is_edited) else { continue };
-        (state.z, state.velocity_z, state.sunk) = (rested.z, 0.0, rested.sunk);
+        (state.z, state.velocity_z, state.sunk) = (rested.z, 0.0, rested.residual_penetration);
         (state.angular_velocity_x, state.angular_velocity_y) = (0.0, 0.0);
         state.motion = Some(Vector3::zeros());
         state.force_z = 0.0;

@@ -7,7 +7,7 @@ use crate::depth::{CrushMonitor, World};
 use crate::events::Event;
 use crate::views::crush_info;
 
-/// Reports monitored bodies that are crushed.
+/// Appends an event to the report for each monitored body that is crushed from this update on.
 pub(super) fn emit_crush_events(core: &PhysicsSimulator, world: &mut World, report: &mut Report) {
     if world.crush_watches.is_empty() {
         return;

@@ -10,9 +10,9 @@ use crate::depth::{DepthState, is_movable};
 pub(super) struct DepthInterval {
     /// Middle of the interval, px.
     pub(super) z: f32,
-    /// Half of its length, px.
+    /// Half of the length of the interval, px.
     pub(super) half: f32,
-    /// Displacement of its body along Z in the last update, px.
+    /// Displacement of the geom's body along Z in the last update, px.
     pub(super) motion_z: f32,
     pub(super) is_round: bool,
 }
@@ -20,7 +20,7 @@ pub(super) struct DepthInterval {
 /// Intervals of all geoms at the start of the pair search.
 #[derive(Debug, Clone, Default)]
 pub(super) struct DepthIntervals {
-    /// By geom slot.
+    /// Intervals by slot of the geom id.
     list: Vec<DepthInterval>,
     /// Length of the update, s.
     dt: f32,

@@ -1,5 +1,5 @@
-//! Order of the stages with the faithful set and the thesis' scheme: those of the core, with depth between
-//! them.
+//! Order of the stages with the faithful set and the thesis' scheme: the stages of the core, with stages of `twohalf` for depth
+//! between them.
 
 use farseer_core::PhysicsSimulator;
 
@@ -64,7 +64,7 @@ fn find_contacts(
     callbacks::emit_contact_events(core, game, found);
 }
 
-/// Fills the counters.
+/// Fills the counters of the report for an update of the faithful or thesis scheme.
 fn count(core: &PhysicsSimulator, report: &mut Report, found: &ContactList, rows: usize) {
     let plane = core.counters();
     let touching = |touch: &&Contact| !touch.is_plane() && !touch.partner.is_ground();

@@ -4,7 +4,7 @@ use farseer_core::{BodyId, Event as CoreEvent, PhysicsSimulator};
 
 use crate::depth::{DepthState, is_movable};
 
-/// Fourth stage: integrates velocities.
+/// Fourth stage of the faithful scheme: integrates impulses, forces and drag into the velocities of all bodies.
 pub(super) fn apply(core: &mut PhysicsSimulator, depths: &mut DepthState, dt: f32) {
     for index in 0..core.body_list().len() {
         let id = core.body_list()[index];

@@ -37,7 +37,7 @@ use solver::Solver3;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Pipeline {
     pair_context: PairContext,
-    /// Contacts of the current update; those of the last one are in the world until these are complete.
+    /// Contacts of the current update. The contacts of the last update stay in `World::touches` until this list is complete.
     found: ContactList,
     solver: Solver3,
     seams: Vec<narrow_phase::BallContact>,
@@ -54,7 +54,7 @@ impl Pipeline {
     }
 }
 
-/// The parts of a simulator.
+/// Mutable references to the parts of a simulator that an update needs.
 pub(crate) struct Parts<'a> {
     pub(crate) core: &'a mut PhysicsSimulator,
     pub(crate) world: &'a mut World,

@@ -8,7 +8,8 @@ use crate::Vector3;
 use crate::depth::{DepthState, is_movable};
 use crate::events::Event;
 
-/// Last stage: integrates Z first, so that callbacks see all of the motion.
+/// Last stage of the faithful scheme: integrates velocities into positions. Z comes first, so that callbacks see the motion
+/// along all axes.
 pub(super) fn integrate(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>, dt: f32) {
     move_along_z(core, &mut game.world.depths, &mut game.pair_context.moved, dt);
     core.integrate(dt, Some(game));

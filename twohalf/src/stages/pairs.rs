@@ -1,10 +1,10 @@
-//! Pair filter: which pairs touch along which axis. It answers the core's broad phase.
+//! Pair filter: decides which pairs touch along which axis. The broad phase of the core calls it.
 //!
-//! The core finds pairs whose AABBs overlap in X and Y. Each of them is rejected, left to the core, or
-//! adopted by this crate: balls, and outlines that touch along Z.
+//! The core finds pairs whose AABBs overlap in X and Y. Each pair is rejected, left to the core, or adopted by `twohalf`.
+//! Adopted are pairs with a ball, and outlines that touch along Z.
 
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::order::{joined, sort_numbered};
+use farseer_core::order::{packed_key, sort_numbered};
 use farseer_core::{ArbiterRef, GeomId, PhysicsSimulator};
 
 use super::convex_cache::ConvexCache;
@@ -12,7 +12,7 @@ use super::depth_intervals::{DepthInterval, DepthIntervals};
 use crate::depth::{ContactKey, DepthScheme, PersistedFeature, World};
 use crate::shapes::{EntryAxis, MAX_ENTRY_AGE, RESTING_SLOP_FACTOR, entry_of_pieces, is_depth_last};
 
-/// A pair whose contact this crate finds; the older geom is the first.
+/// A pair of geoms whose contact `twohalf` finds, and not the core; the older geom is the first.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DepthPair {
     pub(super) key: ContactKey,
@@ -20,7 +20,7 @@ pub(super) struct DepthPair {
     pub(super) geom_b: GeomId,
 }
 
-/// Pairs that touched in the core in the last update, with the bits of their normal impulse.
+/// Pairs that touched in the core in the last update, with the bits of their normal impulse (f32, mass · px/s).
 #[derive(Debug, Clone, Default)]
 pub(super) struct PairCache {
     sorted: Vec<(u128, u32)>,
@@ -34,20 +34,20 @@ impl PairCache {
                 continue;
             };
             let impulse = impulse_of(arbiter);
-            self.sorted.push((joined([a.id(), b.id()]), impulse.to_bits()));
+            self.sorted.push((packed_key([a.id(), b.id()]), impulse.to_bits()));
         }
         sort_numbered(&mut self.sorted);
     }
 
-    /// Whether two geoms touched in the core in the last update.
+    /// Returns whether two geoms touched in the core in the last update.
     pub(super) fn touched_in_core(&self, core: &PhysicsSimulator, this: GeomId, other: GeomId) -> bool {
         key_of(core, this, other).is_some_and(|pair| self.impulse(pair.key).is_some())
     }
 
-    /// Normal impulse of a pair, mass · px/s; `None` if it did not touch.
+    /// Returns the normal impulse of a pair in the last update, mass · px/s; `None` if the pair did not touch in the core.
     pub(super) fn impulse(&self, key: ContactKey) -> Option<f32> {
         let ContactKey::Pair(a, b) = key else { return None };
-        let index = self.sorted.binary_search_by_key(&joined([a, b]), |(numbers, _)| *numbers).ok()?;
+        let index = self.sorted.binary_search_by_key(&packed_key([a, b]), |(numbers, _)| *numbers).ok()?;
         Some(f32::from_bits(self.sorted[index].1))
     }
 }
@@ -60,19 +60,19 @@ pub(super) fn impulse_of(arbiter: ArbiterRef<'_>) -> f32 {
 /// Owner of the contact of a pair whose AABBs overlap in all three axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ContactOwner {
-    /// The core.
+    /// The core finds and solves the contact, in X and Y.
     Plane,
-    /// This crate.
+    /// `twohalf` finds and solves the contact, in three axes.
     Space,
 }
 
-/// Whether two intervals along Z overlap. Intervals that only touch do not; two with the same middle always
-/// do, however short.
+/// Returns whether two intervals along Z overlap. Intervals that only touch do not overlap. Intervals with equal middles always
+/// overlap, even those of length 0.
 pub(super) fn extents_overlap(a: DepthInterval, b: DepthInterval) -> bool {
     a.z == b.z || (f64::from(a.z) - f64::from(b.z)).abs() < f64::from(a.half) + f64::from(b.half)
 }
 
-/// Side of `a` along Z on which `b` was before the last step: 1 behind, -1 in front; dimensionless.
+/// Returns the side of `a` along Z on which `b` was before the last step: 1 behind, -1 in front; dimensionless.
 pub(super) fn side_of(a: DepthInterval, b: DepthInterval) -> f32 {
     let motion = b.motion_z - a.motion_z;
     let before = b.z - a.z - motion;
@@ -80,7 +80,7 @@ pub(super) fn side_of(a: DepthInterval, b: DepthInterval) -> f32 {
     if is_behind { 1.0 } else { -1.0 }
 }
 
-/// Penetration and closing motion along Z, from the side on which the two met.
+/// Returns penetration and closing motion of two intervals along Z, px, from the side on which `b` met `a`.
 fn along_z(a: DepthInterval, b: DepthInterval) -> EntryAxis {
     let side = side_of(a, b);
     EntryAxis {
@@ -89,7 +89,7 @@ fn along_z(a: DepthInterval, b: DepthInterval) -> EntryAxis {
     }
 }
 
-/// A pair of geoms with its key; the older one is the first.
+/// Returns a pair of geoms with its contact key, the older geom first; `None` for a stale id.
 pub(super) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> Option<DepthPair> {
     let (number1, number2) = (core.geom(geom1)?.id(), core.geom(geom2)?.id());
     Some(if number1 < number2 {
@@ -99,7 +99,7 @@ pub(super) fn key_of(core: &PhysicsSimulator, geom1: GeomId, geom2: GeomId) -> O
     })
 }
 
-/// Input of the choice of the owner.
+/// Input for the decision whether the core or `twohalf` owns the contact of a pair.
 pub(super) struct OwnerChoice<'a> {
     pub(super) core: &'a PhysicsSimulator,
     pub(super) world: &'a World,
@@ -132,7 +132,7 @@ impl OwnerChoice<'_> {
         self.owner_of_new(pair, depth).unwrap_or(ContactOwner::Plane)
     }
 
-    /// Owner of a new pair, by the axis that its outlines entered last. `None` if they do not touch.
+    /// Returns the owner of a new pair, by the axis that its outlines entered last; `None` if the outlines do not touch.
     fn owner_of_new(&mut self, pair: DepthPair, depth: EntryAxis) -> Option<ContactOwner> {
         let OwnerChoice { core, world: World { depths, .. }, intervals, convex_cache, .. } = self;
         let (body_a, body_b) = (core.geom(pair.geom_a)?.body(), core.geom(pair.geom_b)?.body());

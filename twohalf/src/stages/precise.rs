@@ -1,7 +1,7 @@
-//! Order of the stages with the precise set: the core solves all three axes; this crate sends depth to it and
-//! reports contacts.
+//! Order of the stages with the precise set: the core solves all three axes; `twohalf` sends depth to the core and reports
+//! contacts.
 
-use farseer_core::{PhysicsSimulator, SpaceChange};
+use farseer_core::{DepthContactEvent, PhysicsSimulator};
 
 use super::callbacks::emit_separation;
 use super::collisions::collisions;
@@ -23,7 +23,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     push_depth_to_core(core, world, report);
     let mut game = CoreEventAdapter { world, report, pair_context, handler };
     let has_handler = game.handler.is_some();
-    let goes_on = core.begin_in_space(dt, has_handler.then_some(&mut game as _));
+    let goes_on = core.begin_depth_update(dt, has_handler.then_some(&mut game as _));
     let mut has_happened = false;
     if !goes_on {
         // Characters that walk while time is stopped queue their supports again.
@@ -33,7 +33,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
             game.world.footings.skip();
         }
         fields::act(core, game.world, game.report, immersion, dt);
-        has_happened = core.go_on_in_space(dt, has_handler.then_some(&mut game as _));
+        has_happened = core.continue_depth_update(dt, has_handler.then_some(&mut game as _));
     }
     if has_happened {
         if !has_handler {
@@ -58,14 +58,16 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     game.world.touches.clear();
 }
 
-/// Reports contacts that begin and end.
+/// Reports the contacts that began or ended in this update, as events and to the event handler.
 fn emit_contact_changes(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>) {
-    let changes = core.take_space_changes();
-    for begun in changes.iter().filter_map(|change| change.touch) {
+    let changes = core.drain_depth_contact_events();
+    for begun in changes.iter().filter_map(|change| change.contact) {
         let told = collisions(core, &begun).into_iter().flatten();
         game.report.events.extend(told.map(Event::Collision));
     }
-    for &SpaceChange { this, partner, .. } in changes.iter().filter(|change| change.touch.is_none()) {
+    for &DepthContactEvent { this, target: partner, .. } in
+        changes.iter().filter(|change| change.contact.is_none())
+    {
         let partner = partner_of(partner);
         if game.world.may_touch(core, this, partner) {
             emit_separation(core, game, this, partner);
@@ -73,10 +75,10 @@ fn emit_contact_changes(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter
     }
 }
 
-/// Fills the counters.
+/// Fills the counters of the report for an update of the precise set.
 fn count(core: &PhysicsSimulator, report: &mut Report) {
     let counters = core.counters();
-    let on_ground = core.on_ground_count();
+    let on_ground = core.ground_contact_count();
     report.counters = StepCounters {
         pairs_tested: counters.pairs_tested,
         pairs_touching: counters.pairs_touching - on_ground,

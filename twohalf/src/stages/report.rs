@@ -20,7 +20,7 @@ pub struct StepCounters {
     pub ground_contacts: usize,
     /// Number of contact points that the solver handles in every iteration.
     pub contacts_solved: usize,
-    /// Number of scalar constraints of these points: two for a point in the plane, three for one in space.
+    /// Number of scalar constraints of all contact points: two for a point in the plane, three for a point in space.
     pub rows_solved: usize,
     /// Number of bodies that changed their position or rotation.
     pub bodies_moved: usize,
@@ -33,13 +33,13 @@ pub(crate) struct Report {
     pub(crate) counters: StepCounters,
     /// Duration of the update, s.
     pub(crate) update_time: f32,
-    /// Number of events of the core that were adopted already.
+    /// Number of events of the core that are in this report already.
     taken: usize,
     /// One entry for each collision that the core reports, in the same order.
     decided: Vec<RecordedCollision>,
-    /// Number of recorded collisions that are events already.
+    /// Number of entries of `decided` that are events already.
     listed: usize,
-    /// Events whose impulse is known after the solver, with the contact that has it.
+    /// Collision events whose impulse is known only after the solver, each with the contact that has the impulse.
     in_plane: Vec<CoreCollision>,
     touches: Vec<(u32, ContactKey)>,
 }
@@ -47,9 +47,9 @@ pub(crate) struct Report {
 /// Collision of two geoms in X and Y as one of them sees it.
 #[derive(Debug, Clone, Copy)]
 struct RecordedCollision {
-    /// `None` if its numbers are not finite.
+    /// Collision as the game sees it; `None` if its numbers are not finite.
     collision: Option<Collision>,
-    /// Whether the two exert impulses: the handler refused neither side.
+    /// Whether the two geoms exert impulses on each other: the handler refused neither side.
     pushes: bool,
 }
 
@@ -98,8 +98,8 @@ impl Report {
         self.events.extend(rejected.map(|argument| Event::RejectedInput { object: None, argument }));
     }
 
-    /// Records a collision of two geoms in X and Y, the older one's side first. A refusal by the younger side
-    /// disables the impulses of both.
+    /// Appends a collision of two geoms in X and Y to `decided`; the older geom's side comes first. A refusal by the younger
+    /// side disables the impulses of both entries.
     pub(super) fn record_collision(&mut self, collision: Option<Collision>, is_younger: bool) {
         let is_refused = collision.is_some_and(|collision| collision.vetoed);
         if is_refused
@@ -111,7 +111,7 @@ impl Report {
         self.decided.push(RecordedCollision { collision, pushes: !is_refused });
     }
 
-    /// Records a collision of this crate as one of its sides sees it.
+    /// Appends an event for a collision that `twohalf` found, as one side of the contact sees it.
     pub(super) fn collide(&mut self, collision: Collision, key: ContactKey) {
         if !collision.vetoed {
             self.touches.push((self.events.len() as u32, key));
@@ -119,8 +119,8 @@ impl Report {
         self.events.push(Event::Collision(collision));
     }
 
-    /// Adopts the events that the core has reported since the last call. Separations are adopted only for
-    /// pairs that touched in the core.
+    /// Appends the events that the core has reported since the last call. Separations are adopted only for pairs that touched
+    /// in the core.
     pub(super) fn adopt_core_events(&mut self, core: &PhysicsSimulator, pair_cache: &PairCache) {
         for &event in &core.events()[self.taken..] {
             match event {

@@ -9,7 +9,7 @@ use crate::projection::to_world;
 /// A body with its support in the last update.
 pub(super) type SupportCandidate = (BodyId, Support);
 
-/// Stores the best support of every body. `last` is a buffer for those of the last update.
+/// Stores the best support of every body. `last` is a buffer for the supports of the last update.
 pub(super) fn find(
     core: &PhysicsSimulator,
     world: &mut World,
@@ -63,8 +63,8 @@ fn record_support(
     }
 }
 
-/// A resting body may separate from its support for a single step, no faster than gravity accelerates in two.
-/// It counts as supported in that step.
+/// Keeps the support of a resting body that separates from it for a single step, no faster than gravity accelerates in two
+/// steps.
 fn keep_recent_support(core: &PhysicsSimulator, world: &mut World, last: &[SupportCandidate], dt: f32) {
     let slow = 2.0 * core.gravity().y.abs() * dt.abs();
     for &(id, support) in last {
@@ -81,7 +81,7 @@ fn keep_recent_support(core: &PhysicsSimulator, world: &mut World, last: &[Suppo
     }
 }
 
-/// Drops contacts and supports of removed objects. Contacts that are listed on demand are filtered there.
+/// Drops stored contacts and supports of removed objects. Contacts that queries take from the core are filtered in the query.
 pub(super) fn remove_stale_contacts(core: &PhysicsSimulator, world: &mut World) {
     if world.scheme != DepthScheme::Precise {
         let mut touches = std::mem::take(&mut world.touches.touches);

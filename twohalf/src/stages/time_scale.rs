@@ -1,7 +1,7 @@
 //! Application of time scales during an update.
 //!
-//! Between updates a body has the velocities, mass and gravity of its own time. During an update it has those
-//! that others see. Setters, impulses and saves therefore need no special case.
+//! Between updates a body has the velocities, mass and gravity of its own time. During an update it has the velocities, mass
+//! and gravity that other bodies see. Setters, impulses and saves therefore need no special case.
 
 use farseer_core::{BodyId, PhysicsSimulator};
 
@@ -12,7 +12,7 @@ use crate::depth::{DepthState, World, is_movable};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct UnscaledState {
     body: BodyId,
-    /// Time scale of this update, dimensionless; 0 stops its time.
+    /// Time scale of the body in this update, dimensionless; 0 stops the time of the body.
     scale: f32,
     motion: Motion,
     /// Mass, in mass units.
@@ -25,7 +25,7 @@ pub(super) struct UnscaledState {
     quadratic_drag: f32,
     /// Rotational drag coefficient, mass · px² per radian.
     rotational_drag: f32,
-    /// Velocities that others see.
+    /// Velocities of the body that other bodies see during the update.
     seen: Motion,
 }
 
@@ -51,7 +51,7 @@ impl Motion {
     }
 }
 
-/// Applies the time scales at the start of an update. Returns the states in own time in `slowed`.
+/// Applies the time scales at the start of an update, and stores the states of the bodies in their own time in `slowed`.
 pub(super) fn apply_time_scale(
     core: &mut PhysicsSimulator,
     world: &mut World,
@@ -67,7 +67,7 @@ pub(super) fn apply_time_scale(
     }
 }
 
-/// Restores the states in own time at the end of an update.
+/// Restores the states of the bodies in their own time from `slowed` at the end of an update.
 pub(super) fn restore_time_scale(
     core: &mut PhysicsSimulator,
     world: &mut World,
@@ -118,7 +118,8 @@ fn unscaled_state(
     })
 }
 
-/// Applies the time scale to a body. If scaled mass or inertia are out of range, its time is stopped.
+/// Applies a time scale to a body and returns its state in its own time. A scaled mass or inertia out of range stops the time
+/// of the body. `None` for a body that does not exist.
 fn scale_body(
     core: &mut PhysicsSimulator,
     depths: &mut DepthState,
@@ -129,7 +130,7 @@ fn scale_body(
     slow.or_else(|| stop_body(core, depths, body))
 }
 
-/// Stops a body; pending impulses go into its own velocity.
+/// Stops the time of a body and returns its state in its own time. Pending impulses change its kept velocity.
 fn stop_body(core: &mut PhysicsSimulator, depths: &mut DepthState, body: BodyId) -> Option<UnscaledState> {
     let (plane, state) = (core.body_mut(body)?, depths.edit(body)?);
     let velocity = plane.linear_velocity() + plane.impulse() * plane.inverse_mass();
@@ -148,7 +149,8 @@ fn stop_body(core: &mut PhysicsSimulator, depths: &mut DepthState, body: BodyId)
     Some(own)
 }
 
-/// Makes a body slow and heavy, if the numbers stay in range.
+/// Makes a body slow and heavy by its time scale, and returns its state in its own time; `None` if scaled numbers are out of
+/// range.
 fn slow_body(
     core: &mut PhysicsSimulator,
     depths: &mut DepthState,

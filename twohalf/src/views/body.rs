@@ -133,8 +133,8 @@ impl<S: Access> TwoHalfBody<S> {
         support_of(self.simulator.core(), self.simulator.world(), self.id)
     }
 
-    /// Whether the body stood in the last update: on the ground, a platform or another object no steeper than
-    /// 60 degrees.
+    /// Returns whether the body stood in the last update: on the ground, a platform or another object no steeper than 60
+    /// degrees.
     pub fn is_grounded(&self) -> bool {
         self.support().is_some_and(|support| support.carries())
     }
@@ -188,7 +188,7 @@ impl<S: Access> TwoHalfBody<S> {
         self.core().inverse_mass()
     }
 
-    /// Whether the body ignores gravity. Default false.
+    /// Returns whether the body ignores gravity. Default false.
     #[doc(alias = "IgnoreGravity")]
     pub fn ignore_gravity(&self) -> bool {
         self.core().ignore_gravity()
@@ -217,7 +217,7 @@ impl<S: Access> TwoHalfBody<S> {
         self.core().tag()
     }
 
-    /// Whether the body was disposed and goes with the next update.
+    /// Returns whether the body was disposed and goes with the next update.
     #[doc(alias = "IsDisposed")]
     pub fn is_disposed(&self) -> bool {
         self.simulator.core().is_disposed(self.id)
@@ -235,18 +235,18 @@ impl<S: Access> TwoHalfBody<S> {
         self.core().mass()
     }
 
-    /// Whether the body is static.
+    /// Returns whether the body is static.
     #[doc(alias = "IsStatic")]
     pub fn is_static(&self) -> bool {
         self.core().is_static()
     }
 
-    /// Whether the body is kinematic: see [`set_is_kinematic`](Self::set_is_kinematic).
+    /// Returns whether the body is kinematic: see [`set_is_kinematic`](Self::set_is_kinematic).
     pub fn is_kinematic(&self) -> bool {
         self.core().is_kinematic()
     }
 
-    /// Whether the body takes part in the simulation.
+    /// Returns whether the body takes part in the simulation.
     #[doc(alias = "Enabled")]
     pub fn enabled(&self) -> bool {
         self.core().enabled()

@@ -1,6 +1,6 @@
 //! Views of bodies for editing.
 
-use farseer_core::{Body, SpaceTarget};
+use farseer_core::{Body, DepthTarget};
 
 use super::access::AccessMut;
 use super::body::TwoHalfBody;
@@ -35,7 +35,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
         state.expect("the body was there when the view was made")
     }
 
-    /// Whether numbers are finite; if not, the argument is recorded as refused.
+    /// Returns whether numbers are finite. If not, the next update reports the argument as refused.
     fn accepts(&mut self, argument: &'static str, numbers: &[f32]) -> bool {
         let accepted = numbers.iter().all(|number| number.is_finite());
         if !accepted {
@@ -77,7 +77,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     }
 
     /// Sets the velocity along Z, px/s. A value that is not finite is rejected. For a static body with
-    /// [`DepthScheme::Precise`](crate::DepthScheme::Precise) it is the surface velocity: a belt that moves
+    /// [`DepthScheme::Precise`] it is the surface velocity: a belt that moves
     /// bodies by friction.
     pub fn set_linear_velocity_z(&mut self, value: f32) {
         if self.accepts("linear_velocity_z", &[value]) {
@@ -100,7 +100,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     /// has infinite mass. It moves with its velocity or to its [target](Self::move_to3d), pushes bodies and
     /// carries them by friction.
     ///
-    /// With [`DepthScheme::Precise`](crate::DepthScheme::Precise) it moves in three axes; with the others in
+    /// With [`DepthScheme::Precise`] it moves in three axes; with the others in
     /// X and Y, at a constant Z.
     pub fn set_is_kinematic(&mut self, value: bool) {
         self.core_mut().set_is_kinematic(value);
@@ -114,7 +114,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
     ///
     /// # Errors
     /// A position that is not finite, in the world or on the screen; a body that is not kinematic; another
-    /// scheme than [`DepthScheme::Precise`](crate::DepthScheme::Precise).
+    /// scheme than [`DepthScheme::Precise`].
     pub fn move_to3d(&mut self, position3d: Vector3) -> Result<()> {
         if self.simulator.world().scheme != DepthScheme::Precise {
             return Err(only_precise("motion along Z of a kinematic body"));
@@ -127,7 +127,7 @@ impl<S: AccessMut> TwoHalfBody<S> {
         }
         let rotation = self.rotation();
         self.core_mut().move_to(plane, rotation)?;
-        self.state_mut().target = Some(SpaceTarget { z: position3d.z, is_reached: false });
+        self.state_mut().target = Some(DepthTarget { z: position3d.z, is_reached: false });
         Ok(())
     }
 

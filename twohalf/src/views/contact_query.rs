@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use farseer_core::order::sort_by_number;
-use farseer_core::{BodyId, PhysicsSimulator, SpacePartner, SpaceTouch};
+use farseer_core::{BodyId, DepthContact, DepthContactTarget, PhysicsSimulator};
 
 use crate::Vector3;
 use crate::depth::{
@@ -12,29 +12,30 @@ use crate::depth::{
 };
 use crate::projection::to_world;
 
-pub(crate) fn partner_of(partner: SpacePartner) -> ContactTarget {
+pub(crate) fn partner_of(partner: DepthContactTarget) -> ContactTarget {
     match partner {
-        SpacePartner::Ground => ContactTarget::Ground,
-        SpacePartner::Fixture(number) => ContactTarget::Platform(PlatformId::from_number(number)),
-        SpacePartner::Geom(geom) => ContactTarget::Geom(geom),
+        DepthContactTarget::Ground => ContactTarget::Ground,
+        DepthContactTarget::WorldBox(number) => ContactTarget::Platform(PlatformId::from_number(number)),
+        DepthContactTarget::Geom(geom) => ContactTarget::Geom(geom),
     }
 }
 
-/// Whether two sides exerted an impulse in this update, or touch at its end.
-pub(super) fn is_touching(found: &SpaceTouch) -> bool {
+/// Returns whether the two sides of a contact exerted an impulse in this update, or touch at its end.
+pub(super) fn is_touching(found: &DepthContact) -> bool {
     found.points[..found.count].iter().any(|point| point.impulse > 0.0 || point.separation <= TOUCH_DISTANCE)
 }
 
 /// Greatest separation of touching sides, px; resting contacts are nearer.
 const TOUCH_DISTANCE: f32 = 0.01;
 
-/// A contact of the core as one of this crate, with its points.
+/// Returns a contact of the precise set as a contact of `twohalf`, with its points; `None` if a geom of the contact does not
+/// exist any more.
 pub(crate) fn contact_of(
     core: &PhysicsSimulator,
-    found: &SpaceTouch,
+    found: &DepthContact,
 ) -> Option<(Contact, [ContactPoint; 2])> {
     let number = core.geom(found.this)?.id();
-    let partner = partner_of(found.partner);
+    let partner = partner_of(found.target);
     let key = match partner {
         ContactTarget::Ground => ContactKey::Ground(number),
         ContactTarget::Platform(id) => ContactKey::Platform(number, id),
@@ -54,7 +55,7 @@ pub(crate) fn contact_of(
         this: found.this,
         body: found.body,
         partner,
-        partner_body: found.partner_body,
+        partner_body: found.target_body,
         normal,
         kept: PersistedFeature::Nothing,
         first_point: 0,
@@ -68,27 +69,27 @@ pub(crate) fn contact_of(
     Some((touch, points))
 }
 
-/// Contacts of the last update, queried from the core; loaded ones until the first update.
+/// Returns the contacts of the last update, queried from the core; before the first update after loading those of the save.
 pub(crate) fn list_contacts<'w>(core: &PhysicsSimulator, world: &'w World) -> Cow<'w, ContactList> {
-    if !core.knows_touches() {
+    if !core.depth_contacts_are_valid() {
         return loaded_contacts(core, world);
     }
-    Cow::Owned(list(core, world, core.space_touches()))
+    Cow::Owned(list(core, world, core.depth_contacts()))
 }
 
-/// Contacts of one body, if they are queried from the core; else all loaded ones.
+/// Returns the contacts of one body, if contacts are queried from the core; else all stored contacts.
 pub(super) fn list_contacts_of<'w>(
     core: &PhysicsSimulator,
     world: &'w World,
     body: BodyId,
 ) -> Cow<'w, ContactList> {
-    if !core.knows_touches() {
+    if !core.depth_contacts_are_valid() {
         return loaded_contacts(core, world);
     }
-    Cow::Owned(list(core, world, core.space_touches_of(body)))
+    Cow::Owned(list(core, world, core.depth_contacts_of(body)))
 }
 
-/// Loaded contacts whose sides still exist.
+/// Returns the stored contacts whose sides still take part in the simulation.
 fn loaded_contacts<'w>(core: &PhysicsSimulator, world: &'w World) -> Cow<'w, ContactList> {
     let is_there = |touch: &Contact| world.may_touch(core, touch.this, touch.partner);
     if world.touches.touches.iter().all(is_there) {
@@ -103,7 +104,7 @@ fn loaded_contacts<'w>(core: &PhysicsSimulator, world: &'w World) -> Cow<'w, Con
     Cow::Owned(list)
 }
 
-fn list(core: &PhysicsSimulator, world: &World, found: impl Iterator<Item = SpaceTouch>) -> ContactList {
+fn list(core: &PhysicsSimulator, world: &World, found: impl Iterator<Item = DepthContact>) -> ContactList {
     let touches = found.filter(is_touching).filter_map(|found| contact_of(core, &found));
     let is_there = |(touch, _): &(Contact, _)| world.may_touch(core, touch.this, touch.partner);
     let mut touches: Vec<(Contact, [ContactPoint; 2])> = touches.filter(is_there).collect();
@@ -119,14 +120,14 @@ fn list(core: &PhysicsSimulator, world: &World, found: impl Iterator<Item = Spac
     list
 }
 
-/// Best support of a body. It allocates nothing.
+/// Returns the best support of a body, without allocation; `None` in the air.
 pub(super) fn support_of(core: &PhysicsSimulator, world: &World, body: BodyId) -> Option<Support> {
     if world.scheme != DepthScheme::Precise {
         return world.depths.bodies.get(body)?.support;
     }
     let mut best = None;
-    if core.knows_touches() {
-        let touches = core.space_touches_of(body).filter(is_touching);
+    if core.depth_contacts_are_valid() {
+        let touches = core.depth_contacts_of(body).filter(is_touching);
         touches.for_each(|found| {
             if let Some((touch, _)) = contact_of(core, &found) {
                 improve_support(core, world, body, &touch, &mut best);

@@ -14,9 +14,9 @@ use crate::projection::to_world;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[doc(alias = "Contact")]
 pub struct TwoHalfContact {
-    /// The geom; the younger one of two.
+    /// The geom that the contact is listed for; of two geoms the younger one.
     pub this: GeomId,
-    /// The contact target.
+    /// The contact target: the older geom, a platform or the ground.
     pub partner: ContactTarget,
     /// Axes along which the contact acts.
     pub axis: Axis,
@@ -32,7 +32,7 @@ pub struct TwoHalfContact {
     pub friction_impulse: f32,
 }
 
-/// Contact points of one body, with those of others where contacts are not queried by body.
+/// Iterates over the contact points of one body. Where contacts are not queried by body, points of other bodies come, too.
 pub(super) fn contacts_of<'a>(
     core: &'a PhysicsSimulator,
     world: &'a World,
@@ -74,7 +74,7 @@ pub(crate) fn contacts<'a>(
     in_plane.chain(points_of(&list))
 }
 
-/// Points of a contact of the core that this crate has solved.
+/// Returns the points, as `twohalf` has solved them, of a contact that the core found between two geoms.
 fn friction_along_z<'a>(
     core: &PhysicsSimulator,
     list: &'a ContactList,

@@ -1,13 +1,13 @@
 //! Crush query: penetration of a body between two opposite sides.
 
-use farseer_core::{BodyId, PhysicsSimulator, SpaceTouch};
+use farseer_core::{BodyId, DepthContact, PhysicsSimulator};
 
 use super::contact_query::{is_touching, partner_of};
 use crate::Vector3;
 use crate::depth::{ContactTarget, DepthScheme, World};
 use crate::projection::to_world;
 
-/// Least normal component along an axis of a contact on that side, dimensionless: up to 45 degrees.
+/// Least component along the crush axis of the normal of a contact that counts as a side, dimensionless: up to 45 degrees.
 const MIN_SIDE_NORMAL: f32 = std::f32::consts::FRAC_1_SQRT_2;
 
 /// A body between two sides that leave it too little room.
@@ -21,13 +21,13 @@ pub struct CrushInfo {
     pub between: [ContactTarget; 2],
 }
 
-/// Crush of a body; `None` without two opposite sides.
+/// Returns the crush of a body on the axis with the greatest lack of room; `None` without two opposite sides.
 pub(crate) fn crush_info(core: &PhysicsSimulator, world: &World, body: BodyId) -> Option<CrushInfo> {
     if world.scheme != DepthScheme::Precise {
         return None;
     }
     let mut sides: [Option<(f32, ContactTarget)>; 6] = [None; 6];
-    for touch in core.space_touches_of(body).filter(|touch| touch.responds && is_touching(touch)) {
+    for touch in core.depth_contacts_of(body).filter(|touch| touch.responds && is_touching(touch)) {
         let (partner, normal) = seen_from(body, &touch);
         let depth = touch.points[..touch.count].iter().fold(f32::MIN, |it, point| it.max(-point.separation));
         for axis in 0..3 {
@@ -48,11 +48,11 @@ pub(crate) fn crush_info(core: &PhysicsSimulator, world: &World, body: BodyId) -
     (0..3).filter_map(along).reduce(|most, next| if next.depth > most.depth { next } else { most })
 }
 
-/// Contact target and normal in the world, as seen by a body.
-fn seen_from(body: BodyId, touch: &SpaceTouch) -> (ContactTarget, Vector3) {
+/// Returns the contact target as seen by a body, and the unit normal towards the body in the world, Y up.
+fn seen_from(body: BodyId, touch: &DepthContact) -> (ContactTarget, Vector3) {
     let normal = to_world(Vector3::from(touch.normal));
     if touch.body == body {
-        (partner_of(touch.partner), normal)
+        (partner_of(touch.target), normal)
     } else {
         (ContactTarget::Geom(touch.this), -normal)
     }

@@ -67,8 +67,7 @@ impl<'a> TwoHalfGeom<'a> {
         VirtualGeom::of(self.core, self.geom, self.depth_profile(), self.z())
     }
 
-    /// Whether the geom's picture contains a point of the screen: its outline at its middle Z, or the disc of
-    /// a ball.
+    /// Returns whether the geom's picture contains a point of the screen: its outline at its middle Z, or the disc of a ball.
     #[doc(alias = "Collide(Vector2)")]
     pub fn collides_with_point(&self, point: Vector2) -> bool {
         let plane = self.projection().screen_to_plane(point, self.z());
@@ -84,8 +83,8 @@ impl<'a> TwoHalfGeom<'a> {
         }
     }
 
-    /// Whether the geom overlaps another one in all three axes, regardless of collision categories; false for
-    /// a stale id.
+    /// Returns whether the geom overlaps another one in all three axes, regardless of collision categories; false for a stale
+    /// id.
     #[doc(alias = "Collide(Geom)")]
     pub fn collides_with_geom(&self, other: GeomId) -> bool {
         overlap(self.core, &self.world.depths, self.id, other)

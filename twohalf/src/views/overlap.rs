@@ -24,7 +24,7 @@ impl<'a> PosedGeom<'a> {
     }
 }
 
-/// Whether two geoms overlap in all three axes.
+/// Returns whether two geoms overlap in all three axes.
 pub(crate) fn overlap(core: &PhysicsSimulator, depths: &DepthState, geom1: GeomId, geom2: GeomId) -> bool {
     if let Some(overlap) = upright_overlap::overlap(core, depths, geom1, geom2) {
         return overlap;

@@ -150,27 +150,27 @@ impl PlatformMut<'_> {
         platform.set_coefficient("restitution_coefficient", value, |surface| &mut surface.restitution);
     }
 
-    /// Sets the collision categories that it belongs to.
+    /// Sets the collision categories that the platform belongs to.
     pub fn set_collision_categories(&mut self, value: CollisionCategory) {
         self.filter().categories = value;
     }
 
-    /// Sets the collision categories that it collides with.
+    /// Sets the collision categories that the platform collides with.
     pub fn set_collides_with(&mut self, value: CollisionCategory) {
         self.filter().collides_with = value;
     }
 
-    /// Sets the collision group.
+    /// Sets the collision group of the platform: it does not collide with geoms of the same group; 0 is no group.
     pub fn set_collision_group(&mut self, value: i32) {
         self.filter().group = value;
     }
 
-    /// Sets whether it collides.
+    /// Sets whether the platform collides at all.
     pub fn set_collision_enabled(&mut self, value: bool) {
         self.filter().is_enabled = value;
     }
 
-    /// Sets whether its contacts exert impulses.
+    /// Sets whether contacts of the platform exert impulses.
     pub fn set_collision_response_enabled(&mut self, value: bool) {
         self.filter().responds = value;
     }

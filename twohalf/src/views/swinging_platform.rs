@@ -68,7 +68,7 @@ impl PlatformMut<'_> {
         Ok(())
     }
 
-    /// Refuses a velocity or target of a hinged platform.
+    /// Returns an error for a velocity or target of a hinged platform.
     pub(super) fn check_swings_not(&self, argument: &'static str, value: Vector3) -> Result<()> {
         match self.swing() {
             None => Ok(()),

@@ -1,12 +1,12 @@
 //! Overlap test of upright geoms.
 
-use farseer_core::{GeomId, PhysicsSimulator, SpaceForm, apart_in_space};
+use farseer_core::{DepthQueryShape, GeomId, PhysicsSimulator, signed_distance_3d};
 
 use crate::depth::{DepthProfile, DepthState, upright};
 use crate::shapes::ConvexPieces;
 use crate::{Vector2, Vector3};
 
-/// Whether two geoms overlap, if one at least is upright; `None` for two others.
+/// Returns whether two geoms overlap in three axes, if at least one is upright; `None` if neither is.
 pub(crate) fn overlap(
     core: &PhysicsSimulator,
     depths: &DepthState,
@@ -18,20 +18,20 @@ pub(crate) fn overlap(
         return None;
     }
     let (a, b) = (query_shapes(core, depths, one)?, query_shapes(core, depths, other)?);
-    Some(a.iter().any(|a| b.iter().any(|b| apart_in_space(a.as_core_shape(), b.as_core_shape()) < 0.0)))
+    Some(a.iter().any(|a| b.iter().any(|b| signed_distance_3d(a.as_core_shape(), b.as_core_shape()) < 0.0)))
 }
 
 /// A convex part of a geom in three axes.
 enum QueryShape {
-    Whole(SpaceForm<'static>),
+    Whole(DepthQueryShape<'static>),
     Part(Vec<[f32; 2]>, f32, f32),
 }
 
 impl QueryShape {
-    fn as_core_shape(&self) -> SpaceForm<'_> {
+    fn as_core_shape(&self) -> DepthQueryShape<'_> {
         match self {
             QueryShape::Whole(form) => *form,
-            QueryShape::Part(corners, z, half) => SpaceForm::Prism { corners, z: *z, half: *half },
+            QueryShape::Part(corners, z, half) => DepthQueryShape::Prism { corners, z: *z, half: *half },
         }
     }
 }
@@ -41,11 +41,11 @@ fn query_shapes(core: &PhysicsSimulator, depths: &DepthState, id: GeomId) -> Opt
     let z = depths.z_of(geom.body());
     if let Some(upright) = profile.upright() {
         let at = upright::middle(geom, core.body(geom.body())?, z);
-        return Some(vec![QueryShape::Whole(SpaceForm::Upright(upright, at))]);
+        return Some(vec![QueryShape::Whole(DepthQueryShape::Vertical(upright, at))]);
     }
     if let DepthProfile::Round { radius } = profile {
         let at = geom.position();
-        return Some(vec![QueryShape::Whole(SpaceForm::Ball(radius, Vector3::new(at.x, at.y, z)))]);
+        return Some(vec![QueryShape::Whole(DepthQueryShape::Sphere(radius, Vector3::new(at.x, at.y, z)))]);
     }
     let (pieces, matrix) = (ConvexPieces::new(geom.local_vertices()), geom.matrix());
     let mut corners = Vec::new();

@@ -1,7 +1,7 @@
 //! Footprints: the virtual geoms of the thesis (3.5).
 
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{GeomRef, PhysicsSimulator, SpaceUpright};
+use farseer_core::{GeomRef, PhysicsSimulator, VerticalShape};
 
 use crate::Vector3;
 use crate::depth::{DepthProfile, upright};
@@ -9,7 +9,7 @@ use crate::depth::{DepthProfile, upright};
 /// Footprint of a geom in X and Z, and its least and greatest height. In px, in the world, Y up, limited to
 /// finite numbers.
 ///
-/// In the thesis it is a geom that lies under the object and collides with those of others. Here it is for
+/// In the thesis a virtual geom lies under the object and collides with the virtual geoms of other objects. Here it is for
 /// queries only: shapes touch in three axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VirtualGeom {
@@ -27,7 +27,7 @@ pub struct VirtualGeom {
     pub top: f32,
     /// Whether the footprint is a disc; otherwise it is a rectangle.
     pub is_round: bool,
-    /// Whether its top is that of its outline; false for a ball and a capsule.
+    /// Whether the geom has the top of its outline, on which other objects can stand; false for a ball and a capsule.
     pub has_top: bool,
 }
 
@@ -59,7 +59,7 @@ impl VirtualGeom {
         }
     }
 
-    fn of_upright(profile: DepthProfile, upright: &SpaceUpright, middle: Vector3) -> Self {
+    fn of_upright(profile: DepthProfile, upright: &VerticalShape, middle: Vector3) -> Self {
         let ([left, right], half) = (upright::span(upright), upright::half_height(upright));
         let [front, back] = upright::depths(upright);
         VirtualGeom {
@@ -74,7 +74,7 @@ impl VirtualGeom {
         }
     }
 
-    /// Whether two footprints overlap, and their heights as well; shapes that only touch do not.
+    /// Returns whether two footprints overlap, and their heights as well; shapes that only touch do not.
     pub fn overlaps(&self, other: &VirtualGeom) -> bool {
         self.left < other.right
             && other.left < self.right

@@ -14,10 +14,10 @@ const EARTH: Color = Color::rgb(104, 112, 126);
 /// Largest side of a picture in px.
 const LARGEST: f32 = 1000.0;
 
-/// What moves a scene.
+/// The source of a scene's steps.
 #[derive(Debug, Clone)]
 enum Motor {
-    /// Nothing but physics: the length of a step in s.
+    /// Physics alone: the simulator, and the length of a step in s.
     Physics(Box<PhysicsSimulator>, f32),
     /// The script of a file.
     File(Box<Run<'static>>),
@@ -33,9 +33,9 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    /// A simulator, stepped so many times a second, of which a part of the world can be seen.
+    /// A simulator with `rate` steps a second, and the visible part of its world.
     pub(super) fn new(mut simulator: PhysicsSimulator, rate: u32, seen: [Point; 2]) -> Self {
-        // So that everything is there to be seen before the first step.
+        // All objects are visible before the first step.
         simulator.update(0.0);
         let (size, camera) = fit(seen);
         Blocks { motor: Motor::Physics(Box::new(simulator), 1.0 / rate as f32), rate, size, camera }
@@ -44,7 +44,7 @@ impl Blocks {
     /// A scene of the format of the tests, with its own methods.
     ///
     /// # Errors
-    /// What the scene says that the engine refuses.
+    /// A value of the scene that the engine refuses.
     pub(super) fn of_file(scene: &'static Scene) -> Result<Self> {
         let run = Run::build(scene)?;
         let (size, camera) = fit(bounds(run.simulator()));
@@ -55,7 +55,7 @@ impl Blocks {
     /// A scene of the format of the tests whose script is empty, of which this part can be seen.
     ///
     /// # Errors
-    /// What the scene says that the engine refuses.
+    /// A value of the scene that the engine refuses.
     pub(super) fn of_scene(scene: &Scene) -> Result<PhysicsSimulator> {
         Ok(Run::build(scene)?.simulator().clone())
     }
@@ -82,7 +82,7 @@ impl Play for Blocks {
             Motor::Physics(simulator, dt) => simulator.update(*dt),
             Motor::File(run) => {
                 run.step()?;
-                // Nobody reads them here.
+                // The events are not used here.
                 run.take_events();
             }
         }
@@ -152,7 +152,7 @@ fn draw_geom(simulator: &PhysicsSimulator, body: BodyId, id: GeomId, color: Colo
     }
 }
 
-/// What there is, with a margin.
+/// Bounds of all geoms, with a margin.
 fn bounds(simulator: &PhysicsSimulator) -> [Point; 2] {
     let boxes = simulator.geom_list().iter().filter_map(|&geom| simulator.geom(geom)).map(|geom| geom.aabb());
     let finite = boxes.filter(|all| [all.min, all.max].iter().all(|corner| corner.norm() < 1e5));
@@ -167,7 +167,7 @@ fn bounds(simulator: &PhysicsSimulator) -> [Point; 2] {
 fn fit([low, high]: [Point; 2]) -> ([f32; 2], Transform) {
     let [width, height] = [high[0] - low[0], high[1] - low[1]];
     let zoom = LARGEST / width.max(height).max(1e-3);
-    // Not thinner than a third, so that one can see something of it.
+    // Not thinner than a third, so that its content remains visible.
     let size = [width, height].map(|side| (zoom * side).max(LARGEST / 3.0).round());
     let middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
     (size, Transform::camera(middle, zoom, 0.0, size.map(|side| 0.5 * side)))

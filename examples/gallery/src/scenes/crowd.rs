@@ -24,7 +24,7 @@ const COLORS: usize = 6;
 const GRASS: Color = Color::rgb(92, 138, 84);
 const SKY: Color = Color::rgb(30, 40, 52);
 
-/// The field, and what everything looks like.
+/// The field, and the looks of its bodies.
 #[derive(Debug, Clone)]
 struct Crowd {
     simulator: TwoHalfPhysicsSimulator,
@@ -41,7 +41,7 @@ struct Crowd {
     order: RefCell<DrawOrder>,
 }
 
-/// So many objects over a field.
+/// A number of objects over a field.
 pub(super) fn crowd(set: Set, count: usize) -> Result<Box<dyn Play>> {
     let columns = (1.8 * count as f32).sqrt().ceil() as usize;
     let rows = count.div_ceil(columns);
@@ -65,7 +65,7 @@ pub(super) fn crowd(set: Set, count: usize) -> Result<Box<dyn Play>> {
             if ball { Ball::new(RADIUS).restitution(0.5) } else { Prism::new([2.0 * RADIUS; 3]).upright() };
         let body = spawn(&mut simulator, thing.at(place))?.body;
         if let Some(mut body) = simulator.body_mut(body) {
-            // Nothing else slows what rolls on level ground.
+            // Rolling bodies on level ground have no other resistance.
             body.set_linear_drag_coefficient(DRAG);
             body.set_velocity3d(Vector3::new(90.0 * vary(index, 2), 0.0, 90.0 * vary(index, 1)));
         }

@@ -23,7 +23,7 @@ struct Street {
 
 pub(super) fn pinball() -> Result<Box<dyn Play>> {
     let mut pinball = Pinball::new()?;
-    // So that everything is there to be seen before the first step.
+    // All objects are visible before the first step.
     pinball.simulator_mut().update(0.0);
     Ok(Box::new(Table { pinball }))
 }

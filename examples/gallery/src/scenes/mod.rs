@@ -1,4 +1,4 @@
-//! The table of what there is to see.
+//! The table of scenes.
 
 mod blocks;
 mod crowd;
@@ -17,10 +17,10 @@ use twohalf::DepthScheme;
 use crate::play::{Play, Set};
 use crate::show::{Build, Half, Show};
 
-/// What a scene asks of whoever plays it.
+/// Instructions for the player of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Game {
-    /// Nothing.
+    /// None: the scene is no game.
     None,
     /// Two flippers and a launch.
     Pinball,
@@ -49,10 +49,10 @@ impl std::fmt::Debug for GalleryScene {
 }
 
 impl GalleryScene {
-    /// Builds it as it is at its start.
+    /// Builds it in its initial state.
     ///
     /// # Errors
-    /// What the engine refuses: nothing, but in a file.
+    /// A refusal of the engine, which only a file can cause.
     pub fn build(&self) -> Result<Show> {
         (self.build)()
     }
@@ -65,7 +65,7 @@ impl GalleryScene {
         GalleryScene::of(Scene::from_file(path)?)
     }
 
-    /// A scene from a text of JSON in the format of the tests; `name` stands for the file in errors.
+    /// A scene from a text of JSON in the format of the tests; `name` replaces the file in errors.
     ///
     /// # Errors
     /// A text that is no such scene.
@@ -96,7 +96,7 @@ impl GalleryScene {
     }
 }
 
-/// With depth: the scheme that stands for a set.
+/// With depth: the scheme of a set.
 pub(crate) fn scheme(set: Set) -> DepthScheme {
     match set {
         Set::Faithful => DepthScheme::Faithful,
@@ -238,8 +238,9 @@ fn telling_scenes() -> Vec<GalleryScene> {
     ]
 }
 
-/// What the samples of the original show, by their names there. Two of its twenty are missing: Advanced 1 keeps 120 balls alive at
-/// random places to show what a pool of objects saves, and Advanced 7 is empty until somebody puts polygons there to cut or to unite.
+/// Subjects of the original's samples, by their names there. Two of its twenty are missing. Advanced 1 keeps 120 balls alive at
+/// random places to show the saving of a pool of objects. Advanced 7 is empty until the user puts polygons there to cut or to
+/// unite.
 const SAMPLE_TITLES: [[&str; 3]; 18] = [
     ["Water", "Water", "A raft with a heap of blocks on water that makes waves."],
     ["Simple 1", "A single body", "A body that is pushed and turned."],

@@ -1,4 +1,4 @@
-//! Scenes in which the faithful and the precise set differ: what a method can do shows where it is hard.
+//! Scenes in which the faithful and the precise set differ: hard cases show the abilities of a method.
 
 use conformance::scenes::{circles_in_a_pit, pyramid};
 use examples::Result;
@@ -62,7 +62,7 @@ pub(super) fn column(set: Set, count: usize) -> Result<Box<dyn Play>> {
     Ok(Box::new(Blocks::new(simulator, RATE, [[-half, -1.06 * height], [half, 40.0]])))
 }
 
-/// A chain of links on hinges, held at both ends: it begins as half a circle, and swings.
+/// A chain of links on hinges, fixed at both ends: it begins as half a circle, and swings.
 pub(super) fn chain(set: Set, count: usize) -> Result<Box<dyn Play>> {
     const LINK: f32 = 12.0;
     let mut simulator = simulator(set)?;
@@ -109,7 +109,7 @@ fn add_link(
     Ok(link)
 }
 
-/// Ties a link to the one before, or to the world.
+/// Joins a link to the one before, or to the world.
 fn hang(
     simulator: &mut PhysicsSimulator,
     before: Option<BodyId>,

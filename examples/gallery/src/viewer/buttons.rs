@@ -33,16 +33,16 @@ const LAYERS: [(Key, &str); 6] = [
     (Key::Joints, "Joints"),
 ];
 
-/// What a button does.
+/// Action of a button.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Does {
-    /// What the key does.
+    /// The action of the key.
     Presses(Key),
     /// Shows or hides the row of layers.
     Layers,
 }
 
-/// A button at its place.
+/// A button with its rectangle.
 #[derive(Debug, Clone)]
 pub(super) struct Button {
     pub(super) does: Does,
@@ -52,7 +52,7 @@ pub(super) struct Button {
 }
 
 impl Button {
-    /// Whether a point lies on it.
+    /// Whether a point is inside of it.
     pub(super) fn holds(&self, point: Point) -> bool {
         (0..2).all(|axis| (self.corner[axis]..self.corner[axis] + self.size[axis]).contains(&point[axis]))
     }
@@ -65,7 +65,7 @@ impl Button {
     }
 }
 
-/// The bar along the lower edge, in as many rows as it takes, and how high it is.
+/// The bar along the lower edge, in the necessary number of rows, and its height.
 pub(super) fn bar(size: Point, has_layers: bool) -> (Vec<Button>, f32) {
     let mut entries: Vec<(Does, &str)> = BAR
         .iter()

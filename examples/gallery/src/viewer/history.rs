@@ -1,4 +1,4 @@
-//! The way back in time: a ring of copies of what is on the screen.
+//! Rewinding: a ring buffer of copies of the screen's scenes.
 
 use std::collections::VecDeque;
 
@@ -7,9 +7,9 @@ use crate::state;
 
 /// Simulated seconds from one copy to the next, of a small scene.
 const INTERVAL: f64 = 0.05;
-/// Bodies from which on copies are made less often.
+/// Number of bodies from which on copies are made less often.
 const SMALL: usize = 200;
-/// Most copies, and most bodies in all of them together: so memory is bounded.
+/// Greatest number of copies, and of bodies in all of them together, so that memory is bounded.
 const MOST: [usize; 2] = [400, 60_000];
 
 /// Copies, the latest last.
@@ -25,7 +25,7 @@ pub(super) struct History {
 }
 
 impl History {
-    /// Nothing yet, for a scene of this size.
+    /// An empty history, for a scene of this size.
     pub(super) fn of(show: &Show) -> Self {
         let bodies: usize = show.halves().iter().map(|half| state::counts(half.play().world()).bodies).sum();
         let interval = INTERVAL * (bodies as f64 / SMALL as f64).max(1.0);
@@ -33,7 +33,7 @@ impl History {
         History { interval, capacity, since: f64::MAX, ..History::default() }
     }
 
-    /// Before a step of so many seconds.
+    /// Records the state before a step of `step` seconds.
     pub(super) fn note(&mut self, show: &Show, step: f64) {
         if self.since >= self.interval {
             self.since = 0.0;
@@ -41,14 +41,14 @@ impl History {
                 self.copies.pop_front();
             }
             let mut copy = show.clone();
-            // Nobody holds anything when time has gone back.
+            // No body is grabbed after a rewind.
             copy.release();
             self.copies.push_back(copy);
         }
         self.since += step;
     }
 
-    /// So many seconds back, if it was noted; answers what was there.
+    /// The copy from a number of seconds ago, if there is one.
     pub(super) fn back(&mut self, seconds: f64) -> Option<Show> {
         self.owed += seconds;
         let mut then = None;

@@ -11,7 +11,7 @@ const COLUMN: f32 = 420.0;
 const MARGIN: f32 = 12.0;
 const TOP: f32 = 52.0;
 
-/// Which part of the list is seen, and what is chosen in it.
+/// The visible part of the list, and its selected entry.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct List {
     /// Px that are scrolled out at the top.
@@ -33,14 +33,14 @@ impl List {
         [[MARGIN + column * width, TOP + row * ENTRY - self.scrolled], [width - MARGIN, ENTRY - 6.0]]
     }
 
-    /// Scrolls by so many px, no farther than there are entries.
+    /// Scrolls by a distance in px, within the entries.
     pub(super) fn scroll(&mut self, by: f32, size: Point, count: usize) {
         let rows = count.div_ceil(List::columns(size)) as f32;
         let most = (rows * ENTRY + TOP - size[1] + MARGIN).max(0.0);
         self.scrolled = (self.scrolled + by).clamp(0.0, most);
     }
 
-    /// Moves the choice by so many rows and columns, and into sight.
+    /// Moves the selection by rows and columns, and scrolls to it.
     pub(super) fn step(&mut self, [rows, columns]: [i32; 2], size: Point, count: usize) {
         let by = rows * List::columns(size) as i32 + columns;
         self.at = (self.at as i32 + by).clamp(0, count as i32 - 1) as usize;

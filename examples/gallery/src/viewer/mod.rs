@@ -20,21 +20,21 @@ use list::List;
 use pointer::Use;
 use times::Times;
 
-/// How much slower slow motion is.
+/// Factor by which slow motion is slower.
 const SLOWNESS: f64 = 5.0;
 /// Most seconds that a frame makes up for.
 const MOST_SECONDS: f64 = 0.05;
-/// Seconds that steps of one frame may take; what is due beyond that is left out, and time goes slower.
+/// Seconds of CPU time for the steps of one frame. Steps beyond that are skipped, and time goes slower.
 const MOST_WORK: f64 = 0.03;
-/// Times as fast time goes back.
+/// Speed of rewinding, a factor.
 const REWIND: f64 = 2.0;
 /// Seconds for which a message is shown.
 const MESSAGE: f32 = 4.0;
 
-/// What a person does in a frame, wherever it comes from.
+/// Input of a person in a frame, of any source.
 #[derive(Debug, Clone, Default)]
 pub struct Input {
-    /// Width and height of what is drawn on, px.
+    /// Width and height of the canvas, px.
     pub size: Point,
     /// Since the last frame, s.
     pub seconds: f32,
@@ -67,7 +67,7 @@ pub struct Viewer {
     has_layers: bool,
     is_full: bool,
     has_touch: bool,
-    /// Whether somebody has pressed a key of the game; until then it plays itself.
+    /// Whether a person has pressed a key of the game; until then it plays itself.
     is_played: bool,
     message: (String, f32),
     /// Seconds that are due to be simulated.
@@ -75,7 +75,7 @@ pub struct Viewer {
     /// Ms that the last picture took.
     drawing: f32,
     before: KeySet,
-    /// Keys of the game that went down and were not seen by a step yet.
+    /// Keys of the game that went down and have not reached a step yet.
     pressed: KeySet,
     pointer: Use,
     size: Point,
@@ -85,7 +85,7 @@ impl Viewer {
     /// Shows one of some scenes.
     ///
     /// # Errors
-    /// No such scene, or what it fails with.
+    /// No such scene, or an error of it.
     pub fn new(scenes: Vec<GalleryScene>, first: usize) -> Result<Self> {
         let show = scenes.get(first).ok_or("there is no such scene")?.build()?;
         Ok(Viewer {
@@ -124,7 +124,7 @@ impl Viewer {
         self.at
     }
 
-    /// What is on the screen.
+    /// The scenes on the screen.
     pub fn show(&self) -> &Show {
         &self.show
     }
@@ -149,12 +149,12 @@ impl Viewer {
         self.list.is_some()
     }
 
-    /// Mean ms of the last frames, of the steps in them, and of what [`drawn_in`](Self::drawn_in) was told.
+    /// Mean ms of the last frames, of the steps in them, and of the drawing by [`drawn_in`](Self::drawn_in).
     pub fn times(&self) -> [f32; 3] {
         self.times.mean()
     }
 
-    /// Shows another scene, from its start. If it fails, that is said, and the one before stays.
+    /// Shows another scene, from its start. If it fails, a message is shown, and the one before stays.
     pub fn choose(&mut self, at: usize) {
         let Some(scene) = self.scenes.get(at) else { return };
         match scene.build() {
@@ -178,7 +178,7 @@ impl Viewer {
         self.message = (message, MESSAGE);
     }
 
-    /// Is told how many seconds the last picture took, for the graph.
+    /// Takes the duration in s of the drawing of the last picture, for the graph.
     pub fn drawn_in(&mut self, seconds: f64) {
         self.drawing = 1e3 * seconds as f32;
     }
@@ -189,7 +189,7 @@ impl Viewer {
         [[0.0, picture::TITLE], [size[0], (size[1] - bar - picture::TITLE).max(1.0)]]
     }
 
-    /// A frame. `clock` tells seconds since any moment, and is asked how long steps take.
+    /// A frame. `clock` returns seconds since any moment, for measuring the duration of steps.
     pub fn frame(&mut self, input: &Input, clock: &dyn Fn() -> f64) {
         self.size = input.size;
         self.has_touch |= input.has_touch;
@@ -215,7 +215,7 @@ impl Viewer {
         all
     }
 
-    /// What keys do that were not down before.
+    /// Handles the keys that were not down before.
     fn press(&mut self, pressed: KeySet) {
         let hit = |key| pressed.contains(key);
         if hit(Key::List) {
@@ -291,7 +291,7 @@ impl Viewer {
             (self.is_paused, self.due) = (true, step);
         }
         let start = clock();
-        // Sums of times are a little less than whole steps now and then.
+        // Sums of times are slightly less than a multiple of the step now and then.
         while self.due >= 0.999 * step {
             self.due = (self.due - step).max(0.0);
             self.step(held, step);
@@ -314,7 +314,7 @@ impl Viewer {
     /// Draws all of it on a canvas of the size of the last input.
     ///
     /// # Errors
-    /// What the renderer refuses.
+    /// A refusal of the renderer.
     pub fn draw(&self, canvas: &mut dyn Canvas) -> Result<()> {
         picture::draw(self, canvas)
     }

@@ -1,4 +1,4 @@
-//! What the gallery looks like round a scene.
+//! The gallery's controls around a scene.
 
 use examples::Result;
 use twohalf_render::{Canvas, Color, Text, Transform};
@@ -92,7 +92,7 @@ fn facts(viewer: &Viewer) -> String {
     )
 }
 
-/// What is to be known at the moment: a message, or the keys of a game.
+/// The present hint: a message, or the keys of a game.
 fn draw_hints(viewer: &Viewer, canvas: &mut dyn Canvas) {
     let keys = match viewer.scenes[viewer.at].game {
         Game::Pinball => KEYS_OF_PINBALL,
@@ -120,7 +120,7 @@ fn draw_hints(viewer: &Viewer, canvas: &mut dyn Canvas) {
     Text { position: corner, ..text }.draw(canvas);
 }
 
-/// The same with lines of at most so many letters, if words are no longer.
+/// The same with lines of at most `letters` letters, unless a word is longer.
 fn wrapped(text: &str, letters: usize) -> String {
     let mut lines = String::new();
     let mut length = 0;

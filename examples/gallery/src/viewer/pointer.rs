@@ -1,4 +1,4 @@
-//! What the mouse and fingers do.
+//! Mouse and fingers.
 
 use twohalf_render::Point;
 
@@ -11,15 +11,15 @@ const CLOSER: f32 = 1.004;
 /// How far a pointer may move in the list and still choose, px.
 const TAP: f32 = 10.0;
 
-/// What the first pointer is used for until it goes up.
+/// The use of the first pointer until it goes up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Use {
-    /// Nothing is down.
+    /// No pointer is down.
     Nothing,
     /// It presses buttons.
     Buttons,
-    /// It holds something of the scene, or, if nothing was there, moves what is seen: where it was last. With a second finger it
-    /// brings closer what is between them: how far apart they were last.
+    /// It holds a body of the scene, or else moves the visible part: the pointer's last position. With a second finger it
+    /// changes the magnification: the last distance of the fingers.
     Scene { last: Point, apart: Option<f32> },
     /// It scrolls the list: where it went down, where it was last, and whether it has moved.
     List { from: Point, last: Point, has_moved: bool },
@@ -30,7 +30,7 @@ impl Use {
     pub(super) fn presses(self, buttons: &[Button], pointers: &[Point]) -> KeySet {
         match self {
             Use::Buttons | Use::Nothing => buttons::pressed(buttons, pointers),
-            // A second finger may press what the first one does not.
+            // A second finger may press a button while the first one does not.
             Use::Scene { .. } => buttons::pressed(buttons, pointers.get(1..).unwrap_or(&[])),
             Use::List { .. } => KeySet::default(),
         }
@@ -38,7 +38,7 @@ impl Use {
 }
 
 impl Viewer {
-    /// What the pointer does.
+    /// Handles the pointers.
     pub(super) fn point(&mut self, input: &Input, buttons: &[Button]) {
         let (area, count) = (self.area(input.size), self.scenes.len());
         if let Some(list) = &mut self.list {

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use twohalf_render::{Canvas, Color, Point, Text, Transform};
 
-/// Frames that are kept.
+/// Number of frames that are kept.
 const KEPT: usize = 160;
 const FRAME: Color = Color::rgb(60, 84, 116);
 const DRAWING: Color = Color::rgb(90, 150, 220);

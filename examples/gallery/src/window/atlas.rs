@@ -9,12 +9,12 @@ use twohalf_render::{Point, Texture2D};
 const SIDE: u16 = 1024;
 /// Largest side of a small picture, px.
 const SMALL: u32 = 200;
-/// Px that are left free, or filled with the border of a picture, around each.
+/// Width in px of the border around each picture, which is free or has the colours of the picture's edge.
 const MARGIN: u16 = 1;
-/// Frames for which a large picture that is not drawn is kept.
+/// Number of frames for which a large picture that is not drawn is kept.
 const KEPT: u32 = 600;
 
-/// Where a picture is: the texture that holds it, and the part of that, from 0 to 1.
+/// Location of a picture: its texture, and the rectangle in it, from 0 to 1.
 #[derive(Debug, Clone)]
 pub(super) struct Face {
     pub(super) page: quad::Texture2D,
@@ -23,7 +23,7 @@ pub(super) struct Face {
 }
 
 impl Face {
-    /// The place in the texture of a place in the picture, from 0 to 1.
+    /// The point in the texture of a point in the picture, from 0 to 1.
     pub(super) fn at(&self, [x, y]: Point) -> Point {
         [self.corner[0] + x * self.size[0], self.corner[1] + y * self.size[1]]
     }
@@ -41,14 +41,14 @@ struct Uploaded {
 pub(super) struct Atlas {
     page: quad::Texture2D,
     uploaded: HashMap<usize, Uploaded>,
-    /// Where the next small picture goes, and how high its row is.
+    /// Position in px of the next small picture, and the height of its row.
     next: [u16; 2],
     row: u16,
     frame: u32,
 }
 
 impl Atlas {
-    /// With nothing but a white spot, for what has no picture.
+    /// An atlas with a white spot alone, for shapes without a picture.
     pub(super) fn new() -> Self {
         let page =
             quad::Texture2D::from_rgba8(SIDE, SIDE, &vec![0; usize::from(SIDE) * usize::from(SIDE) * 4]);
@@ -79,7 +79,7 @@ impl Atlas {
         Face { page: self.page.clone(), corner: [2.0 / f32::from(SIDE); 2], size: [0.0; 2] }
     }
 
-    /// A picture; `None` if there is no room until [`start_again`](Self::start_again).
+    /// A picture; `None` if there is no space until [`start_again`](Self::start_again).
     pub(super) fn face(&mut self, texture: &Texture2D) -> Option<Face> {
         let key = texture.rgba8().as_ptr() as usize;
         if let Some(uploaded) = self.uploaded.get_mut(&key) {
@@ -94,7 +94,7 @@ impl Atlas {
         Some(face)
     }
 
-    /// Makes room by forgetting the small pictures; what was drawn with them has to be flushed.
+    /// Frees the space of the small pictures; drawings with them have to be flushed before.
     pub(super) fn start_again(&mut self) {
         self.clear();
     }

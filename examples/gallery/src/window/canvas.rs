@@ -10,12 +10,12 @@ use twohalf_render::{Canvas, Color, MAX_COORDINATE, Point, Texture2D, Transform,
 
 use super::atlas::{Atlas, Face};
 
-/// Corners and indices that are handed over at once: less than a draw call of macroquad takes.
+/// Numbers of corners and indices of a batch: less than the limit of a draw call of macroquad.
 const BATCH: [usize; 2] = [8000, 12_000];
-/// Outlines whose triangles are remembered; letters are always the same.
+/// Number of outlines whose triangles are cached; letters are always the same.
 const REMEMBERED: usize = 4096;
 
-/// What is kept from frame to frame.
+/// Buffers that last from frame to frame.
 pub(crate) struct Ink {
     atlas: Atlas,
     triangles: HashMap<Vec<[u32; 2]>, Vec<Point>>,
@@ -43,7 +43,7 @@ impl<'a> ScreenCanvas<'a> {
         ScreenCanvas { ink, size, mesh }
     }
 
-    /// Draws what is left.
+    /// Flushes the remaining triangles.
     pub(crate) fn end(mut self) {
         self.flush();
     }
@@ -56,7 +56,7 @@ impl<'a> ScreenCanvas<'a> {
         self.mesh.indices.clear();
     }
 
-    /// Makes room, and sets the texture of what comes.
+    /// Reserves space in the buffers, and sets the texture of the next triangles.
     fn prepare(&mut self, corners: usize, indices: usize, face: &Face) {
         let is_full =
             self.mesh.vertices.len() + corners > BATCH[0] || self.mesh.indices.len() + indices > BATCH[1];
@@ -246,7 +246,7 @@ fn cut(tessellator: &mut FillTessellator, points: &[Point]) -> Vec<Point> {
     let mut builder =
         BuffersBuilder::new(&mut buffers, |corner: FillVertex<'_>| corner.position().to_array());
     let options = FillOptions::default().with_fill_rule(FillRule::NonZero).with_tolerance(0.05);
-    // What cannot be cut, since numbers are not finite or too far apart, is not drawn.
+    // Outlines that cannot be cut, since numbers are not finite or too far apart, are not drawn.
     if tessellator.tessellate_path(&path.build(), &options, &mut builder).is_err() {
         return Vec::new();
     }
@@ -270,7 +270,7 @@ fn is_in_reach([x, y]: Point) -> bool {
     x.abs() <= MAX_COORDINATE && y.abs() <= MAX_COORDINATE
 }
 
-/// Whether a polygon is convex and goes round once: every bend turns the same way, and all of them make one turn.
+/// Whether a polygon is convex and goes round once: every bend has the same direction, and all of them make one turn.
 fn is_convex(points: &[Point]) -> bool {
     let count = points.len();
     let edge = |index: usize| {
@@ -321,7 +321,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_cut_into_triangles_has_the_area_it_had_and_holes_stay_filled() {
+    fn triangulation_keeps_the_area_and_holes_stay_filled() {
         let area = |points: &[Point]| {
             let triangles = cut(&mut FillTessellator::new(), points);
             let of = |t: &[Point]| {

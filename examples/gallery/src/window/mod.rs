@@ -48,8 +48,8 @@ const KEYS: &[(KeyCode, Key)] = &[
     (KeyCode::PageDown, Key::After),
 ];
 
-/// Opens a window with some scenes, and shows one of them; returns when it is closed. One that lasts for some seconds says then
-/// how long its last frames took. Edges are smoothed with so many samples of each px.
+/// Opens a window with some scenes, and shows one of them; returns when it is closed. With a duration it prints the time of its
+/// last frames at the end. Edges are smoothed with `samples` samples of each px.
 pub fn open(scenes: Vec<GalleryScene>, first: usize, lasts: Option<f64>, samples: i32) {
     let window = macroquad::conf::Conf {
         miniquad_conf: macroquad::miniquad::conf::Conf {
@@ -106,14 +106,15 @@ async fn run(scenes: Vec<GalleryScene>, first: usize, lasts: Option<f64>) {
     println!("{name:14} frame {frame:7.2} ms, steps {steps:7.2} ms, drawing {drawing:7.2} ms");
 }
 
-/// Fingers of the last frame, by the numbers that the system gives them.
+/// Fingers of the last frame, by the ids of the system.
 #[derive(Default)]
 struct Fingers {
     down: Vec<u64>,
 }
 
 impl Fingers {
-    /// Where fingers are, in the order in which they came; one that came and went between two frames was down for one.
+    /// Positions of the fingers, in the order in which they went down. One that went down and up between two frames counts as down
+    /// for one.
     fn places(&mut self) -> Vec<[f32; 2]> {
         let is_up = |touch: &quad::Touch| {
             matches!(touch.phase, quad::TouchPhase::Ended | quad::TouchPhase::Cancelled)
@@ -127,11 +128,11 @@ impl Fingers {
     }
 }
 
-/// What a person does now.
+/// The present input of the person.
 fn input(fingers: &mut Fingers) -> Input {
     let fingers = fingers.places();
     let is_touched = !fingers.is_empty();
-    // What went down and up between two frames was down for one.
+    // A button that went down and up between two frames counts as down for one.
     let is_down = quad::is_mouse_button_down(quad::MouseButton::Left)
         || quad::is_mouse_button_pressed(quad::MouseButton::Left);
     let is_down = is_down && !is_touched;

@@ -1,7 +1,7 @@
-//! What a page asks of the gallery, and is told by it.
+//! Interface of the gallery for a page.
 //!
-//! A page has no arguments and no memory of ours: it calls these functions, which are known to the linker by name. Nothing else
-//! shares state with them than a few numbers.
+//! A page has no arguments and no memory of ours: it calls these functions, which the linker knows by name. They share only a
+//! few numbers with the gallery.
 
 use std::sync::atomic::{AtomicBool, AtomicI32, AtomicU32, Ordering};
 
@@ -12,15 +12,15 @@ use crate::{hashes, viewer::Viewer};
 static WANTED: AtomicI32 = AtomicI32::new(-1);
 /// The scene that is shown.
 static SHOWN: AtomicI32 = AtomicI32::new(-1);
-/// Whether the page shows something else.
+/// Whether the page hides the gallery.
 static RESTS: AtomicBool = AtomicBool::new(false);
 /// Whether the page knows of a touch screen.
 static HAS_TOUCH: AtomicBool = AtomicBool::new(false);
-/// Whether somebody has left the full screen in a way that only the page hears of.
+/// Whether the full screen was left by an event that only the page receives.
 static HAS_LEFT_FULL: AtomicBool = AtomicBool::new(false);
 /// Mean ms of a frame, of its steps and of its drawing, as bits.
 static TIMES: [AtomicU32; 3] = [AtomicU32::new(0), AtomicU32::new(0), AtomicU32::new(0)];
-/// What is on the screen: 1 the list, 2 something is held, 4 the first set is the precise one.
+/// State of the screen, a sum of flags: 1 the list, 2 a body is grabbed, 4 the first set is the precise one.
 static STATE: AtomicU32 = AtomicU32::new(0);
 
 /// Shows a scene by its number in the list.
@@ -31,7 +31,7 @@ pub(super) extern "C" fn gallery_choose(scene: i32) {
     WANTED.store(scene, Ordering::Relaxed);
 }
 
-/// Stops the time, and drawing, while something else is shown (not 0), or lets it go on (0).
+/// Stops the time, and drawing, while the page hides the gallery (not 0), or lets it go on (0).
 #[allow(unsafe_code)]
 #[unsafe(no_mangle)]
 pub(super) extern "C" fn gallery_rest(rests: u32) {
@@ -66,7 +66,7 @@ pub(super) extern "C" fn gallery_times(which: u32) -> f32 {
     TIMES.get(which as usize).map_or(0.0, |time| f32::from_bits(time.load(Ordering::Relaxed)))
 }
 
-/// What is on the screen, as a sum: 1 the list of scenes, 2 something is held, 4 the first half has the precise set.
+/// State of the screen, a sum: 1 the list of scenes, 2 a body is grabbed, 4 the first half has the precise set.
 #[allow(unsafe_code)]
 #[unsafe(no_mangle)]
 pub(super) extern "C" fn gallery_state() -> u32 {
@@ -82,7 +82,7 @@ pub(super) extern "C" fn gallery_hash(scene: u32, number: u32) -> u64 {
     hashes.get(number as usize).map_or(0, |hashed| hashed.hash)
 }
 
-/// Whether the page shows something else.
+/// Whether the page hides the gallery.
 pub(crate) fn rests() -> bool {
     RESTS.load(Ordering::Relaxed)
 }
@@ -92,12 +92,12 @@ pub(crate) fn has_touch() -> bool {
     HAS_TOUCH.load(Ordering::Relaxed)
 }
 
-/// Whether the full screen was left since this was asked last.
+/// Whether the full screen was left since the last call.
 pub(crate) fn has_left_full() -> bool {
     HAS_LEFT_FULL.swap(false, Ordering::Relaxed)
 }
 
-/// Does what the page wants, and tells it what is shown.
+/// Handles the requests of the page, and reports the state of the screen.
 pub(crate) fn meet(viewer: &mut Viewer) {
     let wanted = WANTED.swap(-1, Ordering::Relaxed);
     if wanted >= 0 && wanted as usize != viewer.at() {

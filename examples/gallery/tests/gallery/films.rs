@@ -36,7 +36,7 @@ fn films_of_no_length_or_of_no_size_are_refused() {
 }
 
 #[test]
-fn a_picture_of_every_kind_of_scene_shows_something() {
+fn a_picture_of_every_kind_of_scene_is_not_blank() {
     for name in ["demo_scene_2", "brawler", "pinball", "pyramid", "crowd_1000", "farseer_water"] {
         let canvas = picture(&scene(name), 0.0, 160).unwrap();
         let mut colors: Vec<[u8; 4]> = canvas.rgba8().as_chunks::<4>().0.to_vec();
@@ -58,7 +58,7 @@ fn hashes_are_the_same_whenever_they_are_made_and_differ_by_set() {
 }
 
 #[test]
-fn what_is_timed_is_told_with_the_number_of_bodies() {
+fn timings_are_reported_with_the_number_of_bodies() {
     let figures = bench::bench(&scene("column_20"), 0.1).unwrap();
     // Twenty boxes and a floor, twice.
     assert_eq!((figures.name.as_str(), figures.bodies), ("column_20", 42));

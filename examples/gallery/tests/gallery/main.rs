@@ -1,4 +1,4 @@
-//! What the gallery shows, and what a person can do with it, without a window.
+//! The gallery's scenes and controls, without a window.
 
 mod films;
 mod scenes;

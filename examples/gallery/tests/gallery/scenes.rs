@@ -1,4 +1,4 @@
-//! Every scene, and what must be seen in those that are made for it.
+//! Every scene, and the results that each is made to show.
 
 use farseer_core::{PhysicsSimulator, RevoluteJoint};
 use gallery::play::{Player, Set, World};
@@ -43,7 +43,7 @@ fn farthest(name: &str, seconds: f32, set: Set) -> f32 {
 }
 
 #[test]
-fn everything_stays_finite_for_twenty_seconds() {
+fn all_numbers_stay_finite_for_twenty_seconds() {
     for scene in scenes() {
         let mut show = scene.build().unwrap();
         let bodies = |show: &Show| {
@@ -82,9 +82,9 @@ fn a_copy_goes_on_with_the_same_bits() {
 }
 
 #[test]
-fn columns_stand_with_the_precise_set_and_fall_with_the_faithful_one() {
+fn columns_stand_with_the_precise_and_fall_with_the_faithful_set() {
     for (name, height) in [("column_20", 480.0), ("column_100", 2400.0)] {
-        // A stack of rigid boxes stands where it is; a hundredth of a px is what contacts give.
+        // A stack of rigid boxes stands where it is; contacts yield by a hundredth of a px.
         assert!(farthest(name, 8.0, Set::Precise) < 0.1, "{name}");
         assert!(farthest(name, 8.0, Set::Faithful) > 0.3 * height, "{name}");
     }
@@ -152,7 +152,7 @@ fn a_thousand_objects_stay_on_their_field_and_fall_asleep() {
     let World::Depth(simulator) = show.halves()[0].play().world() else { panic!("it has depth") };
     for &body in simulator.body_list() {
         let place = simulator.body(body).unwrap().position3d();
-        // 42 x 24 places of 26 px, with one more for the margins.
+        // 42 x 24 cells of 26 px, with one more for the margins.
         let is_inside = (0.0..26.0 * 44.0).contains(&place.x) && (0.0..26.0 * 25.0).contains(&place.z);
         assert!(is_inside && place.y > -1.0, "{place}");
     }

@@ -1,4 +1,4 @@
-//! What a person does, frame by frame.
+//! Inputs of a person, frame by frame.
 
 use gallery::keys::{Key, KeySet};
 use gallery::play::{Set, World};
@@ -72,7 +72,7 @@ fn mover(viewer: &Viewer, half: usize) -> (Point, f32) {
 }
 
 #[test]
-fn what_is_held_follows_the_pointer_and_is_thrown() {
+fn a_grabbed_body_follows_the_pointer_and_is_thrown() {
     for (name, half) in [("pyramid", 0), ("pyramid", 1), ("demo_scene_2", 0), ("demo_scene_2", 1)] {
         let mut viewer = viewer(name);
         wait(&mut viewer, 150);
@@ -96,7 +96,7 @@ fn what_is_held_follows_the_pointer_and_is_thrown() {
 }
 
 #[test]
-fn nothing_is_held_where_nothing_is_and_static_things_are_not_moved() {
+fn empty_space_is_not_grabbed_and_static_bodies_are_not_moved() {
     let mut viewer = viewer("column_20");
     let [corner, size] = viewer.area(WINDOW);
     pointer(&mut viewer, [corner[0] + 5.0, corner[1] + 0.5 * size[1]]);
@@ -108,7 +108,7 @@ fn nothing_is_held_where_nothing_is_and_static_things_are_not_moved() {
 }
 
 #[test]
-fn time_stands_still_while_paused_and_goes_on_step_by_step() {
+fn a_pause_stops_time_and_single_steps_advance_it() {
     let mut viewer = viewer("demo_scene_1");
     wait(&mut viewer, 10);
     press(&mut viewer, Key::Pause);
@@ -141,7 +141,7 @@ fn slow_motion_is_five_times_slower() {
     hold(&mut slow, &[Key::Slow], 1);
     wait(&mut fast, 4);
     wait(&mut slow, 19);
-    // Fallen from rest for 8 steps by either way: at 2 steps a frame, and at 2 steps in 5 frames.
+    // Both fall from rest for 8 steps: at 2 steps a frame, and at 2 steps in 5 frames.
     assert_eq!(fall(&fast), fall(&slow));
     assert!(fall(&fast) > 20.0);
 }
@@ -157,7 +157,7 @@ fn restart_gives_the_first_state_again() {
 }
 
 #[test]
-fn what_was_comes_back_bit_for_bit_and_goes_on_as_it_did() {
+fn a_rewound_state_is_equal_bit_for_bit_and_continues_equally() {
     for name in ["demo_scene_2", "brawler", "pinball"] {
         let mut viewer = viewer(name);
         let mut seen = vec![hash(&viewer)];
@@ -167,8 +167,8 @@ fn what_was_comes_back_bit_for_bit_and_goes_on_as_it_did() {
         }
         hold(&mut viewer, &[Key::Rewind], 60);
         let then = hash(&viewer);
-        // A copy is made before a step, so it need not be what a frame ended with; the states of pinball are a frame each
-        // four steps, of the others each two.
+        // A copy is made before a step, so it need not be the state at the end of a frame. The states of pinball are a frame
+        // each four steps, of the others each two.
         press(&mut viewer, Key::Pause);
         wait(&mut viewer, 3);
         assert_eq!(hash(&viewer), then, "{name}");
@@ -219,8 +219,8 @@ fn games_keep_the_set_that_they_need() {
 }
 
 #[test]
-fn every_layer_shows_something() {
-    // A ragdoll has joints; what has fallen touches; with the precise set there are islands, and in the end all sleep.
+fn every_layer_draws() {
+    // A ragdoll has joints, fallen bodies have contacts, and with the precise set there are islands; in the end all sleep.
     let mut viewer = viewer("mass_ratio");
     wait(&mut viewer, 120);
     press(&mut viewer, Key::Pause);
@@ -232,7 +232,7 @@ fn every_layer_shows_something() {
 }
 
 #[test]
-fn layers_show_something_with_depth_too() {
+fn every_layer_draws_with_depth_too() {
     let mut viewer = viewer("crowd_1000");
     wait(&mut viewer, 300);
     press(&mut viewer, Key::Pause);
@@ -349,7 +349,7 @@ fn keys_of_the_beat_em_up_move_its_fighter() {
 #[test]
 fn a_slow_machine_gets_less_time_and_not_an_endless_frame() {
     let mut viewer = viewer("demo_scene_1");
-    // A clock by which every look at it takes a tenth of a second.
+    // A clock that advances by a tenth of a second with every reading.
     let now = std::cell::Cell::new(0.0);
     let clock = || {
         now.set(now.get() + 0.1);
@@ -365,7 +365,7 @@ fn a_slow_machine_gets_less_time_and_not_an_endless_frame() {
 }
 
 #[test]
-fn the_wheel_looks_closer_at_what_is_under_the_mouse_and_things_are_held_there_as_before() {
+fn the_wheel_zooms_at_the_mouse_and_bodies_are_grabbed_there_as_before() {
     let mut viewer = viewer("column_100");
     wait(&mut viewer, 30);
     let (at, _) = mover(&viewer, 1);
@@ -384,11 +384,11 @@ fn the_wheel_looks_closer_at_what_is_under_the_mouse_and_things_are_held_there_a
 }
 
 #[test]
-fn two_fingers_look_closer_and_one_moves_what_is_seen() {
+fn two_fingers_zoom_and_one_moves_the_visible_part() {
     let mut viewer = viewer("column_20");
     touch(&mut viewer, &[]);
     let [corner, size] = viewer.area(PHONE);
-    // Beside the columns, where nothing can be held.
+    // Beside the columns, where there is no body to grab.
     let at = [corner[0] + 100.0, corner[1] + 0.25 * size[1]];
     for apart in [20.0, 30.0, 60.0] {
         touch(&mut viewer, &[at, [at[0] + apart, at[1]]]);
@@ -412,7 +412,7 @@ fn next(seed: &mut u32) -> u32 {
 }
 
 #[test]
-fn whatever_is_pressed_at_random_nothing_breaks() {
+fn random_input_causes_no_panic() {
     const KEYS: [Key; 25] = [
         Key::Left,
         Key::Right,

@@ -1,4 +1,4 @@
-// What the classes do: events, errors, ids, memory.
+// Behaviour of the classes: events, errors, ids, memory.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

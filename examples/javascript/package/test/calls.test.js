@@ -1,4 +1,4 @@
-// Whatever numbers the functions of the module are called with: they answer or refuse, and never trap.
+// The functions of the module return or refuse for all numbers, and never trap.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// What `build` takes out of a module: the words of panics, and nothing else.
+// `build` removes the messages of panics from a module, and no other code.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 
 const script = fileURLToPath(new URL('../../without_panics.mjs', import.meta.url));
 
-/** What is left of functions, which stand at the margin. */
+/** The functions after the removal, without indentation. */
 function without(text) {
   const { status, stdout, stderr } = spawnSync(process.execPath, [script], { input: `(module\n${text}\n)\n`, encoding: 'utf8' });
   assert.equal(status, 0, stderr);

@@ -1,4 +1,4 @@
-// What `tsc` must accept of the entry in 2D alone, and what it must refuse.
+// Code for the entry in 2D alone that `tsc` must accept, and code that it must refuse.
 
 import * as plane from '../plane.js';
 

@@ -1,4 +1,4 @@
-// The scenes of `src/bin/javascript_scenes.rs`, word for word; each is made of what an entry of the package exports.
+// The scenes of `src/bin/javascript_scenes.rs`, word for word; each is made with the exports of an entry of the package.
 
 export const STEPS = 600;
 export const DT = Math.fround(1 / 60);

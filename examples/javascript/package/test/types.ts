@@ -1,4 +1,4 @@
-// What `tsc` must accept, and what it must refuse.
+// Code that `tsc` must accept, and code that it must refuse.
 
 import { type DepthBody, DepthSimulator, type Event, type Geom, Platform, Simulator, initialize } from '../index.js';
 
@@ -54,7 +54,7 @@ depth.walk(body, { x: 1 }, 1 / 60);
 body.slot = 1;
 // @ts-expect-error settings have names
 simulator.createCircleGeom(body, 10, { friction: 0.5 });
-// @ts-expect-error what can only be set cannot be read
+// @ts-expect-error write-only properties cannot be read
 const motor: { speed: number; greatestEffort: number } = joint.motor as string;
 
 export { geom, motor, stands };

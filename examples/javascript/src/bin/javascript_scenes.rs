@@ -1,5 +1,5 @@
-//! Plays the scenes of `package/test/scenes.js` with the engines themselves and prints what comes of them: for each scene a
-//! line of its name, a hash of all positions of 600 steps and one of the last snapshot.
+//! Plays the scenes of `package/test/scenes.js` with the engines themselves and prints their results: for each scene a line of
+//! its name, a hash of all positions of 600 steps and one of the last snapshot.
 
 use farseer_core::math::{Vector2, Vector3};
 use farseer_core::{
@@ -62,7 +62,7 @@ fn floor(simulator: &mut PhysicsSimulator) -> Result<BodyId, Error> {
     Ok(floor)
 }
 
-/// Sixty things of four kinds fall onto a floor.
+/// Sixty bodies of four kinds fall onto a floor.
 fn pile(methods: Methods) -> Result<PhysicsSimulator, Error> {
     let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 300.0))?;
     simulator.set_methods(methods)?;
@@ -180,7 +180,7 @@ fn street() -> twohalf::Result<()> {
             [x, y, z, body.rotation()].into_iter().for_each(|number| motion.word(number.to_bits()));
         }
     }
-    // As the module saves it: with those who walk.
+    // As the module saves it: with the character controllers.
     let walkers = vec![(figure.body, walker)];
     say("street", &motion, &twohalf_javascript::WITH_WALKERS.write(&(walkers, simulator.snapshot())));
     Ok(())

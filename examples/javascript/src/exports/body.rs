@@ -22,7 +22,7 @@ exports! {
         simulator.objects(|objects| BodyFactory::create_capsule_body_in(objects, height, end_radius, mass))
     }
 
-    /// A body with that of the polygon whose corners were left as numbers.
+    /// A body with the moment of inertia of the polygon whose corners were left as numbers.
     fn body_polygon(simulator: Simulator, mass: f32) {
         let corners = points()?;
         simulator.objects(|objects| BodyFactory::create_polygon_body_in(objects, &corners, mass))
@@ -47,7 +47,7 @@ exports! {
     /// Where its origin is; in 2.5D in the plane, y down.
     fn body_position(simulator: Simulator, body: BodyId) { simulator.body(body, |body| body.position()) }
 
-    /// Places it.
+    /// Sets its position.
     fn body_set_position(simulator: Simulator, body: BodyId, x: f32, y: f32) {
         simulator.edit_body(body, |body| body.set_position(Vector2::new(x, y)))
     }
@@ -101,10 +101,10 @@ exports! {
         Ok(simulator.edit_body(body, |body| body.set_moment_of_inertia(moment_of_inertia))??)
     }
 
-    /// Whether nothing moves it.
+    /// Whether it is static.
     fn body_is_static(simulator: Simulator, body: BodyId) { simulator.body(body, |body| body.is_static()) }
 
-    /// Sets whether nothing moves it.
+    /// Sets whether it is static.
     fn body_set_is_static(simulator: Simulator, body: BodyId, value: bool) {
         simulator.doubt()?;
         either!(simulator, |engine| engine.body_mut(body).ok_or_else(|| stale("body"))?.set_is_static(value))
@@ -119,23 +119,23 @@ exports! {
         either!(simulator, |engine| engine.body_mut(body).ok_or_else(|| stale("body"))?.set_is_kinematic(value))
     }
 
-    /// Brings a kinematic body to a place and rotation in the next update.
+    /// Moves a kinematic body to a position and rotation in the next update.
     fn body_move_to(simulator: Simulator, body: BodyId, x: f32, y: f32, rotation: f32) {
         Ok(simulator.edit_body(body, |body| body.move_to(Vector2::new(x, y), rotation))??)
     }
 
-    /// Whether nothing passes through it at any speed.
+    /// Whether it is a bullet, which has CCD against all bodies.
     fn body_is_bullet(simulator: Simulator, body: BodyId) { simulator.body(body, |body| body.is_bullet()) }
 
-    /// Sets whether nothing passes through it at any speed.
+    /// Sets whether it is a bullet, which has CCD against all bodies.
     fn body_set_is_bullet(simulator: Simulator, body: BodyId, value: bool) {
         simulator.edit_body(body, |body| body.set_is_bullet(value))
     }
 
-    /// Whether it takes part.
+    /// Whether it is enabled.
     fn body_enabled(simulator: Simulator, body: BodyId) { simulator.body(body, |body| body.enabled()) }
 
-    /// Sets whether it takes part.
+    /// Sets whether it is enabled.
     fn body_set_enabled(simulator: Simulator, body: BodyId, value: bool) {
         simulator.doubt()?;
         either!(simulator, |engine| engine.body_mut(body).ok_or_else(|| stale("body"))?.set_enabled(value))
@@ -205,12 +205,12 @@ exports! {
         either!(simulator, |engine| engine.wake(body))
     }
 
-    /// From the world to its own frame.
+    /// Converts a point from the world to its own frame.
     fn body_local_position(simulator: Simulator, body: BodyId, x: f32, y: f32) {
         simulator.body(body, |body| body.get_local_position(Vector2::new(x, y)))
     }
 
-    /// From its own frame to the world.
+    /// Converts a point from its own frame to the world.
     fn body_world_position(simulator: Simulator, body: BodyId, x: f32, y: f32) {
         simulator.body(body, |body| body.get_world_position(Vector2::new(x, y)))
     }

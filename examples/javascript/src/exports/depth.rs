@@ -1,6 +1,6 @@
-//! What the 2.5D engine has more.
+//! Functions that only the 2.5D engine has.
 
-use farseer_core::{BodyId, GeomId, SideTable};
+use farseer_core::{BodyId, GeomId, SecondaryMap};
 use twohalf::{
     CharacterSettings, ContactTarget, DepthProfile, DepthScheme, DrawOrder, Drawable, MoveInput, Platform,
     PlatformId, PlatformMut, TwoHalfBody, TwoHalfPhysicsSimulator, Vector2, Vector3,
@@ -59,11 +59,11 @@ fn drawable(drawable: Drawable) -> Outcome<[f64; 2]> {
 }
 
 exports! {
-    /// A 2.5D simulator; answers its number.
+    /// A 2.5D simulator; returns its number.
     fn depth_new(height: i32, angle: i32, gravity_x: f32, gravity_y: f32) {
         let gravity = Vector2::new(gravity_x, gravity_y);
         let simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(height, angle, gravity)?;
-        let (walkers, order) = (SideTable::new(), DrawOrder::default());
+        let (walkers, order) = (SecondaryMap::new(), DrawOrder::default());
         Ok(Simulator::keep(Engine::Depth(Box::new(Depth { simulator, walkers, order }))))
     }
 
@@ -132,7 +132,7 @@ exports! {
     /// Where a body is: x, y up, z.
     fn depth_position3d(simulator: Simulator, body: BodyId) { simulator.body3d(body, |body| body.position3d()) }
 
-    /// Places it.
+    /// Sets its position.
     fn depth_set_position3d(simulator: Simulator, body: BodyId, x: f32, y: f32, z: f32) {
         simulator.edit_body3d(body, |mut body| body.set_position3d(Vector3::new(x, y, z)))
     }
@@ -155,12 +155,12 @@ exports! {
         simulator.edit_body3d(body, |mut body| body.apply_impulse3d(Vector3::new(x, y, z)))
     }
 
-    /// Brings a kinematic body to a place in the next update.
+    /// Moves a kinematic body to a position in the next update.
     fn depth_move_to3d(simulator: Simulator, body: BodyId, x: f32, y: f32, z: f32) {
         Ok(simulator.edit_body3d(body, |mut body| body.move_to3d(Vector3::new(x, y, z)))??)
     }
 
-    /// Whether it lies or stands on something.
+    /// Whether it lies or stands on a support.
     fn depth_is_grounded(simulator: Simulator, body: BodyId) { simulator.body3d(body, |body| body.is_grounded()) }
 
     /// Where its origin appears on the screen.
@@ -251,7 +251,7 @@ exports! {
         })
     }
 
-    /// Places it.
+    /// Sets its position.
     fn platform_set_position3d(simulator: Simulator, platform: PlatformId, x: f32, y: f32, z: f32) {
         simulator.edit_platform(platform, |mut platform| platform.set_position3d(Vector3::new(x, y, z)))
     }
@@ -261,7 +261,7 @@ exports! {
         simulator.edit_platform(platform, |mut platform| platform.set_velocity(Vector3::new(x, y, z)))
     }
 
-    /// Brings it to a place in the next update.
+    /// Moves it to a position in the next update.
     fn platform_move_to(simulator: Simulator, platform: PlatformId, x: f32, y: f32, z: f32) {
         simulator.edit_platform(platform, |mut platform| platform.move_to(Vector3::new(x, y, z)))
     }
@@ -295,7 +295,7 @@ exports! {
         simulator.depth(|depth| Ok(depth.simulator.screen_to_ground(Vector2::new(x, y))))
     }
 
-    /// Leaves what is drawn, from back to front: body 0 or platform 1, and which.
+    /// Leaves the drawables, from back to front: body 0 or platform 1, and its id.
     fn depth_draw_order(simulator: Simulator) {
         simulator.depth(|depth| {
             let order = depth.order.sort(&depth.simulator);
@@ -304,7 +304,7 @@ exports! {
         })
     }
 
-    /// Leaves what is in front at a point of the screen: body 0 or platform 1, and which; nothing if there is none.
+    /// Leaves the front drawable at a point of the screen: body 0 or platform 1, and its id; no numbers if there is none.
     fn depth_pick_front(simulator: Simulator, x: f32, y: f32) {
         simulator.depth(|depth| {
             let front = depth.simulator.pick_front(Vector2::new(x, y)).map(drawable).transpose()?;
@@ -312,7 +312,7 @@ exports! {
         })
     }
 
-    /// Leaves the height of what a body would fall on.
+    /// Leaves the height of the surface beneath a body.
     fn depth_height_beneath(simulator: Simulator, body: BodyId) {
         simulator.body3d(body, |_| ())?;
         simulator.depth(|depth| {
@@ -321,7 +321,7 @@ exports! {
         })
     }
 
-    /// Leaves where a ray enters the first thing: kind of partner, partner, point, normal and fraction; nothing if there is none.
+    /// Leaves the first hit of a ray: kind of partner, partner, point, normal and fraction; no numbers if there is none.
     fn depth_ray_cast3d(
         simulator: Simulator, start_x: f32, start_y: f32, start_z: f32, end_x: f32, end_y: f32, end_z: f32,
     ) {

@@ -20,7 +20,7 @@ exports! {
         simulator.objects(|objects| GeomFactory::create_rectangle_geom_in(objects, body, width, height, placement))
     }
 
-    /// A circle; the faithful set sees as many edges.
+    /// A circle; for the faithful set a polygon with this number of edges.
     fn geom_circle(
         simulator: Simulator, body: BodyId, radius: f32, number_of_edges: i32,
         offset_x: f32, offset_y: f32, rotation_offset: f32, collision_grid_size: f32,

@@ -106,14 +106,14 @@ exports! {
     /// How far it has turned or slid.
     fn joint_travel(simulator: Simulator, joint: JointId) { simulator.objects(|objects| objects.joint_travel(joint)) }
 
-    /// Whether it takes part.
+    /// Whether it is enabled.
     fn joint_enabled(simulator: Simulator, joint: JointId) {
         simulator.objects(|objects| {
             objects.joint(joint).map(Joint::enabled).ok_or(Error::StaleId { argument: "joint" })
         })
     }
 
-    /// Sets whether it takes part.
+    /// Sets whether it is enabled.
     fn joint_set_enabled(simulator: Simulator, joint: JointId, value: bool) {
         simulator.objects(|objects| edit(objects, joint, |joint| joint.set_enabled(value)))
     }

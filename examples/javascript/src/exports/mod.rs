@@ -1,4 +1,4 @@
-//! The functions of the module, by what they are about.
+//! The functions of the module, by subject.
 
 pub mod body;
 #[cfg(feature = "depth")]

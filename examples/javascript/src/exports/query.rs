@@ -1,4 +1,4 @@
-//! What lies where.
+//! Queries of points, boxes and rays.
 
 use farseer_core::Aabb;
 use farseer_core::math::Vector2;
@@ -29,7 +29,8 @@ exports! {
         simulator.plane(|plane| leave_geoms(plane.query_aabb(&aabb)))
     }
 
-    /// Where a ray enters the first geom of these categories: geom, point, normal and fraction; nothing if there is none.
+    /// Leaves the first hit of a ray among the geoms of these categories: geom, point, normal and fraction; no numbers if there
+    /// is none.
     fn query_ray_cast(
         simulator: Simulator, start_x: f32, start_y: f32, end_x: f32, end_y: f32, categories: CollisionCategory,
     ) {

@@ -8,7 +8,7 @@ use crate::touches::{Happening, Partner};
 use crate::world::{Engine, Simulator, either};
 
 exports! {
-    /// A 2D simulator with the faithful set of methods; answers its number.
+    /// A 2D simulator with the faithful set of methods; returns its number.
     fn simulator_new(gravity_x: f32, gravity_y: f32) {
         let simulator = PhysicsSimulator::new(Vector2::new(gravity_x, gravity_y))?;
         Ok(Simulator::keep(Engine::Plane(Box::new(simulator))))
@@ -38,12 +38,12 @@ exports! {
     /// The gravity.
     fn simulator_gravity(simulator: Simulator) { simulator.with(|world| Ok(world.engine.core().gravity())) }
 
-    /// Sets the passes of the solver.
+    /// Sets the iterations of the solver.
     fn simulator_set_iterations(simulator: Simulator, iterations: i32) {
         either!(simulator, |engine| engine.set_iterations(iterations))
     }
 
-    /// The passes of the solver.
+    /// The iterations of the solver.
     fn simulator_iterations(simulator: Simulator) { simulator.with(|world| Ok(world.engine.core().iterations())) }
 
     /// Sets whether friction is the smaller one of two, instead of their mean.
@@ -57,7 +57,7 @@ exports! {
         either!(simulator, |engine| engine.set_sleep_enabled(value))
     }
 
-    /// An update of so many seconds.
+    /// Makes an update of `dt` seconds.
     fn simulator_step(simulator: Simulator, dt: f32) {
         if dt <= 0.0 {
             return Err(invalid("dt", dt.into(), "greater than 0"));
@@ -65,7 +65,7 @@ exports! {
         simulator.with(|world| { world.step(dt); Ok(()) })
     }
 
-    /// Brings the positions up to date; answers how many numbers they are.
+    /// Updates the positions; returns the count of their numbers.
     fn simulator_positions_length(simulator: Simulator) {
         simulator.with(|world| {
             world.refresh_positions();
@@ -78,9 +78,9 @@ exports! {
         simulator.with(|world| Ok(world.positions().as_ptr() as usize as f64))
     }
 
-    /// Leaves what happened since the last call as numbers, four each: the kind, the thing, the kind of its partner, the
-    /// partner. Kinds: touch begins 0 or ends 1, joint 2 or spring 3 broke, body not finite 4; of partners: geom 0, platform 1,
-    /// ground 2.
+    /// Leaves the events since the last call as numbers, four each: the kind, the object, the kind of its partner, the partner.
+    /// Kinds: touch begins 0 or ends 1, joint 2 or spring 3 broke, body not finite 4; of partners: geom 0, platform 1, ground
+    /// 2.
     fn simulator_drain_events(simulator: Simulator) {
         simulator.with(|world| {
             let rows: Vec<[f64; 4]> = world.log.drain().map(row).collect::<Result<_, _>>()?;
@@ -88,7 +88,7 @@ exports! {
         })
     }
 
-    /// Leaves a snapshot as bytes; answers how many.
+    /// Leaves a snapshot as bytes; returns their count.
     fn simulator_snapshot(simulator: Simulator) {
         simulator.with(|world| Ok(leave_bytes(world.engine.snapshot())))
     }

@@ -40,7 +40,7 @@ exports! {
         })
     }
 
-    /// Of the angle of a body.
+    /// A spring of the angle of a body.
     fn spring_fixed_angle(simulator: Simulator, body: BodyId, spring_constant: f32, damping_constant: f32) {
         simulator.objects(|objects| {
             SpringFactory::create_fixed_angle_spring_in(objects, body, spring_constant, damping_constant)
@@ -55,14 +55,14 @@ exports! {
         simulator.with(|world| Ok(world.engine.core().is_disposed(spring)))
     }
 
-    /// Whether it takes part.
+    /// Whether it is enabled.
     fn spring_enabled(simulator: Simulator, spring: SpringId) {
         simulator.objects(|objects| {
             objects.spring(spring).map(Spring::enabled).ok_or(Error::StaleId { argument: "spring" })
         })
     }
 
-    /// Sets whether it takes part.
+    /// Sets whether it is enabled.
     fn spring_set_enabled(simulator: Simulator, spring: SpringId, value: bool) {
         simulator.objects(|objects| edit(objects, spring, |spring| spring.set_enabled(value)))
     }

@@ -1,140 +1,154 @@
-//! The two bodies of four joints of a colour, side by side: relative poses, Jacobians, and what impulses do.
+//! The two bodies of four joints in SIMD lanes: relative poses, Jacobians and velocity changes by impulses.
 //!
-//! Lanes without a joint have bodies 0 and inverse masses 0. No two lanes share a body that gives way.
+//! The rows of a joint are: linear along the normal n, angular, and linear along the tangent t = (n.y, -n.x). Positions and
+//! velocities of the rows are those of body B relative to body A; impulses act on body B. Lanes without a joint have body index
+//! 0 and inverse masses 0. No two lanes share a dynamic body.
 
 use wide::{f32x4, f64x4};
 
-use super::super::bodies::{Bodies, Hot};
-use super::super::rows::set;
-use super::frame::Frame;
-use super::hold::Hold;
-use super::tree::Link;
+use super::super::bodies::{BodySet, MotionState};
+use super::super::constraint_graph::set_lane;
+use super::articulated_body::LockedDofs;
+use super::frame::JointFrame;
+use super::joint_constraint::JointConstraint;
 use crate::math::lanes::{select, sin_cos};
 use crate::math::scalar::sin_cos_of_any;
 
-/// Of four joints, by lane.
-pub(super) type Lanes = f32x4;
-/// By row: along n, of the angle, along t = (n.y, -n.x).
-pub(super) type Rows = [Lanes; 3];
-/// Velocity or displacement of four bodies: along x and y, turning, and along the depth axis.
-type Motion = [Lanes; 4];
+/// One number for each of four joints, in SIMD lanes.
+pub(super) type JointLanes = f32x4;
+/// One number for each row of four joints, in the order ALONG (linear row along the normal n), ANGLE, ACROSS (linear row along
+/// the tangent t).
+pub(super) type RowLanes = [JointLanes; 3];
+/// Velocities or displacements of four bodies: x, y, angular, z. Velocities are in length units/s and radians/s, displacements
+/// in length units and radians.
+type VelocityLanes = [JointLanes; 4];
 
-const ZERO: Lanes = f32x4::ZERO;
+const ZERO: JointLanes = f32x4::ZERO;
 
-/// The same numbers in f64.
+/// Converts the lanes from f32 to f64.
 #[inline(always)]
-pub(super) fn wide(lanes: Lanes) -> f64x4 {
+pub(super) fn to_f64(lanes: JointLanes) -> f64x4 {
     f64x4::new(lanes.to_array().map(f64::from))
 }
 
-/// Numbers rounded to f32.
+/// Rounds the lanes from f64 to f32.
 #[inline(always)]
-pub(super) fn narrow(lanes: f64x4) -> Lanes {
+pub(super) fn to_f32(lanes: f64x4) -> JointLanes {
     f32x4::new(lanes.to_array().map(|number| number as f32))
 }
 
-/// Puts a number, rounded to f32, into a lane.
+/// Stores `value`, rounded to f32, in one lane.
 #[inline(always)]
-pub(super) fn put(lanes: &mut Lanes, lane: usize, number: f64) {
-    set(lanes, lane, number as f32);
+pub(super) fn set_lane_rounded(lanes: &mut JointLanes, lane: usize, value: f64) {
+    set_lane(lanes, lane, value as f32);
 }
 
-/// How the direction n of the rows is found.
+/// Direction of the normal n of a joint's linear rows.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) enum Normal {
-    /// It is (1, 0): of a point, a weld, an angle.
+pub(super) enum RowDirection {
+    /// Keeps n = (1, 0): revolute, weld and angle joints.
     #[default]
     Fixed,
-    /// Across the axis of a prismatic joint.
-    Axis,
-    /// Along the line between the anchors.
-    Line,
+    /// Keeps n perpendicular to the axis of a prismatic joint.
+    AcrossAxis,
+    /// Turns n from anchor A to anchor B: pin and slider joints.
+    BetweenAnchors,
 }
 
-impl Normal {
-    pub(super) fn of(link: Link) -> Self {
+impl RowDirection {
+    pub(super) fn of_link(link: LockedDofs) -> Self {
         match link {
-            Link::Line => Normal::Axis,
-            Link::Distance => Normal::Line,
-            _ => Normal::Fixed,
+            LockedDofs::Line => RowDirection::AcrossAxis,
+            LockedDofs::Distance => RowDirection::BetweenAnchors,
+            _ => RowDirection::Fixed,
         }
     }
 }
 
-/// The bodies.
+/// The bodies A and B of four joints, with relative poses and Jacobians.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct BlockPair {
-    pub(super) way: Normal,
-    /// Indices into [`Bodies::hot`] on both sides: 0 for what has no velocity.
+pub(super) struct BodyPairLanes {
+    /// Direction of the normal n, common to all four joints.
+    pub(super) direction: RowDirection,
+    /// Indices of the bodies A and B in [`BodySet::states`]; 0 for bodies without a velocity.
     bodies: [[u32; 4]; 2],
-    inverse_masses: [Lanes; 2],
-    inverse_inertias: [Lanes; 2],
-    arms: [[Lanes; 2]; 2],
-    apart: [Lanes; 2],
-    axis: [Lanes; 2],
-    /// Radians by which the second body has turned against the first since the update began.
-    pub(super) turned: Lanes,
-    pub(super) normal: [Lanes; 2],
-    /// Angular parts of the linear rows on both sides, along n and along t; that of the angle is 1.
-    angular: [[Lanes; 2]; 2],
+    /// Inverse masses of A and B, 1/(mass units); 0 for bodies that are not dynamic.
+    inverse_masses: [JointLanes; 2],
+    /// Inverse moments of inertia of A and B, 1/(mass units * length units^2); 0 for bodies that are not dynamic.
+    inverse_inertias: [JointLanes; 2],
+    /// Arms of A and B: vectors from the centres of mass to the anchors in world coordinates, length units.
+    arms: [[JointLanes; 2]; 2],
+    /// Vector from the centre of mass of A to that of B in world coordinates, length units.
+    origin_offset: [JointLanes; 2],
+    /// Axis of each prismatic joint in world coordinates, a unit vector.
+    axis: [JointLanes; 2],
+    /// Rotation of B relative to A since the start of the update, radians.
+    pub(super) relative_rotation: JointLanes,
+    /// Normal n of the linear rows in world coordinates, a unit vector.
+    pub(super) normal: [JointLanes; 2],
+    /// Angular elements of the Jacobian for A and B: velocity of the rows along n and t per angular velocity, length units. The
+    /// element of the angular row is 1.
+    angular_jacobian: [[JointLanes; 2]; 2],
 }
 
-impl BlockPair {
-    /// Without joints.
-    pub(super) fn new(way: Normal) -> Self {
-        BlockPair { way, ..BlockPair::default() }
+impl BodyPairLanes {
+    /// Returns four lanes without joints.
+    pub(super) fn new(direction: RowDirection) -> Self {
+        BodyPairLanes { direction, ..BodyPairLanes::default() }
     }
 
-    /// Puts a joint into a lane.
-    pub(super) fn set(&mut self, lane: usize, hold: &Hold, bodies: &Bodies) {
-        let Frame { arms, apart, axis, .. } = Frame::of(hold);
+    /// Stores a joint in one lane, with the present pose of its bodies.
+    pub(super) fn set_joint(&mut self, lane: usize, joint: &JointConstraint, bodies: &BodySet) {
+        let JointFrame { arms, origin_offset: apart, axis, .. } = JointFrame::of(joint);
         for side in [0, 1] {
-            let end = &hold.ends[side];
-            let is_listed = (end.pose as usize) < bodies.hot.len();
-            self.bodies[side][lane] = if is_listed { end.pose } else { 0 };
-            let [mass, inertia] = if end.body == 0 { [0.0; 2] } else { bodies.inverses[end.body as usize] };
-            put(&mut self.inverse_masses[side], lane, mass.into());
-            put(&mut self.inverse_inertias[side], lane, inertia.into());
-            (0..2).for_each(|i| put(&mut self.arms[side][i], lane, arms[side][i]));
+            let end = &joint.anchors[side];
+            let is_listed = (end.pose_body as usize) < bodies.states.len();
+            self.bodies[side][lane] = if is_listed { end.pose_body } else { 0 };
+            let [mass, inertia] =
+                if end.body == 0 { [0.0; 2] } else { bodies.inverse_mass_inertia[end.body as usize] };
+            set_lane_rounded(&mut self.inverse_masses[side], lane, mass.into());
+            set_lane_rounded(&mut self.inverse_inertias[side], lane, inertia.into());
+            (0..2).for_each(|i| set_lane_rounded(&mut self.arms[side][i], lane, arms[side][i]));
         }
         for i in 0..2 {
-            put(&mut self.apart[i], lane, apart[i]);
-            put(&mut self.axis[i], lane, axis[i]);
+            set_lane_rounded(&mut self.origin_offset[i], lane, apart[i]);
+            set_lane_rounded(&mut self.axis[i], lane, axis[i]);
         }
     }
 
-    /// Velocities of both bodies.
+    /// Returns the velocities of A and B in the world: x, y, angular, z, in length units/s and radians/s.
     #[inline(always)]
-    pub(super) fn velocities(&self, hot: &[Hot]) -> [Motion; 2] {
-        self.bodies.map(|of| f32x4::transpose(of.map(|body| f32x4::new(hot[body as usize].velocity))))
+    pub(super) fn velocities(&self, states: &[MotionState]) -> [VelocityLanes; 2] {
+        self.bodies.map(|of| f32x4::transpose(of.map(|body| f32x4::new(states[body as usize].velocity))))
     }
 
-    /// Bodies that give way take over these velocities.
+    /// Stores the velocities of A and B (x, y, angular, z) in `states`, for the dynamic bodies.
     #[inline(always)]
-    pub(super) fn write(&self, hot: &mut [Hot], velocities: [Motion; 2]) {
+    pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [VelocityLanes; 2]) {
         for (side, velocities) in velocities.into_iter().enumerate() {
             let rows = f32x4::transpose(velocities);
-            self.for_each_body(side, |lane, body| hot[body].velocity = rows[lane].to_array());
+            self.for_each_movable_body(side, |lane, body| states[body].velocity = rows[lane].to_array());
         }
     }
 
-    /// Lanes and bodies that give way.
+    /// Calls `visit` with lane and body index for each dynamic body on `side`: 0 (A) or 1 (B).
     #[inline(always)]
-    fn for_each_body(&self, side: usize, mut act: impl FnMut(usize, usize)) {
+    fn for_each_movable_body(&self, side: usize, mut visit: impl FnMut(usize, usize)) {
         let (masses, inertias) =
             (self.inverse_masses[side].to_array(), self.inverse_inertias[side].to_array());
         for lane in 0..4 {
             if masses[lane] > 0.0 || inertias[lane] > 0.0 {
-                act(lane, self.bodies[side][lane] as usize);
+                visit(lane, self.bodies[side][lane] as usize);
             }
         }
     }
 
-    /// Relative velocities of the rows.
+    /// Returns the relative velocities of the rows for the velocities of A and B, J v: length units/s, in the angular row
+    /// radians/s.
     #[inline(always)]
-    pub(super) fn relative(&self, [a, b]: &[Motion; 2]) -> Rows {
+    pub(super) fn relative_velocities(&self, [a, b]: &[VelocityLanes; 2]) -> RowLanes {
         let ([nx, ny], [x, y, spin]) = (self.normal, [b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
-        let [[along_a, across_a], [along_b, across_b]] = self.angular;
+        let [[along_a, across_a], [along_b, across_b]] = self.angular_jacobian;
         [
             x * nx + y * ny + (b[2] * along_b - a[2] * along_a),
             spin,
@@ -142,138 +156,151 @@ impl BlockPair {
         ]
     }
 
-    /// Changes of velocity of both bodies by impulses of the rows.
+    /// Returns the velocity changes M^-1 J^T l of A and B by the impulses l of the rows: x and y in length units/s, angular in
+    /// radians/s.
     #[inline(always)]
-    pub(super) fn yields(&self, [along, angle, across]: Rows) -> [[Lanes; 3]; 2] {
+    pub(super) fn velocity_changes(&self, [along, angle, across]: RowLanes) -> [[JointLanes; 3]; 2] {
         let [nx, ny] = self.normal;
         let (x, y) = (along * nx + across * ny, along * ny - across * nx);
-        let change = |side: usize, sign: Lanes| {
+        let change = |side: usize, sign: JointLanes| {
             let (mass, inertia) = (sign * self.inverse_masses[side], sign * self.inverse_inertias[side]);
-            let [along_arm, across_arm] = self.angular[side];
+            let [along_arm, across_arm] = self.angular_jacobian[side];
             [mass * x, mass * y, inertia * (along * along_arm + angle + across * across_arm)]
         };
         [change(0, f32x4::splat(-1.0)), change(1, f32x4::splat(1.0))]
     }
 
-    /// Impulses of the rows act on these velocities.
+    /// Applies the impulses of the rows to the velocities of A and B (x, y, angular).
     #[inline(always)]
-    pub(super) fn push(&self, velocities: &mut [Motion; 2], impulses: Rows) {
-        for (velocity, change) in velocities.iter_mut().zip(self.yields(impulses)) {
+    pub(super) fn apply_impulses(&self, velocities: &mut [VelocityLanes; 2], impulses: RowLanes) {
+        for (velocity, change) in velocities.iter_mut().zip(self.velocity_changes(impulses)) {
             (0..3).for_each(|i| velocity[i] += change[i]);
         }
     }
 
-    /// Masks of joints of which a body has one, of masks by body number.
-    pub(super) fn mask(&self, masks: &[u32]) -> Lanes {
+    /// Returns a mask with all bits set in the lanes of joints of which a body is marked. `masks` has for each body index all
+    /// bits set if the body is marked, else 0.
+    pub(super) fn marked_lanes(&self, masks: &[u32]) -> JointLanes {
         let [a, b] = self.bodies;
         let of = |body: u32| if body == 0 { 0 } else { masks.get(body as usize).copied().unwrap_or(0) };
         f32x4::new(std::array::from_fn(|lane| f32::from_bits(of(a[lane]) | of(b[lane]))))
     }
 
-    /// Gives the bodies of these lanes that give way a mask, and lists those that had none.
-    pub(super) fn mark(&self, lanes: Lanes, masks: &mut [u32], list: &mut Vec<u32>) {
+    /// Marks the dynamic bodies of the joints in `lanes`: sets all bits in `masks`, and appends the indices of newly marked
+    /// bodies to `marked`.
+    pub(super) fn mark_bodies(&self, lanes: JointLanes, masks: &mut [u32], marked: &mut Vec<u32>) {
         for side in [0, 1] {
-            self.for_each_body(side, |lane, body| {
+            self.for_each_movable_body(side, |lane, body| {
                 if lanes.to_array()[lane].to_bits() != 0 && std::mem::replace(&mut masks[body], !0) == 0 {
-                    list.push(body as u32);
+                    marked.push(body as u32);
                 }
             });
         }
     }
 
-    /// Impulses are to act at the beginning of every substep: adds what they do to these sums by body.
-    pub(super) fn add(&self, sums: &mut [[f32; 4]], impulses: Rows) {
-        self.add_changes(sums, self.yields(impulses));
+    /// Adds the velocity changes by impulses of the rows to `sums`, the warm-start sums by body index.
+    pub(super) fn add_warm_start(&self, sums: &mut [[f32; 4]], impulses: RowLanes) {
+        self.add_changes(sums, self.velocity_changes(impulses));
     }
 
-    fn add_changes(&self, sums: &mut [[f32; 4]], changes: [[Lanes; 3]; 2]) {
+    fn add_changes(&self, sums: &mut [[f32; 4]], changes: [[JointLanes; 3]; 2]) {
         for (side, [x, y, turn]) in changes.into_iter().enumerate() {
             let rows = f32x4::transpose([x, y, turn, ZERO]);
-            self.for_each_body(side, |lane, body| {
+            self.for_each_movable_body(side, |lane, body| {
                 sums[body] = (f32x4::new(sums[body]) + rows[lane]).to_array();
             });
         }
     }
 
-    /// K = J M^-1 J^T: its diagonal, and the products of rows 0 and 1, 0 and 2, 1 and 2. With long arms f32 would lose the masses in
-    /// it.
-    pub(super) fn matrix(&self) -> [[f64x4; 3]; 2] {
-        let linear = wide(self.inverse_masses[0]) + wide(self.inverse_masses[1]);
-        let [ia, ib] = self.inverse_inertias.map(wide);
-        let [[na, ta], [nb, tb]] = self.angular.map(|of_side| of_side.map(wide));
+    /// Returns K = J M^-1 J^T, the inverse of the effective mass: its diagonal, and its elements 10, 20 and 21 (row and column
+    /// number).
+    ///
+    /// K is in 1/(mass units); the angular row and the angular column each divide by length units. The sums are in f64: with
+    /// long arms, f32 would round the inverse masses away.
+    pub(super) fn inverse_effective_mass(&self) -> [[f64x4; 3]; 2] {
+        let linear = to_f64(self.inverse_masses[0]) + to_f64(self.inverse_masses[1]);
+        let [ia, ib] = self.inverse_inertias.map(to_f64);
+        let [[na, ta], [nb, tb]] = self.angular_jacobian.map(|of_side| of_side.map(to_f64));
         [
             [linear + (ia * na * na + ib * nb * nb), ia + ib, linear + (ia * ta * ta + ib * tb * tb)],
             [ia * na + ib * nb, ia * na * ta + ib * nb * tb, ia * ta + ib * tb],
         ]
     }
 
-    /// From the anchors of the first bodies to those of the second.
+    /// Returns the vector from anchor A to anchor B in world coordinates, length units.
     #[inline(always)]
-    fn gap(&self) -> [Lanes; 2] {
-        std::array::from_fn(|i| self.apart[i] + self.arms[1][i] - self.arms[0][i])
+    fn anchor_offset(&self) -> [JointLanes; 2] {
+        std::array::from_fn(|i| self.origin_offset[i] + self.arms[1][i] - self.arms[0][i])
     }
 
-    /// The position errors along n and t, with the distance in place of the first one between anchors that keep theirs, and the way
-    /// along the axis of prismatic joints.
-    pub(super) fn places(&self) -> ([Lanes; 2], Lanes) {
-        let ([x, y], [nx, ny]) = (self.gap(), self.normal);
+    /// Returns the positions of B's anchor relative to A's along n and t, and that along the axis of prismatic joints, all in
+    /// length units.
+    ///
+    /// For pin and slider joints, the position along n is the distance of the anchors.
+    pub(super) fn positions(&self) -> ([JointLanes; 2], JointLanes) {
+        let ([x, y], [nx, ny]) = (self.anchor_offset(), self.normal);
         ([x * nx + y * ny, x * ny - y * nx], x * self.axis[0] + y * self.axis[1])
     }
 
-    /// The Jacobian follows the poses.
-    pub(super) fn follow(&mut self) {
-        let [x, y] = self.gap();
-        self.normal = match self.way {
-            Normal::Fixed => [f32x4::splat(1.0), ZERO],
-            Normal::Axis => [ZERO - self.axis[1], self.axis[0]],
-            Normal::Line => {
+    /// Computes the normals and Jacobians of the present poses.
+    pub(super) fn update_jacobian(&mut self) {
+        let [x, y] = self.anchor_offset();
+        self.normal = match self.direction {
+            RowDirection::Fixed => [f32x4::splat(1.0), ZERO],
+            RowDirection::AcrossAxis => [ZERO - self.axis[1], self.axis[0]],
+            RowDirection::BetweenAnchors => {
                 let distance = (x * x + y * y).sqrt();
                 let is_apart = distance.simd_gt(ZERO);
                 [select(is_apart, x / distance, f32x4::splat(1.0)), (y / distance) & is_apart]
             }
         };
         let ([nx, ny], [[ax, ay], [bx, by]]) = (self.normal, self.arms);
-        // A prismatic joint acts on both bodies at the second anchor.
-        let [ax, ay] = if self.way == Normal::Axis { [ax + x, ay + y] } else { [ax, ay] };
-        let angular = |x: Lanes, y: Lanes| [x * ny - y * nx, ZERO - (x * nx + y * ny)];
-        self.angular = [angular(ax, ay), angular(bx, by)];
+        // The constraint impulse of a prismatic joint acts on both bodies at anchor B.
+        let [ax, ay] = if self.direction == RowDirection::AcrossAxis { [ax + x, ay + y] } else { [ax, ay] };
+        let angular = |x: JointLanes, y: JointLanes| [x * ny - y * nx, ZERO - (x * nx + y * ny)];
+        self.angular_jacobian = [angular(ax, ay), angular(bx, by)];
     }
 
-    /// Bodies have moved. Impulses that act again at the beginning of the next substep get the arms and directions of that: left as
-    /// they were, they would gain energy where bodies turn.
-    pub(super) fn advance(&mut self, bodies: &mut Bodies, impulses: Rows) {
-        let before = self.yields(impulses);
-        let [a, b]: [Motion; 2] =
-            self.bodies.map(|of| f32x4::transpose(of.map(|body| f32x4::new(bodies.hot[body as usize].step))));
+    /// Updates poses and Jacobians after the bodies have moved in a substep, and corrects the next warm start.
+    ///
+    /// `impulses` are the accumulated impulses of the rows. They act again at the start of the next substep, with the arms and
+    /// normals after the motion. With the arms and normals before it, the impulses would add energy to bodies that rotate.
+    pub(super) fn advance_poses(&mut self, bodies: &mut BodySet, impulses: RowLanes) {
+        let before = self.velocity_changes(impulses);
+        let [a, b]: [VelocityLanes; 2] = self
+            .bodies
+            .map(|of| f32x4::transpose(of.map(|body| f32x4::new(bodies.states[body as usize].displacement))));
         for (arm, turn) in self.arms.iter_mut().zip([a[2], b[2]]) {
-            *arm = turned(*arm, turn_of(turn));
+            *arm = rotated(*arm, sin_cos_of_rotations(turn));
         }
-        if self.way == Normal::Axis {
-            self.axis = turned(self.axis, turn_of(a[2]));
+        if self.direction == RowDirection::AcrossAxis {
+            self.axis = rotated(self.axis, sin_cos_of_rotations(a[2]));
         }
-        (0..2).for_each(|i| self.apart[i] += b[i] - a[i]);
-        self.turned += b[2] - a[2];
-        self.follow();
-        let after = self.yields(impulses);
+        (0..2).for_each(|i| self.origin_offset[i] += b[i] - a[i]);
+        self.relative_rotation += b[2] - a[2];
+        self.update_jacobian();
+        let after = self.velocity_changes(impulses);
         let changes = [0, 1].map(|side| std::array::from_fn(|i| before[side][i] - after[side][i]));
-        self.add_changes(&mut bodies.begun, changes);
+        self.add_changes(&mut bodies.warm_started_velocity, changes);
     }
 }
 
-/// Sine and cosine of angles in radians.
+/// Returns sine and cosine of angles in radians.
 #[inline(always)]
-fn turn_of(angles: Lanes) -> (Lanes, Lanes) {
-    let is_small = (angles * angles).simd_lt(f32x4::splat(10.0));
-    if is_small.all() { sin_cos(angles) } else { turn_of_any(angles) }
+fn sin_cos_of_rotations(angles: JointLanes) -> (JointLanes, JointLanes) {
+    let are_small = (angles * angles).simd_lt(f32x4::splat(10.0));
+    if are_small.all() { sin_cos(angles) } else { sin_cos_of_large_rotations(angles) }
 }
 
+/// Returns sine and cosine of angles of any size in radians, computed one lane at a time.
 #[cold]
-fn turn_of_any(angles: Lanes) -> (Lanes, Lanes) {
+fn sin_cos_of_large_rotations(angles: JointLanes) -> (JointLanes, JointLanes) {
     let of_each = angles.to_array().map(sin_cos_of_any);
     (f32x4::new(of_each.map(|(sine, _)| sine)), f32x4::new(of_each.map(|(_, cosine)| cosine)))
 }
 
+/// Returns vectors rotated by angles, which are given by sine and cosine.
 #[inline(always)]
-fn turned([x, y]: [Lanes; 2], (sine, cosine): (Lanes, Lanes)) -> [Lanes; 2] {
+fn rotated([x, y]: [JointLanes; 2], (sine, cosine): (JointLanes, JointLanes)) -> [JointLanes; 2] {
     [cosine * x - sine * y, sine * x + cosine * y]
 }

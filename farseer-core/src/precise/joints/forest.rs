@@ -1,151 +1,166 @@
-//! Which joints make trees, and in which order their bodies come.
+//! Spanning forest of the joint graph: which joints form trees, and in which order the bodies of a tree are listed.
+//!
+//! Joints are taken in the order of the list. A joint becomes an edge of a tree if its bodies are not connected yet
+//! (union-find, as in Kruskal's algorithm), else it closes a loop. Bounded joints never become edges. The module reads
+//! [`JointEdge`]s and writes [`ArticulationPlan`]s.
 
-use super::hold::Key;
+use super::joint_constraint::JointEdge;
 
-/// In place of a body's place in its group: it is in none.
-pub(super) const GROUND: u32 = u32::MAX;
+/// Value instead of a tree index for a body that is in no tree.
+pub(super) const NO_TREE_INDEX: u32 = u32::MAX;
 
-/// A body's place in a group.
+/// Entry of a body in the list of an articulation's tree entries.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Seat {
+pub(super) struct TreeEntry {
+    /// Index of the body into the arrays of `BodySet`; 0 for the world.
     pub(super) body: u32,
-    /// The place of a seat before this one in the group; a root's own.
+    /// Index of the parent's entry, which comes earlier in the list; for a root, the index of the root's own entry.
     pub(super) parent: u32,
-    /// The joint with the parent. A root has none; it is the world if the body's number is 0.
-    pub(super) hold: Option<u32>,
+    /// Index of the joint between the body and its parent; `None` for a root. A root with body index 0 is the world.
+    pub(super) joint: Option<u32>,
 }
 
-/// Bodies that joints tie to each other, not counting the world.
+/// An articulation: dynamic bodies that joints connect. Joints with the world do not connect bodies with each other.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Group {
-    /// Tree after tree, parents before their children.
-    pub(super) seats: Vec<Seat>,
-    /// All joints, and those that are in no tree because they close a loop or may give way.
+pub(super) struct ArticulationPlan {
+    /// Entries of the articulation's trees, one tree after the other, parents before children.
+    pub(super) entries: Vec<TreeEntry>,
+    /// Indices of all joints of the articulation.
     pub(super) joints: Vec<u32>,
-    pub(super) loose: Vec<u32>,
+    /// Indices of the joints that are in no tree, because they close a loop or are bounded.
+    pub(super) non_tree_joints: Vec<u32>,
 }
 
-impl Group {
-    /// Joints that were given by their places in a list go by what stands there.
-    pub(super) fn name_holds(&mut self, names: &[u32]) {
-        let of_seats = self.seats.iter_mut().filter_map(|seat| seat.hold.as_mut());
-        for at in of_seats.chain(&mut self.joints).chain(&mut self.loose) {
+impl ArticulationPlan {
+    /// Replaces each joint index i in the plan by `names[i]`, an index into the list of all joints.
+    pub(super) fn map_joint_indices(&mut self, names: &[u32]) {
+        let of_entries = self.entries.iter_mut().filter_map(|entry| entry.joint.as_mut());
+        for at in of_entries.chain(&mut self.joints).chain(&mut self.non_tree_joints) {
             *at = names[*at as usize];
         }
     }
 }
 
-/// The plan.
+/// Trees and articulations of a list of joints.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Forest {
-    pub(super) groups: Vec<Group>,
-    /// By body number: its place in its group.
-    pub(super) seat_of: Vec<u32>,
+pub(super) struct SpanningForest {
+    /// Articulations in the order of their first joints.
+    pub(super) articulations: Vec<ArticulationPlan>,
+    /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`].
+    pub(super) tree_index_of: Vec<u32>,
 }
 
-/// Which bodies are joined so far.
-struct Joined(Vec<u32>);
+/// Union-find of bodies that joints connect. For each body index it holds the index of a body nearer to the root of the set.
+struct JointUnionFind(Vec<u32>);
 
-impl Joined {
+impl JointUnionFind {
     fn new(bodies: usize) -> Self {
-        Joined((0..bodies as u32).collect())
+        JointUnionFind((0..bodies as u32).collect())
     }
 
-    fn root(&mut self, mut body: u32) -> u32 {
+    /// Returns the root of a body's set, with path halving. The root is the smallest body index of the set.
+    fn find(&mut self, mut body: u32) -> u32 {
         while self.0[body as usize] != body {
-            let above = self.0[body as usize];
-            self.0[body as usize] = self.0[above as usize];
-            body = above;
+            let parent = self.0[body as usize];
+            self.0[body as usize] = self.0[parent as usize];
+            body = parent;
         }
         body
     }
 
-    /// Answers whether they were not joined before.
-    fn join(&mut self, [a, b]: [u32; 2]) -> bool {
-        let (a, b) = (self.root(a), self.root(b));
+    /// Unites the sets of two bodies. Returns whether the sets were different.
+    fn union(&mut self, [a, b]: [u32; 2]) -> bool {
+        let (a, b) = (self.find(a), self.find(b));
         self.0[a.max(b) as usize] = a.min(b);
         a != b
     }
 }
 
-/// What seats bodies.
-struct Planting<'a> {
-    keys: &'a [Key],
-    /// By body: joints of trees, and who is on their other side.
+/// Builder of the tree entries of all articulations.
+struct ForestBuilder<'a> {
+    /// Joints in the order of the list of joints.
+    edges: &'a [JointEdge],
+    /// For each body index: edges of trees, as (joint index, index of the body on the other side).
     neighbours: Vec<Vec<(u32, u32)>>,
-    seat_of: Vec<u32>,
+    /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`].
+    tree_index_of: Vec<u32>,
 }
 
-impl Forest {
-    /// Plans for joints in their order, and bodies of numbers below `bodies`. Number 0 is the world: two joints of a tree
-    /// with it close a loop as well.
-    pub(super) fn new(keys: &[Key], bodies: usize) -> Self {
-        let (mut in_trees, mut in_groups) = (Joined::new(bodies), Joined::new(bodies));
+impl SpanningForest {
+    /// Returns the forest of the joints `edges`, for body indices below `bodies`.
+    ///
+    /// Index 0 is the world. A second joint with the world closes a loop if a tree connects its body with the first one's.
+    pub(super) fn new(edges: &[JointEdge], bodies: usize) -> Self {
+        let (mut in_trees, mut in_articulations) = (JointUnionFind::new(bodies), JointUnionFind::new(bodies));
         let mut neighbours = vec![Vec::new(); bodies];
-        let mut is_loose = vec![false; keys.len()];
-        for (at, key) in keys.iter().enumerate() {
-            let [a, b] = key.bodies;
+        let mut is_non_tree = vec![false; edges.len()];
+        for (at, edge) in edges.iter().enumerate() {
+            let [a, b] = edge.bodies;
             if a != 0 && b != 0 {
-                in_groups.join(key.bodies);
+                in_articulations.union(edge.bodies);
             }
-            is_loose[at] = key.is_bounded || !in_trees.join(key.bodies);
-            if !is_loose[at] {
+            is_non_tree[at] = edge.is_bounded || !in_trees.union(edge.bodies);
+            if !is_non_tree[at] {
                 neighbours[a as usize].push((at as u32, b));
                 neighbours[b as usize].push((at as u32, a));
             }
         }
-        let mut members: Vec<Vec<u32>> = Vec::new();
-        let mut group_of = vec![None; bodies];
-        for (at, key) in keys.iter().enumerate() {
-            let root = in_groups.root(key.bodies[0].max(key.bodies[1]));
-            let group = *group_of[root as usize].get_or_insert_with(|| {
-                members.push(Vec::new());
-                members.len() - 1
+        let mut members_of: Vec<Vec<u32>> = Vec::new();
+        let mut articulation_of = vec![None; bodies];
+        for (at, key) in edges.iter().enumerate() {
+            let root = in_articulations.find(key.bodies[0].max(key.bodies[1]));
+            let articulation = *articulation_of[root as usize].get_or_insert_with(|| {
+                members_of.push(Vec::new());
+                members_of.len() - 1
             });
-            members[group].push(at as u32);
+            members_of[articulation].push(at as u32);
         }
-        let mut planting = Planting { keys, neighbours, seat_of: vec![GROUND; bodies] };
-        let groups = members.iter().map(|members| planting.group(members, &is_loose)).collect();
-        Forest { groups, seat_of: planting.seat_of }
+        let mut builder = ForestBuilder { edges, neighbours, tree_index_of: vec![NO_TREE_INDEX; bodies] };
+        let groups =
+            members_of.iter().map(|members| builder.build_articulation(members, &is_non_tree)).collect();
+        SpanningForest { articulations: groups, tree_index_of: builder.tree_index_of }
     }
 }
 
-impl Planting<'_> {
-    fn group(&mut self, members: &[u32], is_loose: &[bool]) -> Group {
-        let mut group = Group::default();
-        for &at in members.iter().filter(|&&at| !is_loose[at as usize]) {
-            let [a, b] = self.keys[at as usize].bodies;
+impl ForestBuilder<'_> {
+    /// Returns the articulation of the joints with the indices `members`: first the trees at the world, then the free trees.
+    fn build_articulation(&mut self, members: &[u32], is_non_tree: &[bool]) -> ArticulationPlan {
+        let mut articulation = ArticulationPlan::default();
+        for &at in members.iter().filter(|&&at| !is_non_tree[at as usize]) {
+            let [a, b] = self.edges[at as usize].bodies;
             if a == 0 || b == 0 {
-                let root = group.seats.len() as u32;
-                group.seats.push(Seat { body: 0, parent: root, hold: None });
-                self.seat(&mut group, a.max(b), root, Some(at));
-                self.grow(&mut group);
+                let root = articulation.entries.len() as u32;
+                articulation.entries.push(TreeEntry { body: 0, parent: root, joint: None });
+                self.add_entry(&mut articulation, a.max(b), root, Some(at));
+                self.grow_tree(&mut articulation);
             }
         }
-        for body in members.iter().flat_map(|&at| self.keys[at as usize].bodies) {
-            if body != 0 && self.seat_of[body as usize] == GROUND {
-                let root = group.seats.len() as u32;
-                self.seat(&mut group, body, root, None);
-                self.grow(&mut group);
+        for body in members.iter().flat_map(|&at| self.edges[at as usize].bodies) {
+            if body != 0 && self.tree_index_of[body as usize] == NO_TREE_INDEX {
+                let root = articulation.entries.len() as u32;
+                self.add_entry(&mut articulation, body, root, None);
+                self.grow_tree(&mut articulation);
             }
         }
-        group.joints = members.to_vec();
-        group.loose = members.iter().copied().filter(|&at| is_loose[at as usize]).collect();
-        group
+        articulation.joints = members.to_vec();
+        articulation.non_tree_joints =
+            members.iter().copied().filter(|&at| is_non_tree[at as usize]).collect();
+        articulation
     }
 
-    fn seat(&mut self, group: &mut Group, body: u32, parent: u32, hold: Option<u32>) {
-        self.seat_of[body as usize] = group.seats.len() as u32;
-        group.seats.push(Seat { body, parent, hold });
+    /// Appends an entry for a body to the articulation.
+    fn add_entry(&mut self, articulation: &mut ArticulationPlan, body: u32, parent: u32, joint: Option<u32>) {
+        self.tree_index_of[body as usize] = articulation.entries.len() as u32;
+        articulation.entries.push(TreeEntry { body, parent, joint });
     }
 
-    /// Seats all that hang on the last seat.
-    fn grow(&mut self, group: &mut Group) {
-        let mut at = group.seats.len() - 1;
-        while let Some(&seat) = group.seats.get(at) {
-            for (hold, body) in std::mem::take(&mut self.neighbours[seat.body as usize]) {
-                if body != 0 && self.seat_of[body as usize] == GROUND {
-                    self.seat(group, body, at as u32, Some(hold));
+    /// Appends the entries of all bodies below the last entry of the articulation, breadth first.
+    fn grow_tree(&mut self, articulation: &mut ArticulationPlan) {
+        let mut at = articulation.entries.len() - 1;
+        while let Some(&entry) = articulation.entries.get(at) {
+            for (joint, body) in std::mem::take(&mut self.neighbours[entry.body as usize]) {
+                if body != 0 && self.tree_index_of[body as usize] == NO_TREE_INDEX {
+                    self.add_entry(articulation, body, at as u32, Some(joint));
                 }
             }
             at += 1;
@@ -155,42 +170,43 @@ impl Planting<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Forest, Key};
+    use super::{JointEdge, SpanningForest};
 
-    fn plan(pairs: &[[u32; 2]], bodies: usize) -> Forest {
-        let keys: Vec<Key> = pairs.iter().map(|&bodies| Key { bodies, is_bounded: false }).collect();
-        Forest::new(&keys, bodies)
+    fn plan(pairs: &[[u32; 2]], bodies: usize) -> SpanningForest {
+        let edges: Vec<JointEdge> =
+            pairs.iter().map(|&bodies| JointEdge { bodies, is_bounded: false }).collect();
+        SpanningForest::new(&edges, bodies)
     }
 
-    fn seats(forest: &Forest, group: usize) -> Vec<(u32, u32)> {
-        forest.groups[group].seats.iter().map(|seat| (seat.body, seat.parent)).collect()
+    fn entries(forest: &SpanningForest, articulation: usize) -> Vec<(u32, u32)> {
+        forest.articulations[articulation].entries.iter().map(|entry| (entry.body, entry.parent)).collect()
     }
 
     #[test]
-    fn a_chain_that_hangs_is_one_tree_in_its_order() {
+    fn a_hanging_chain_is_one_tree_in_joint_order() {
         let forest = plan(&[[1, 2], [0, 1], [2, 3]], 4);
-        assert_eq!(seats(&forest, 0), [(0, 0), (1, 0), (2, 1), (3, 2)]);
-        assert!(forest.groups[0].loose.is_empty());
+        assert_eq!(entries(&forest, 0), [(0, 0), (1, 0), (2, 1), (3, 2)]);
+        assert!(forest.articulations[0].non_tree_joints.is_empty());
     }
 
     #[test]
-    fn the_joint_that_closes_a_loop_is_in_no_tree() {
-        assert_eq!(plan(&[[0, 1], [1, 2], [2, 0]], 3).groups[0].loose, [2]);
-        assert_eq!(plan(&[[1, 2], [2, 3], [3, 1]], 4).groups[0].loose, [2]);
+    fn a_loop_closure_is_in_no_tree() {
+        assert_eq!(plan(&[[0, 1], [1, 2], [2, 0]], 3).articulations[0].non_tree_joints, [2]);
+        assert_eq!(plan(&[[1, 2], [2, 3], [3, 1]], 4).articulations[0].non_tree_joints, [2]);
     }
 
     #[test]
-    fn what_is_fixed_to_the_world_apart_makes_two_groups() {
+    fn joints_with_the_world_connect_no_articulations() {
         let forest = plan(&[[0, 1], [0, 2]], 3);
-        assert_eq!(forest.groups.len(), 2);
-        assert_eq!((seats(&forest, 0), seats(&forest, 1)), (vec![(0, 0), (1, 0)], vec![(0, 0), (2, 0)]));
+        assert_eq!(forest.articulations.len(), 2);
+        assert_eq!((entries(&forest, 0), entries(&forest, 1)), (vec![(0, 0), (1, 0)], vec![(0, 0), (2, 0)]));
     }
 
     #[test]
-    fn two_trees_with_a_loop_between_them_are_one_group() {
+    fn a_loop_closure_connects_two_trees_to_one_articulation() {
         let forest = plan(&[[0, 1], [0, 2], [1, 2]], 3);
-        assert_eq!(forest.groups.len(), 1);
-        assert_eq!(seats(&forest, 0), [(0, 0), (1, 0), (0, 2), (2, 2)]);
-        assert_eq!(forest.groups[0].loose, [2]);
+        assert_eq!(forest.articulations.len(), 1);
+        assert_eq!(entries(&forest, 0), [(0, 0), (1, 0), (0, 2), (2, 2)]);
+        assert_eq!(forest.articulations[0].non_tree_joints, [2]);
     }
 }

@@ -1,81 +1,101 @@
-//! The relative pose of the two bodies of a joint, and the Jacobian of its rows there.
+//! Relative pose of the two bodies of a joint, and the Jacobian of the joint's rows at this pose.
+//!
+//! The direct solver and the soft rows of the iterative solver read from here the Jacobian, the position errors, and the
+//! coordinate that motor and limits act on.
 
-use super::super::direct::block::Triple;
-use super::super::direct::constraint::Jacobian;
-use super::hold::{End, Hold};
-use super::swing::{turn, turned};
-use super::tree::{Link, Vector, dot, plus};
+use super::super::direct_solver::constraint::Jacobian;
+use super::super::direct_solver::mat3::Vec3;
+use super::articulated_body::{LockedDofs, Vec2, add_scaled, dot};
+use super::articulation_step::{cos_sin, rotate};
+use super::joint_constraint::{JointAnchor, JointConstraint};
 
-/// Where the two bodies of a joint are against each other.
+/// Relative pose of the two bodies of a joint, or of a spring, in world coordinates.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
-    pub(super) link: Link,
-    /// From the origin of each body to its anchor.
-    pub(super) arms: [Vector; 2],
-    /// From the origin of the first body to that of the second.
-    pub(super) apart: Vector,
-    /// Angle of the second body against the first, in radians.
+pub(super) struct JointFrame {
+    /// Degrees of freedom that the joint locks between both bodies.
+    pub(super) locked: LockedDofs,
+    /// Arms: vectors from the centre of mass of each body to its anchor, in world coordinates. Unit: length units.
+    pub(super) arms: [Vec2; 2],
+    /// Vector from the centre of mass of the first body to that of the second, in world coordinates. Unit: length units.
+    pub(super) origin_offset: Vec2,
+    /// Angle of the second body minus that of the first. Unit: radians.
     pub(super) angle: f64,
-    /// The axis of a prismatic joint, in world coordinates.
-    pub(super) axis: Vector,
+    /// Axis of a prismatic joint in world coordinates, a unit vector; 0 for other joints.
+    pub(super) axis: Vec2,
 }
 
-impl Frame {
-    pub(super) fn of(hold: &Hold) -> Self {
-        Frame { axis: hold.axis, ..Frame::between(hold.link, &hold.ends, hold.angle) }
+impl JointFrame {
+    /// Returns the relative pose of a joint's bodies when the step begins.
+    pub(super) fn of(constraint: &JointConstraint) -> Self {
+        JointFrame {
+            axis: constraint.axis,
+            ..JointFrame::between(constraint.locked, &constraint.anchors, constraint.angle)
+        }
     }
 
-    /// Of a link without an axis, at this angle.
-    pub(super) fn between(link: Link, [first, second]: &[End; 2], angle: f64) -> Self {
+    /// Returns the relative pose of the bodies of a joint without an axis. `angle` is the angle of the second body minus that
+    /// of the first, in radians.
+    pub(super) fn between(locked: LockedDofs, [first, second]: &[JointAnchor; 2], angle: f64) -> Self {
         let arms = [first.arm, second.arm];
-        Frame { link, arms, apart: plus(second.place, first.place, -1.0), angle, axis: [0.0; 2] }
+        JointFrame {
+            locked,
+            arms,
+            origin_offset: add_scaled(second.position, first.position, -1.0),
+            angle,
+            axis: [0.0; 2],
+        }
     }
 
-    /// After these displacements of both bodies: x, y and angle.
-    pub(super) fn displaced(mut self, [a, b]: [Triple; 2]) -> Self {
-        let turns = [turn(a[2]), turn(b[2])];
-        self.arms = [turned(turns[0], self.arms[0]), turned(turns[1], self.arms[1])];
-        self.apart = [self.apart[0] + b[0] - a[0], self.apart[1] + b[1] - a[1]];
+    /// Returns the relative pose after the displacements `a` and `b` of the first and the second body: x and y in length units,
+    /// angle in radians.
+    pub(super) fn displaced(mut self, [a, b]: [Vec3; 2]) -> Self {
+        let rotations = [cos_sin(a[2]), cos_sin(b[2])];
+        self.arms = [rotate(rotations[0], self.arms[0]), rotate(rotations[1], self.arms[1])];
+        self.origin_offset = [self.origin_offset[0] + b[0] - a[0], self.origin_offset[1] + b[1] - a[1]];
         self.angle += b[2] - a[2];
-        self.axis = turned(turns[0], self.axis);
+        self.axis = rotate(rotations[0], self.axis);
         self
     }
 
-    /// From the anchor of the first body to that of the second.
-    pub(super) fn gap(&self) -> Vector {
-        plus(plus(self.apart, self.arms[1], 1.0), self.arms[0], -1.0)
+    /// Returns the vector from the first anchor to the second, in world coordinates. Unit: length units.
+    pub(super) fn anchor_offset(&self) -> Vec2 {
+        add_scaled(add_scaled(self.origin_offset, self.arms[1], 1.0), self.arms[0], -1.0)
     }
 
+    /// Returns the distance between the anchors. Unit: length units, >= 0.
     pub(super) fn distance(&self) -> f64 {
-        let gap = self.gap();
-        dot(gap, gap).sqrt()
+        let offset = self.anchor_offset();
+        dot(offset, offset).sqrt()
     }
 
-    /// The direction n of the linear rows.
-    pub(super) fn normal(&self) -> Vector {
-        match self.link {
-            Link::Line => [-self.axis[1], self.axis[0]],
-            Link::Distance => {
-                let ([x, y], distance) = (self.gap(), self.distance());
+    /// Returns the unit normal n of the linear rows in world coordinates: across the axis of a prismatic joint, along a
+    /// distance joint, else (1, 0).
+    pub(super) fn normal(&self) -> Vec2 {
+        match self.locked {
+            LockedDofs::Line => [-self.axis[1], self.axis[0]],
+            LockedDofs::Distance => {
+                let ([x, y], distance) = (self.anchor_offset(), self.distance());
                 if distance > 0.0 { [x / distance, y / distance] } else { [1.0, 0.0] }
             }
             _ => [1.0, 0.0],
         }
     }
 
+    /// Returns the Jacobian of the joint's rows: along the normal, angular, and along the tangent.
     pub(super) fn jacobian(&self) -> Jacobian {
         let (n, [mut a, b]) = (self.normal(), self.arms);
-        if self.link == Link::Line {
+        if self.locked == LockedDofs::Line {
             // A prismatic joint acts on both bodies at the second anchor.
-            a = plus(a, self.gap(), 1.0);
+            a = add_scaled(a, self.anchor_offset(), 1.0);
         }
-        Jacobian::at(n, [a, b])
+        Jacobian::of_joint(n, [a, b])
     }
 
-    /// The value that motor and limits act on: radians, or length units along the axis.
+    /// Returns the coordinate that motor and limits act on. Prismatic joints: position along the axis, in length units. Other
+    /// joints: angle of the second body minus that of the first minus `reference`, in radians.
     pub(super) fn travel(&self, reference: f64) -> f64 {
-        match self.link {
-            Link::Line => dot(self.gap(), self.axis),
+        match self.locked {
+            LockedDofs::Line => dot(self.anchor_offset(), self.axis),
             _ => self.angle - reference,
         }
     }

@@ -1,201 +1,244 @@
-//! Joints as rows of an island that the [direct solver](crate::precise::direct) takes: Jacobian, bounds and position errors.
+//! Joints as rows of an island in the [direct solver](crate::precise::direct_solver): Jacobian, impulse bounds and position
+//! errors.
 //!
-//! Up to two rows are linear, along a direction n and along t = (n.y, -n.x), and one is the angle:
+//! Up to two rows are linear, along the normal n and the tangent t = (n.y, -n.x); one is angular:
 //!
-//! | joint | n | along n | angle | along t |
+//! | joint | n | row along n | angular row | row along t |
 //! |---|---|---|---|---|
-//! | revolute | (1, 0) | kept | motor and limits | kept |
-//! | weld | (1, 0) | kept | kept by its greatest impulse | kept |
-//! | prismatic | across the axis | kept | kept | motor and limits |
-//! | pin, slider | along the line between the anchors | kept, or limits | | |
-//! | angle, angle limit | | | kept, or limits | |
+//! | revolute | (1, 0) | equality | motor and limits | equality |
+//! | weld | (1, 0) | equality | equality with the largest impulse | equality |
+//! | prismatic | across the axis | equality | equality | motor and limits |
+//! | pin, slider | from anchor A to anchor B | equality, or limits | | |
+//! | angle, angle limit | | | equality, or limits | |
 //!
-//! One row is a motor and both limits of its travel.
+//! A motor and both limits of a joint share one row. "Equality" means a bilateral row.
 
-use super::super::direct::block::Triple;
-use super::super::direct::constraint::{Ends, FIXED, Jacobian};
-use super::super::direct::joint::{ACROSS, ALONG, ANGLE, Drive, JointRows};
-use super::frame::Frame;
-use super::hold::Hold;
-use super::tree::{Link, plus};
+use super::super::direct_solver::constraint::{BodyIndices, FIXED, Jacobian};
+use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE, JointRows, MotorTarget};
+use super::super::direct_solver::mat3::Vec3;
+use super::articulated_body::{LockedDofs, add_scaled};
+use super::frame::JointFrame;
+use super::joint_constraint::JointConstraint;
 
-/// A part of a step for which rows are made.
+/// The time interval for which the direct solver builds rows: a step or a fraction of it.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::precise) struct Span {
-    /// Seconds that bodies move for, and seconds that forces act for.
+pub(in crate::precise) struct StepInterval {
+    /// Time for which bodies move in the interval, seconds, > 0.
     pub(in crate::precise) dt: f64,
-    pub(in crate::precise) of_forces: f64,
-    /// Substeps of the iterative solver that forces act for, and seconds of the whole step.
-    pub(in crate::precise) substeps: f64,
-    pub(in crate::precise) of_step: f64,
+    /// Time for which forces act in the interval, seconds, > 0.
+    pub(in crate::precise) force_dt: f64,
+    /// Number of substeps of the iterative solver in `force_dt`, not always an integer. The greatest impulse of a joint is
+    /// given per substep.
+    pub(in crate::precise) force_substeps: f64,
+    /// Length of the whole step, seconds, > 0.
+    pub(in crate::precise) step_dt: f64,
 }
 
-/// The row that motor and limits act on.
-fn driven_row(link: Link) -> usize {
-    if link == Link::Line { ACROSS } else { ANGLE }
+/// Returns the row that motor and limits of a joint act on: ACROSS (along the axis) for a prismatic joint, else ANGLE.
+fn motor_row(link: LockedDofs) -> usize {
+    if link == LockedDofs::Line { ACROSS } else { ANGLE }
 }
 
-/// A bound on an impulse; what is too great to be one is none.
-fn bound(impulse: f64) -> f64 {
+/// Returns the impulse limit in the unit of `impulse`: `impulse`, or infinity if `impulse` is `f32::MAX` or more.
+fn finite_or_infinite(impulse: f64) -> f64 {
     if impulse < f64::from(f32::MAX) { impulse } else { f64::INFINITY }
 }
 
-impl Hold {
-    /// Whether the direct solver can take it: it is not soft, and no greatest impulse limits a point, whose bound is round and not
-    /// that of two rows.
-    pub(in crate::precise) fn may_be_rows(&self) -> bool {
-        self.softness == 0.0 && !(self.link == Link::Point && self.most < f64::from(f32::MAX))
+impl JointConstraint {
+    /// Returns whether the direct solver can solve the joint: it is rigid, and it is no revolute joint with a greatest impulse.
+    ///
+    /// That impulse bounds the length of a vector, which two rows with separate bounds cannot express.
+    pub(in crate::precise) fn fits_direct_solver(&self) -> bool {
+        self.softness == 0.0 && !(self.locked == LockedDofs::Point && self.max_impulse < f64::from(f32::MAX))
     }
 
-    /// Its rows in a span of the step.
-    pub(in crate::precise) fn rows(&self, ends: Ends, span: Span, lever: f64) -> JointRows {
-        let Span { dt, of_forces, substeps, of_step } = span;
-        let frame = Frame::of(self);
+    /// Returns the rows of the joint for an interval of the step, for the direct solver.
+    ///
+    /// `lever` converts angular errors to linear ones where errors are compared, length units per radian.
+    pub(in crate::precise) fn constraint_rows(
+        &self,
+        body_indices: BodyIndices,
+        interval: StepInterval,
+        lever: f64,
+    ) -> JointRows {
+        let StepInterval { dt, force_dt: of_forces, force_substeps: substeps, step_dt: of_step } = interval;
+        let frame = JointFrame::of(self);
         let jacobian = frame.jacobian();
-        let prescribed = self.prescribed(ends);
-        let impulses = self.impulses(&jacobian, of_forces);
-        let mut rows = JointRows::new(ends, jacobian, impulses, prescribed, lever);
-        let most = bound(self.most * substeps);
+        let prescribed = self.prescribed_velocities(body_indices);
+        let impulses = self.row_impulses(&jacobian, of_forces);
+        let mut rows = JointRows::new(body_indices, jacobian, impulses, prescribed, lever);
+        let max_impulse = finite_or_infinite(self.max_impulse * substeps);
         let [low, high] = self.range;
         let mut hold = |row: usize, value: f64, most: f64| {
             if low < high {
-                rows.limit(row, [value - low, high - value], Drive::NONE, [dt, most]);
+                rows.add_limited_row(row, [value - low, high - value], MotorTarget::NONE, [dt, most]);
             } else if most < f64::INFINITY {
-                rows.keep_within(row, most, value - high, self.bias_factor / of_step);
+                rows.add_bounded_row(row, most, value - high, self.bias_factor / of_step);
             } else {
-                rows.keep(row, most);
+                rows.add_bilateral_row(row, most);
             }
         };
-        match self.link {
-            Link::Distance => hold(ALONG, frame.distance(), most),
-            Link::Angle => hold(ANGLE, self.angle, most),
-            Link::Weld | Link::Line => hold(ANGLE, self.angle, most),
-            Link::Point | Link::Free | Link::Fixed => {}
+        match self.locked {
+            LockedDofs::Distance => hold(ALONG, frame.distance(), max_impulse),
+            LockedDofs::Angle => hold(ANGLE, self.angle, max_impulse),
+            LockedDofs::Weld | LockedDofs::Line => hold(ANGLE, self.angle, max_impulse),
+            LockedDofs::Point | LockedDofs::Free | LockedDofs::Fixed => {}
         }
-        if matches!(self.link, Link::Point | Link::Weld | Link::Line) {
-            rows.keep(ALONG, f64::INFINITY);
+        if matches!(self.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line) {
+            rows.add_bilateral_row(ALONG, f64::INFINITY);
         }
-        if matches!(self.link, Link::Point | Link::Weld) {
-            rows.keep(ACROSS, f64::INFINITY);
+        if matches!(self.locked, LockedDofs::Point | LockedDofs::Weld) {
+            rows.add_bilateral_row(ACROSS, f64::INFINITY);
         }
-        self.drive_rows(&mut rows, &frame, span);
+        self.add_motor_and_limits(&mut rows, &frame, interval);
         rows
     }
 
-    /// Motor and limits.
-    fn drive_rows(&self, rows: &mut JointRows, frame: &Frame, span: Span) {
+    /// Adds the row of motor and limits to `rows`, if the joint has a motor or limits.
+    fn add_motor_and_limits(&self, rows: &mut JointRows, frame: &JointFrame, interval: StepInterval) {
         let Some(drive) = &self.drive else { return };
-        let row = driven_row(self.link);
-        let motor = drive.motor().map(|motor| Drive {
+        let row = motor_row(self.locked);
+        let motor = drive.motor().map(|motor| MotorTarget {
             speed: motor.speed.into(),
-            most: bound(f64::from(motor.greatest_effort) * span.of_forces),
+            max_impulse: finite_or_infinite(f64::from(motor.greatest_effort) * interval.force_dt),
         });
         let travel = frame.travel(f64::from(drive.reference));
         match (motor, drive.limits()) {
             (motor, Some(limits)) => {
-                let room = [travel - f64::from(limits.lower), f64::from(limits.upper) - travel];
-                rows.limit(row, room, motor.unwrap_or(Drive::NONE), [span.dt, f64::INFINITY]);
+                let distances = [travel - f64::from(limits.lower), f64::from(limits.upper) - travel];
+                rows.add_limited_row(
+                    row,
+                    distances,
+                    motor.unwrap_or(MotorTarget::NONE),
+                    [interval.dt, f64::INFINITY],
+                );
             }
-            (Some(motor), None) => rows.drive(row, motor),
+            (Some(motor), None) => rows.add_motor_row(row, motor),
             (None, None) => {}
         }
     }
 
-    /// The impulses of a step by rows, from the force and torque on the second body.
-    fn impulses(&self, jacobian: &Jacobian, dt: f64) -> Triple {
+    /// Returns the row impulses on body B that the stored force and torque give in `dt` seconds, in the order along the normal,
+    /// angle, along the tangent. Unit: mass units * length units/s, for the angle mass units * length units^2/s.
+    fn row_impulses(&self, jacobian: &Jacobian, dt: f64) -> Vec3 {
         let ([nx, ny], [x, y, torque]) = (jacobian.normal, self.force.map(|force| force * dt));
         [x * nx + y * ny, torque, x * ny - y * nx]
     }
 
+    /// Returns the force on body B along x and y (mass units * length units/s^2) and the torque (mass units * length
+    /// units^2/s^2).
     pub(in crate::precise) fn force_and_torque(&self) -> [f64; 3] {
         self.force
     }
 
-    /// Force and torque on the second body by the impulses of a step.
-    pub(in crate::precise) fn bear(&mut self, rows: &JointRows, dt: f64) {
-        let (Jacobian { normal: [nx, ny], .. }, [along, angle, across]) = rows.found();
+    /// Stores the force and torque on body B: the solved impulses of `rows`, divided by the `force_dt` seconds in which they
+    /// act.
+    pub(in crate::precise) fn set_force_from_impulses(&mut self, rows: &JointRows, force_dt: f64) {
+        let (Jacobian { normal: [nx, ny], .. }, [along, angle, across]) = rows.solution();
         let (x, y) = (along * nx + across * ny, along * ny - across * nx);
-        self.force = [x, y, angle].map(|impulse| impulse / dt + 0.0);
+        self.force = [x, y, angle].map(|impulse| impulse / force_dt + 0.0);
     }
 
-    /// Velocities of the two bodies as far as these are kinematic.
-    fn prescribed(&self, ends: Ends) -> [Triple; 2] {
-        [0, 1].map(|side| if ends.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] })
+    /// Returns the velocities of the bodies A and B that the island does not contain: x and y in length units/s, angular in
+    /// radians/s. They are 0 for bodies of the island and for static bodies.
+    fn prescribed_velocities(&self, body_indices: BodyIndices) -> [Vec3; 2] {
+        [0, 1].map(
+            |side| if body_indices.bodies[side] == FIXED { self.anchors[side].velocity } else { [0.0; 3] },
+        )
     }
 
-    /// Displacements of its two bodies in `dt` seconds, of members and of kinematic bodies.
-    fn displacements(&self, ends: Ends, of_members: &[Triple], dt: f64) -> [Triple; 2] {
-        let prescribed = self.prescribed(ends);
-        [0, 1].map(|side: usize| match ends.bodies[side] {
+    /// Returns the displacements of A and B in `dt` seconds: x and y in length units, angle in radians.
+    ///
+    /// `island_displacements` holds the displacements of the island's bodies by index. Kinematic bodies move with their
+    /// velocities.
+    fn body_displacements(
+        &self,
+        body_indices: BodyIndices,
+        island_displacements: &[Vec3],
+        dt: f64,
+    ) -> [Vec3; 2] {
+        let prescribed = self.prescribed_velocities(body_indices);
+        [0, 1].map(|side: usize| match body_indices.bodies[side] {
             FIXED => prescribed[side].map(|velocity| velocity * dt),
-            at => of_members[at as usize],
+            at => island_displacements[at as usize],
         })
     }
 
-    /// Its bodies have been displaced in `dt` seconds.
-    pub(in crate::precise) fn displace(&mut self, ends: Ends, of_members: &[Triple], dt: f64) {
-        let displacements = self.displacements(ends, of_members, dt);
-        let frame = Frame::of(self).displaced(displacements);
-        for ((end, [x, y, _]), arm) in self.ends.iter_mut().zip(displacements).zip(frame.arms) {
-            (end.place, end.arm) = (plus(end.place, [x, y], 1.0), arm);
+    /// Sets anchors, angle and axis of the joint to those after the displacements of its bodies in `dt` seconds.
+    /// `island_displacements` holds the displacements of the island's bodies: x and y in length units, angle in radians.
+    pub(in crate::precise) fn displace(
+        &mut self,
+        body_indices: BodyIndices,
+        island_displacements: &[Vec3],
+        dt: f64,
+    ) {
+        let displacements = self.body_displacements(body_indices, island_displacements, dt);
+        let frame = JointFrame::of(self).displaced(displacements);
+        for ((end, [x, y, _]), arm) in self.anchors.iter_mut().zip(displacements).zip(frame.arms) {
+            (end.position, end.arm) = (add_scaled(end.position, [x, y], 1.0), arm);
         }
         (self.angle, self.axis) = (frame.angle, frame.axis);
     }
 
-    /// Finds the position errors of its rows after displacements of the members in `dt` seconds, and its Jacobian there if that is to
-    /// be new.
-    pub(in crate::precise) fn find_errors(
+    /// Sets the position errors of `rows` to those at the displaced pose: after `displacements` of the island's bodies in `dt`
+    /// seconds.
+    ///
+    /// With `is_jacobian_new` the rows also get the Jacobian of the displaced pose.
+    pub(in crate::precise) fn update_errors(
         &self,
         rows: &mut JointRows,
-        ends: Ends,
-        displacements: &[Triple],
+        body_indices: BodyIndices,
+        displacements: &[Vec3],
         (dt, is_jacobian_new): (f64, bool),
     ) {
-        let frame = Frame::of(self).displaced(self.displacements(ends, displacements, dt));
+        let frame = JointFrame::of(self).displaced(self.body_displacements(body_indices, displacements, dt));
         if is_jacobian_new {
             rows.set_jacobian(frame.jacobian());
         }
-        rows.errors = self.errors(&frame);
+        rows.errors = self.position_errors(&frame);
     }
 
-    /// Linearisation error of its rows for displacements of the members in `dt` seconds: change of their values beyond what the Jacobian
-    /// says, in length units and radians.
+    /// Returns the linearisation errors of the rows along the normal, of the angle and along the tangent for these
+    /// displacements, in length units (for the angle 0).
+    ///
+    /// The error is the change of a row's position minus the change that the Jacobian predicts.
     pub(in crate::precise) fn linearisation_error(
         &self,
-        ends: Ends,
-        displacements: &[Triple],
+        body_indices: BodyIndices,
+        displacements: &[Vec3],
         dt: f64,
-    ) -> Triple {
-        let displacements = self.displacements(ends, displacements, dt);
-        let before = Frame::of(self);
+    ) -> Vec3 {
+        let displacements = self.body_displacements(body_indices, displacements, dt);
+        let before = JointFrame::of(self);
         let after = before.displaced(displacements);
-        let told = before.jacobian().relative(displacements[0], displacements[1]);
-        let values = |frame: &Frame| {
-            let (gap, [nx, ny]) = (frame.gap(), frame.normal());
-            match self.link {
-                Link::Distance => [frame.distance(), 0.0],
+        let predicted = before.jacobian().relative_velocities(displacements[0], displacements[1]);
+        let values = |frame: &JointFrame| {
+            let (gap, [nx, ny]) = (frame.anchor_offset(), frame.normal());
+            match self.locked {
+                LockedDofs::Distance => [frame.distance(), 0.0],
                 _ => [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx],
             }
         };
         let ([along, across], [was_along, was_across]) = (values(&after), values(&before));
-        [along - was_along - told[ALONG], 0.0, across - was_across - told[ACROSS]]
+        [along - was_along - predicted[ALONG], 0.0, across - was_across - predicted[ACROSS]]
     }
 
-    /// Position errors of the rows.
-    fn errors(&self, frame: &Frame) -> Triple {
-        let (gap, [nx, ny]) = (frame.gap(), frame.normal());
+    /// Returns the position errors of the rows along the normal, of the angle and along the tangent at the pose `frame`: length
+    /// units, for the angle radians. Errors within a range or between limits are 0.
+    fn position_errors(&self, frame: &JointFrame) -> Vec3 {
+        let (gap, [nx, ny]) = (frame.anchor_offset(), frame.normal());
         let linear = [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx];
-        let mut errors = match self.link {
-            Link::Point => [linear[0], 0.0, linear[1]],
-            Link::Weld => [linear[0], frame.angle - self.range[0], linear[1]],
-            Link::Line => [linear[0], frame.angle - self.range[0], 0.0],
-            Link::Angle => [0.0, self.beyond(frame.angle), 0.0],
-            _ => [self.beyond(frame.distance()), 0.0, 0.0],
+        let mut errors = match self.locked {
+            LockedDofs::Point => [linear[0], 0.0, linear[1]],
+            LockedDofs::Weld => [linear[0], frame.angle - self.range[0], linear[1]],
+            LockedDofs::Line => [linear[0], frame.angle - self.range[0], 0.0],
+            LockedDofs::Angle => [0.0, self.range_error(frame.angle), 0.0],
+            _ => [self.range_error(frame.distance()), 0.0, 0.0],
         };
         if let Some((drive, limits)) = self.drive.and_then(|drive| Some((drive, drive.limits()?))) {
             let travel = frame.travel(f64::from(drive.reference));
             let [lower, upper] = [limits.lower, limits.upper].map(f64::from);
-            errors[driven_row(self.link)] = travel - travel.clamp(lower, upper);
+            errors[motor_row(self.locked)] = travel - travel.clamp(lower, upper);
         }
         errors
     }

@@ -1,547 +1,631 @@
-//! Joints of the precise set.
+//! Joints of the precise set: choice of the solver for each articulation, and its state from step to step.
 //!
 //! | articulation | solver |
 //! |---|---|
-//! | a tree without motors, limits or ropes that nothing touches | [articulated bodies](tree) in its own division of the step: [swing], [hinged] |
-//! | any other | the [direct solver](super::direct), as [rows of its system](island_rows), if it takes it; in parts of the step if nothing touches it and it has no loop |
-//! | all else, and soft joints | [soft rows](soft_step) of the iterative solver, beside the contacts |
+//! | free tree (no contacts) without motors, limits or ropes | [articulated-body algorithm](articulated_body) in substeps of its own: [`articulation_step`], [`revolute_tree`] |
+//! | any other | the [direct solver](super::direct_solver), as [rows of its system](island_rows), if it accepts the articulation; in substeps of its own if there is no contact and no loop closure |
+//! | rejected by the direct solver, or with soft joints | [soft rows](soft_step) of the iterative solver, beside the contacts |
 //!
-//! [Springs] of what is jointed or touched are rows beside these, of the direct or of the iterative solver.
-//! Joints of a distance in three axes have solvers of their own: see [depth].
+//! [Springs](springs) at jointed or touched bodies are rows, too, of the direct or of the iterative solver. Articulations with
+//! a distance joint in three axes have solvers of their own: see [`spatial_joints`].
+//!
+//! The module reads joints of the simulator and poses and velocities of its bodies. It writes velocities and displacements of
+//! bodies, and forces of joints.
 
-mod balance;
+mod articulated_body;
+pub(super) mod articulation_step;
 mod block_pair;
 mod block_row;
 mod colours;
-mod depth;
+mod energy_balance;
 mod forest;
 mod frame;
-mod hinged;
-pub(super) mod hold;
 pub(super) mod island_rows;
-pub(super) mod read;
+pub(super) mod joint_constraint;
+pub(super) mod joint_import;
+mod revolute_tree;
 mod soft_block;
 mod soft_law;
 mod soft_pair;
 mod soft_spring;
 mod soft_step;
+mod spatial_joints;
 pub(super) mod springs;
-pub(super) mod swing;
-mod tree;
 
-use super::bodies::Bodies;
-use super::direct::joint::JointRows;
-use super::rows::Row;
-use super::tuning::Step;
+use super::bodies::BodySet;
+use super::constraint_graph::ContactConstraintSimd;
+use super::direct_solver::joint::JointRows;
+use super::scaled_parameters::StepContext;
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
-use depth::{SpatialGroup, Tied, spatial_groups};
-use forest::{Forest, GROUND, Seat};
-use hinged::{Hinge, hinges_of};
-use hold::{End, Hold, Key};
+use articulated_body::{ArticulatedLink, LockedDofs, dot};
+use forest::{NO_TREE_INDEX, SpanningForest, TreeEntry};
+use joint_constraint::{JointAnchor, JointConstraint, JointEdge};
+use revolute_tree::{RevoluteLink, revolute_links};
 use soft_step::SoftJoints;
-use springs::Springs;
-use tree::{Link, Node, dot};
+use spatial_joints::{SpatialJointGroup, ZGroup, spatial_groups};
+use springs::SpringRows;
 
-/// The joints of a step.
+/// All active joints of a simulator, and the articulations that they form.
 #[derive(Debug, Default)]
-pub(super) struct Joints {
-    /// In the order of the list of joints; not those that hold nothing now.
-    holds: Vec<Hold>,
-    /// Whether nothing about them, or the list of joints, has changed since they were read.
-    is_read: bool,
-    /// They were read anew in this update: their places in the list may be others.
-    are_places_new: bool,
-    /// Of the joints that were read: see [`signature`](Self::signature).
+pub(super) struct JointSystem {
+    /// Active joints, which hold at least one dynamic body, in the order of the simulator's list of joints.
+    constraints: Vec<JointConstraint>,
+    /// Whether `constraints` is up to date: no joint and no list of joints has been edited since the last import.
+    is_imported: bool,
+    /// Whether the joints were imported anew in this update, so that indices into `constraints` may have changed.
+    are_indices_new: bool,
+    /// [`signature`](Self::signature) of the joints that were imported last: a hash.
     last_signature: u64,
-    /// Whether one of them breaks where it is too far from what it keeps.
+    /// Whether some joint has a finite breakpoint (limit of its position error).
     may_break: bool,
-    groups: Vec<Group>,
-    /// By joint: its group; the number of groups if it is in none.
-    group_of: Vec<u32>,
-    /// By body number: the place in its group, or [`GROUND`].
-    seat_of: Vec<u32>,
-    /// In three axes: who moves along the depth axis as one.
-    tied: Vec<Tied>,
-    /// And what hangs together by joints of which one keeps a distance.
-    spatial: Vec<SpatialGroup>,
-    /// The joints that the iterative solver has in this update.
+    /// Articulations that are solved in the plane: in 2D all, in three axes those without a distance joint.
+    articulation_list: Vec<Articulation>,
+    /// For each joint index: index of the joint's articulation in `articulation_list`, or the length of that list if the joint
+    /// is in none.
+    articulation_of: Vec<u32>,
+    /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`] if no joint holds the body.
+    tree_index_of: Vec<u32>,
+    /// Groups of bodies with one velocity along the depth axis; empty in 2D.
+    z_groups: Vec<ZGroup>,
+    /// Articulations in three axes that contain a distance joint; empty in 2D.
+    spatial: Vec<SpatialJointGroup>,
+    /// The joints and springs that the iterative solver solves in this update.
     soft: SoftJoints,
-    unit: f64,
+    /// Length unit of the simulator, > 0, in the user's units of length.
+    length_unit: f64,
 }
 
 reusing_clone! {
-    Joints {
-        holds, is_read, are_places_new, last_signature, may_break, groups, group_of, seat_of, tied, spatial, soft, unit
+    JointSystem {
+        constraints, is_imported, are_indices_new, last_signature, may_break, articulation_list, articulation_of, tree_index_of, z_groups, spatial, soft, length_unit
     }
 }
 
-/// Bodies that joints tie together.
+/// An articulation: dynamic bodies that joints connect, and these joints.
 #[derive(Debug, Default)]
-struct Group {
-    /// None if some joint is in no tree: one that closes a loop, has a motor or limits, or may give way.
-    nodes: Vec<Node>,
-    /// Its bodies that give way, and its joints.
+struct Articulation {
+    /// The links of the articulation's trees. Empty if a joint is no edge of a tree: it closes a loop, or has a motor, limits
+    /// or a greatest impulse.
+    links: Vec<ArticulatedLink>,
+    /// Indices of the dynamic bodies into the arrays of `BodySet`.
     bodies: Vec<u32>,
-    holds: Vec<u32>,
-    /// Joints that are kept whatever that takes close a loop.
+    /// Indices of the joints into `JointSystem::constraints`.
+    joints: Vec<u32>,
+    /// Whether joints without a range and without a greatest impulse close a loop.
     has_loop: bool,
-    /// The same tree again if all joints are hinges, else empty: what swings while nothing touches it.
-    hinges: Vec<Hinge>,
-    /// Nothing touches it.
-    is_apart: bool,
-    /// The direct solver has solved it in this step.
+    /// The bodies and joints of `links` as revolute links, if all joints are rigid revolute joints; else empty.
+    revolute_links: Vec<RevoluteLink>,
+    /// Whether no contact, spring or compliant joint acts on a body of the articulation in this step.
+    is_contact_free: bool,
+    /// Whether the direct solver has solved the articulation in this step.
     is_solved: bool,
-    /// Into how many parts its last step was divided.
-    parts: u32,
+    /// Number of substeps into which the articulation divided its last step without contacts.
+    substeps: u32,
 }
 
-reusing_clone! { Group { nodes, bodies, holds, has_loop, hinges, is_apart, is_solved, parts } }
+reusing_clone! { Articulation { links, bodies, joints, has_loop, revolute_links, is_contact_free, is_solved, substeps } }
 
-/// A joint that the direct solver may take.
+/// A joint or spring with the properties by which the direct solver decides whether to solve it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Candidate {
-    /// Its place in the list of joints.
+pub(super) struct JointCandidate {
+    /// Index of the joint into `JointSystem::constraints`, or of the spring into `SpringRows::constraints`.
     pub(super) joint: u32,
-    /// The numbers of its dynamic bodies; 0 for what is fixed.
+    /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
     pub(super) bodies: [u32; 2],
-    /// It is part of a free articulation, which swings by itself.
-    pub(super) is_free: bool,
-    /// Rows stand for it.
-    pub(super) may_be_rows: bool,
-    /// How far it is from what it keeps, in length units or radians.
+    /// Whether the articulation of the joint is free, so that the articulated-body algorithm can solve it.
+    pub(super) is_free_articulation: bool,
+    /// Whether the direct solver can represent the joint by rows.
+    pub(super) has_rows: bool,
+    /// Absolute position error of the joint when the step begins. Unit: length units for linear errors, radians for angles.
     pub(super) error: f32,
 }
 
-impl Candidate {
-    /// One of its dynamic bodies.
-    pub(super) fn a_body(&self) -> Option<u32> {
+impl JointCandidate {
+    /// Returns the index of the first dynamic body of the joint; `None` if neither body is dynamic.
+    pub(super) fn first_dynamic_body(&self) -> Option<u32> {
         self.bodies.into_iter().find(|&body| body != 0)
     }
 }
 
-impl Joints {
-    /// Whether all joints are in groups that nothing touches.
-    pub(super) fn are_all_apart(&self) -> bool {
-        self.spatial.iter().all(|group| group.is_apart()) && !self.groups.iter().any(Group::is_mixed)
+impl JointSystem {
+    /// Returns whether no joint needs the iterative solver: all articulations are free or solved by the direct solver.
+    pub(super) fn are_all_contact_free(&self) -> bool {
+        self.spatial.iter().all(|group| group.is_contact_free())
+            && !self.articulation_list.iter().any(Articulation::is_iterative)
     }
 
-    /// Bodies that joints in the plane tie together, as lists.
-    pub(super) fn articulations(&self) -> impl Iterator<Item = &[u32]> + '_ {
-        self.groups.iter().map(|group| &group.bodies[..])
+    /// Returns the indices of the dynamic bodies of each articulation in the plane.
+    pub(super) fn articulation_bodies(&self) -> impl Iterator<Item = &[u32]> + '_ {
+        self.articulation_list.iter().map(|articulation| &articulation.bodies[..])
     }
 
-    /// The joints in the plane as the direct solver sees them.
-    pub(super) fn candidates(&self) -> impl Iterator<Item = Candidate> + '_ {
-        self.groups.iter().flat_map(move |group| {
-            let is_free = group.is_apart && group.is_tree();
-            group.holds.iter().map(move |&at| {
-                let hold = &self.holds[at as usize];
-                Candidate {
-                    joint: at,
-                    bodies: hold.ends.map(|end| end.body),
-                    is_free,
-                    may_be_rows: hold.may_be_rows(),
-                    error: hold.error.abs(),
+    /// Returns the joints in the plane as candidates for the direct solver.
+    pub(super) fn candidates(&self) -> impl Iterator<Item = JointCandidate> + '_ {
+        self.articulation_list.iter().flat_map(move |articulation| {
+            let is_free = articulation.is_contact_free && articulation.is_tree();
+            articulation.joints.iter().map(move |&joint| {
+                let constraint = &self.constraints[joint as usize];
+                JointCandidate {
+                    joint,
+                    bodies: constraint.anchors.map(|anchor| anchor.body),
+                    is_free_articulation: is_free,
+                    has_rows: constraint.fits_direct_solver(),
+                    error: constraint.error.abs(),
                 }
             })
         })
     }
 
-    /// A joint by its place.
-    pub(super) fn hold(&self, joint: u32) -> &Hold {
-        &self.holds[joint as usize]
+    /// Returns the constraint of the joint with the index `joint`.
+    pub(super) fn constraint(&self, joint: u32) -> &JointConstraint {
+        &self.constraints[joint as usize]
     }
 
-    /// Whether a joint is part of a closed loop of joints, or of what hangs on one.
+    /// Returns whether the articulation of a joint has a loop closure: a joint between bodies that other joints connect
+    /// already.
     pub(super) fn has_loop(&self, joint: u32) -> bool {
-        self.groups[self.group_of[joint as usize] as usize].has_loop
+        self.articulation_list[self.articulation_of[joint as usize] as usize].has_loop
     }
 
-    /// The direct solver has found the force and torque of a joint in this step, and no other solver takes it.
-    pub(super) fn take_force(&mut self, joint: u32, force: [f64; 3]) {
-        self.holds[joint as usize].force = force;
-        self.note_solved(joint);
+    /// Stores `force`, which the direct solver has found for a joint. No other solver takes the joint in this step.
+    ///
+    /// The components of `force` are those on the joint's second body: along x and y (mass units * length units/s^2) and the
+    /// torque (mass units * length units^2/s^2).
+    pub(super) fn set_force(&mut self, joint: u32, force: [f64; 3]) {
+        self.constraints[joint as usize].force = force;
+        self.mark_solved(joint);
     }
 
-    /// The direct solver has found these rows of a joint: no other solver takes it in this step.
-    pub(super) fn take_solution(&mut self, joint: u32, rows: &JointRows, dt: f64) {
-        self.holds[joint as usize].bear(rows, dt);
-        self.note_solved(joint);
+    /// Converts the row impulses that the direct solver has found in a step of `dt` seconds to the force of the joint, and
+    /// stores it. No other solver takes the joint in this step.
+    pub(super) fn store_solution(&mut self, joint: u32, rows: &JointRows, dt: f64) {
+        self.constraints[joint as usize].set_force_from_impulses(rows, dt);
+        self.mark_solved(joint);
     }
 
-    /// The direct solver has left a joint as it was: no other solver takes it in this step.
-    pub(super) fn note_solved(&mut self, joint: u32) {
-        self.groups[self.group_of[joint as usize] as usize].is_solved = true;
+    /// Marks the articulation of a joint as solved by the direct solver: no other solver takes it in this step.
+    pub(super) fn mark_solved(&mut self, joint: u32) {
+        self.articulation_list[self.articulation_of[joint as usize] as usize].is_solved = true;
     }
 
-    /// Whether no joint holds anything.
-    pub(super) fn are_none(&self) -> bool {
-        self.holds.is_empty()
+    /// Returns whether there is no active joint.
+    pub(super) fn is_empty(&self) -> bool {
+        self.constraints.is_empty()
     }
 
-    /// A number by which two lists of joints are told from each other (multiplicative hashing): which joints hold something, and
-    /// which of their properties matter to the choice of a solver.
+    /// Returns a hash of the active joints, of their bodies and of the joint properties by which the direct solver accepts or
+    /// rejects islands (multiplicative hashing).
     pub(super) fn signature(&self) -> u64 {
-        self.holds.iter().fold(self.holds.len() as u64, |sum, hold| {
+        self.constraints.iter().fold(self.constraints.len() as u64, |sum, constraint| {
             let [is_bounded, is_driven, is_row] =
-                [hold.key().is_bounded, hold.drive.is_some(), hold.may_be_rows()].map(u64::from);
-            let word = hold.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
+                [constraint.edge().is_bounded, constraint.drive.is_some(), constraint.fits_direct_solver()]
+                    .map(u64::from);
+            let word =
+                constraint.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
             (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
         })
     }
 
-    /// Whether some joint holds a body.
+    /// Returns whether some joint holds the body with the index `body`.
     #[inline(always)]
-    pub(super) fn holds(&self, body: usize) -> bool {
-        self.seat_of.get(body).is_some_and(|&seat| seat != GROUND)
+    pub(super) fn has_joint(&self, body: usize) -> bool {
+        self.tree_index_of.get(body).is_some_and(|&index| index != NO_TREE_INDEX)
     }
 
-    /// The bodies of groups that nothing touches, and into how many parts their step was divided.
-    pub(super) fn swinging(&self, substeps: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
-        let apart = self.groups.iter().filter(|group| group.swings());
-        let in_plane = apart.flat_map(|group| group.bodies.iter().map(|&body| (body, group.parts)));
-        let apart = self.spatial.iter().filter(|group| group.is_apart());
+    /// Returns the body indices of all free articulations (those without contacts), each with the number of substeps into which
+    /// the articulation divides its step. `substeps` is the number of the solver's substeps.
+    pub(super) fn free_articulations(&self, substeps: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
+        let free = self.articulation_list.iter().filter(|group| group.is_free());
+        let in_plane = free.flat_map(|group| group.bodies.iter().map(|&body| (body, group.substeps)));
+        let apart = self.spatial.iter().filter(|group| group.is_contact_free());
         let in_space = apart.flat_map(move |group| {
-            let parts = substeps * group.parts();
+            let parts = substeps * group.substep_parts();
             group.bodies().iter().map(move |&body| (body, parts))
         });
         in_plane.chain(in_space).map(|(body, parts)| (body as usize, parts))
     }
 
-    /// The bodies that each joint ties together, moved or not; 0 for the world.
-    pub(super) fn ties(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        self.holds.iter().map(|hold| hold.ends.map(|end| end.pose as usize))
+    /// Returns the indices of both bodies of each active joint, whatever their body types; 0 for the world.
+    pub(super) fn body_pairs(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        self.constraints.iter().map(|constraint| constraint.anchors.map(|anchor| anchor.pose_body as usize))
     }
 
-    /// The motors that run: numbers of both bodies, 0 for the world; the speed that the motor seeks, rad/s or length units/s;
-    /// and whether it is along a line.
+    /// Returns for each running motor: the indices of both bodies (0 for the world), the target speed, and whether the motor is
+    /// linear. The unit of the speed is length units/s for linear motors and radians/s for rotary ones.
     pub(super) fn motors(&self) -> impl Iterator<Item = ([usize; 2], f32, bool)> + '_ {
-        self.holds.iter().filter_map(|hold| {
-            let motor = hold.drive?.motor().filter(|motor| motor.greatest_effort > 0.0)?;
-            Some((hold.ends.map(|end| end.pose as usize), motor.speed, hold.link == Link::Line))
+        self.constraints.iter().filter_map(|constraint| {
+            let motor = constraint.drive?.motor().filter(|motor| motor.greatest_effort > 0.0)?;
+            Some((
+                constraint.anchors.map(|anchor| anchor.pose_body as usize),
+                motor.speed,
+                constraint.locked == LockedDofs::Line,
+            ))
         })
     }
 
-    /// The bodies of those joints of which one is not listed.
-    pub(super) fn of_unlisted(&self) -> impl Iterator<Item = (Option<BodyId>, BodyId)> + '_ {
-        let is_unlisted = |hold: &&Hold| {
-            let [first, second] = hold.ends.map(|end| end.pose == 0);
-            second || (first && hold.bodies.0.is_some())
+    /// Returns both bodies of each active joint of which a body is not in the simulation; the first is `None` for the world.
+    pub(super) fn bodies_of_unlisted(&self) -> impl Iterator<Item = (Option<BodyId>, BodyId)> + '_ {
+        let is_unlisted = |constraint: &&JointConstraint| {
+            let [first, second] = constraint.anchors.map(|anchor| anchor.pose_body == 0);
+            second || (first && constraint.bodies.0.is_some())
         };
-        self.holds.iter().filter(is_unlisted).map(|hold| hold.bodies)
+        self.constraints.iter().filter(is_unlisted).map(|hold| hold.bodies)
     }
 
-    /// Whether nothing about joints has changed since they were read.
-    pub(super) fn are_read(&self) -> bool {
-        self.is_read
+    /// Returns whether no joint has been edited since the last import.
+    pub(super) fn are_imported(&self) -> bool {
+        self.is_imported
     }
 
-    /// Whether some joint may be too far from what it keeps to go on.
+    /// Returns whether some joint may break: it has a finite breakpoint (limit of its position error), or edited joints have
+    /// not been imported yet.
     pub(super) fn may_break(&self) -> bool {
-        !self.is_read || self.may_break
+        !self.is_imported || self.may_break
     }
 
-    /// Plans for the joints that were read.
-    fn plan(&mut self, bodies: &Bodies, is_in_space: bool) {
-        (self.tied, self.spatial) = (Vec::new(), Vec::new());
-        let mut in_plane: Vec<u32> = (0..self.holds.len() as u32).collect();
+    /// Builds the articulations, their trees and the groups in three axes from the imported joints.
+    fn plan(&mut self, bodies: &BodySet, is_in_space: bool) {
+        (self.z_groups, self.spatial) = (Vec::new(), Vec::new());
+        let mut in_plane: Vec<u32> = (0..self.constraints.len() as u32).collect();
         if is_in_space {
-            (self.spatial, in_plane) = spatial_groups(&self.holds, bodies);
-            let of_plane: Vec<Hold> = in_plane.iter().map(|&at| self.holds[at as usize]).collect();
-            self.tied = Tied::all(&of_plane, bodies.hot.len());
+            (self.spatial, in_plane) = spatial_groups(&self.constraints, bodies);
+            let planar_constraints: Vec<JointConstraint> =
+                in_plane.iter().map(|&at| self.constraints[at as usize]).collect();
+            self.z_groups = ZGroup::find_all(&planar_constraints, bodies.states.len());
         }
         for &at in &in_plane {
-            self.holds[at as usize].force_along_depth = 0.0;
+            self.constraints[at as usize].force_along_depth = 0.0;
         }
-        let keys: Vec<Key> = in_plane.iter().map(|&at| self.holds[at as usize].key()).collect();
-        let Forest { mut groups, mut seat_of } = Forest::new(&keys, bodies.first_fixed());
-        groups.iter_mut().for_each(|group| group.name_holds(&in_plane));
-        for &body in self.spatial.iter().flat_map(SpatialGroup::bodies) {
-            // It is held, if by no tree.
-            seat_of[body as usize] = 0;
+        let edges: Vec<JointEdge> = in_plane.iter().map(|&at| self.constraints[at as usize].edge()).collect();
+        let SpanningForest { articulations: mut plans, mut tree_index_of } =
+            SpanningForest::new(&edges, bodies.first_static());
+        plans.iter_mut().for_each(|group| group.map_joint_indices(&in_plane));
+        for &body in self.spatial.iter().flat_map(SpatialJointGroup::bodies) {
+            // A mark that some joint holds the body; the index itself is not used.
+            tree_index_of[body as usize] = 0;
         }
-        let holds = &self.holds;
-        let group_of = |plan: forest::Group| {
-            let of_group = plan.seats.iter().map(|seat| seat.body).filter(|&body| body != 0).collect();
-            let is_driven = |&at: &u32| holds[at as usize].drive.is_some();
-            let is_tree = plan.loose.is_empty() && !plan.joints.iter().any(is_driven);
-            let seats = if is_tree { &plan.seats[..] } else { &[] };
-            let nodes: Vec<Node> = seats.iter().map(|seat| node_of(seat, holds, bodies)).collect();
-            let hinges = hinges_of(&nodes, holds);
-            let has_loop = plan.loose.iter().any(|&at| !holds[at as usize].key().is_bounded);
-            Group { nodes, bodies: of_group, holds: plan.joints, has_loop, hinges, ..Group::default() }
+        let constraints = &self.constraints;
+        let articulation = |plan: forest::ArticulationPlan| {
+            let dynamic_bodies =
+                plan.entries.iter().map(|entry| entry.body).filter(|&body| body != 0).collect();
+            let has_drive = |&at: &u32| constraints[at as usize].drive.is_some();
+            let is_tree = plan.non_tree_joints.is_empty() && !plan.joints.iter().any(has_drive);
+            let entries = if is_tree { &plan.entries[..] } else { &[] };
+            let links: Vec<ArticulatedLink> =
+                entries.iter().map(|seat| link_of(seat, constraints, bodies)).collect();
+            let revolute_links = revolute_links(&links, constraints);
+            let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at as usize].edge().is_bounded);
+            Articulation {
+                links,
+                bodies: dynamic_bodies,
+                joints: plan.joints,
+                has_loop,
+                revolute_links,
+                ..Articulation::default()
+            }
         };
-        self.groups = groups.into_iter().map(group_of).collect();
-        self.group_of.clear();
-        self.group_of.resize(self.holds.len(), self.groups.len() as u32);
-        for (at, group) in self.groups.iter().enumerate() {
-            group.holds.iter().for_each(|&hold| self.group_of[hold as usize] = at as u32);
+        self.articulation_list = plans.into_iter().map(articulation).collect();
+        self.articulation_of.clear();
+        self.articulation_of.resize(self.constraints.len(), self.articulation_list.len() as u32);
+        for (at, group) in self.articulation_list.iter().enumerate() {
+            group.joints.iter().for_each(|&hold| self.articulation_of[hold as usize] = at as u32);
         }
-        self.seat_of = seat_of;
-        self.soft.plan(&self.holds, &in_plane, bodies.first_fixed());
+        self.tree_index_of = tree_index_of;
+        self.soft.plan(&self.constraints, &in_plane, bodies.first_static());
     }
 
-    /// A step begins: joints go where their bodies are.
-    fn begin(&mut self, bodies: &Bodies, objects: &Objects, is_touched: impl Fn(usize) -> bool) {
-        let Joints { groups, holds, .. } = self;
-        for group in groups {
-            // A soft joint is not exact in any substep: it needs all of them.
-            let is_soft = group.holds.iter().any(|&at| holds[at as usize].softness > 0.0);
-            group.is_apart = !is_soft && !group.bodies.iter().any(|&body| is_touched(body as usize));
-            group.is_solved = false;
-            if !group.is_hinged() {
-                group.holds.iter().for_each(|&at| holds[at as usize].follow(bodies, objects));
+    /// Updates the joints in the plane to the poses of the bodies at the start of a step, and determines which articulations
+    /// are free.
+    ///
+    /// `is_touched` returns whether contacts or springs act on a body.
+    fn prepare(&mut self, bodies: &BodySet, objects: &Objects, is_touched: impl Fn(usize) -> bool) {
+        let JointSystem { articulation_list: articulations, constraints, .. } = self;
+        for articulation in articulations {
+            // A compliant joint yields in every substep, so that it needs the solver's substeps.
+            let is_soft = articulation.joints.iter().any(|&at| constraints[at as usize].softness > 0.0);
+            articulation.is_contact_free =
+                !is_soft && !articulation.bodies.iter().any(|&body| is_touched(body as usize));
+            articulation.is_solved = false;
+            if !articulation.is_free_revolute_tree() {
+                articulation.joints.iter().for_each(|&at| constraints[at as usize].update(bodies, objects));
             }
         }
     }
 
-    /// A step begins in three axes; `depth_of` answers where along the depth axis a body is.
-    fn begin_in_space(
+    /// Prepares the articulations with distance joints in three axes for a step. `is_touched` returns whether contacts or
+    /// springs act on a body, `depth_of` the position of a body along the depth axis in length units.
+    fn prepare_spatial(
         &mut self,
-        (bodies, objects): (&Bodies, &Objects),
-        (step, unit): (&Step, f32),
+        (bodies, objects): (&BodySet, &Objects),
+        (step, length_unit): (&StepContext, f32),
         is_touched: impl Fn(usize) -> bool,
         depth_of: impl Fn(BodyId) -> f32,
     ) {
         let times = [f64::from(step.dt), f64::from(step.h)];
         for group in &mut self.spatial {
-            group.holds().for_each(|at| self.holds[at].follow(bodies, objects));
-            group.part_from_others(&is_touched);
-            group.begin(&self.holds, bodies, times, f64::from(unit), |hold, side| {
-                match (side, hold.bodies) {
+            group.joint_indices().for_each(|at| self.constraints[at].update(bodies, objects));
+            group.update_contact_free(&is_touched);
+            group.prepare(
+                &self.constraints,
+                bodies,
+                times,
+                f64::from(length_unit),
+                |constraint, side| match (side, constraint.bodies) {
                     (0, (None, _)) => 0.0,
                     (0, (Some(first), _)) => depth_of(first),
                     (_, (_, second)) => depth_of(second),
-                }
-            });
+                },
+            );
         }
     }
 
-    /// The groups in three axes that something touches.
-    fn mixed_in_space(&mut self) -> impl Iterator<Item = (&mut SpatialGroup, &[Hold])> {
-        let Joints { spatial, holds, .. } = self;
-        spatial.iter_mut().filter(|group| !group.is_apart()).map(|group| (group, &holds[..]))
+    /// Returns the articulations with a distance joint in three axes that the iterative solver solves, with the constraints of
+    /// all joints.
+    fn iterative_spatial_groups(
+        &mut self,
+    ) -> impl Iterator<Item = (&mut SpatialJointGroup, &[JointConstraint])> {
+        let JointSystem { spatial, constraints, .. } = self;
+        spatial.iter_mut().filter(|group| !group.is_contact_free()).map(|group| (group, &constraints[..]))
     }
 
-    /// Moves the groups that nothing touches, and that are not hinged, through all substeps.
-    pub(super) fn swing(&mut self, bodies: &Bodies, step: &Step) {
-        let swinging = |group: &&mut Group| group.swings() && !group.is_hinged();
-        for group in self.groups.iter_mut().filter(swinging) {
-            swing::swing(group, &self.holds, bodies, step, self.unit);
+    /// Moves free articulations with joints that are not revolute, and free groups of joints in three axes, through all
+    /// substeps of a step.
+    pub(super) fn step_free_articulations(&mut self, bodies: &BodySet, step: &StepContext) {
+        let has_generic_step = |group: &&mut Articulation| group.is_free() && !group.is_free_revolute_tree();
+        for group in self.articulation_list.iter_mut().filter(has_generic_step) {
+            articulation_step::step_free_tree(group, &self.constraints, bodies, step, self.length_unit);
         }
-        self.spatial.iter_mut().for_each(|group| group.swing(&self.holds, bodies, step));
+        self.spatial.iter_mut().for_each(|group| group.free_step(&self.constraints, bodies, step));
     }
 
-    /// What moves along the depth axis as one gets one velocity.
-    pub(super) fn share_depth(&self, bodies: &mut Bodies) {
-        self.tied.iter().for_each(|tied| tied.share(bodies));
+    /// Gives all bodies of each group in `z_groups` the same velocity along the depth axis.
+    pub(super) fn equalize_z_velocity(&self, bodies: &mut BodySet) {
+        self.z_groups.iter().for_each(|tied| tied.equalize_z_velocity(bodies));
     }
 
-    /// And one way, after a step in which nothing has pushed it.
-    pub(super) fn share_depth_of_flight(&self, bodies: &mut Bodies, dt: f32) {
-        self.tied.iter().for_each(|tied| tied.share_way(bodies, dt));
+    /// Gives all bodies of each group in `z_groups` the same velocity and displacement along the depth axis, in a step of `dt`
+    /// seconds without contacts.
+    pub(super) fn equalize_z_displacement(&self, bodies: &mut BodySet, dt: f32) {
+        self.z_groups.iter().for_each(|tied| tied.equalize_z_displacement(bodies, dt));
     }
 
-    /// An update begins, in which no joint or spring is one of the iterative solver's so far.
-    fn begin_update(&mut self, unit: f32) {
-        self.unit = f64::from(unit);
-        self.soft.forget();
+    /// Starts an update: removes all joints and springs from the iterative solver. `length_unit` is the length unit of the
+    /// simulator, in the user's units of length.
+    fn begin_update(&mut self, length_unit: f32) {
+        self.length_unit = f64::from(length_unit);
+        self.soft.clear();
     }
 
-    /// The joints and springs of the iterative solver begin an update.
-    pub(super) fn begin_passes(&mut self, springs: &Springs, bodies: &Bodies, step: &Step) {
-        let Joints { soft, groups, group_of, holds, unit, .. } = self;
-        if groups.iter().any(Group::is_mixed) || !springs.are_all_solved() {
-            let is_mixed = |at: usize| groups[group_of[at] as usize].is_mixed();
-            soft.begin((holds, springs), is_mixed, (bodies, step), *unit);
+    /// Builds the soft rows of the iterative solver for joints and springs that no other solver takes.
+    pub(super) fn begin_iterative(&mut self, springs: &SpringRows, bodies: &BodySet, step: &StepContext) {
+        let JointSystem {
+            soft,
+            articulation_list: articulations,
+            articulation_of,
+            constraints,
+            length_unit,
+            ..
+        } = self;
+        if articulations.iter().any(Articulation::is_iterative) || !springs.are_all_solved() {
+            let is_iterative = |at: usize| articulations[articulation_of[at] as usize].is_iterative();
+            soft.prepare((constraints, springs), is_iterative, (bodies, step), *length_unit);
         }
     }
 
-    /// Impulses of the joints of the iterative solver act at the beginning of each substep.
-    pub(super) fn warm(&self, bodies: &mut Bodies) {
-        self.soft.warm(bodies);
+    /// Adds the velocity changes by accumulated impulses of joints and springs to the warm-start sums of the bodies, which the
+    /// next substep applies.
+    pub(super) fn add_warm_start(&self, bodies: &mut BodySet) {
+        self.soft.add_warm_start(bodies);
     }
 
-    /// By body number a mask of all bits for bodies with joints in the iterative solver; `None` if there are none in this update.
-    pub(super) fn soft_bodies(&self) -> Option<&[u32]> {
-        (!self.soft.is_empty()).then(|| self.soft.masks())
+    /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0. Returns
+    /// `None` if the iterative solver has neither joints nor springs in this update.
+    pub(super) fn iterative_body_masks(&self) -> Option<&[u32]> {
+        (!self.soft.is_empty()).then(|| self.soft.body_masks())
     }
 
-    /// Whether a body has joints that the iterative solver had in this update.
-    pub(super) fn is_soft(&self, body: usize) -> bool {
-        self.soft.masks().get(body).is_some_and(|&mask| mask != 0)
+    /// Returns whether the iterative solver has a joint or spring of the body with the index `body` in this update.
+    pub(super) fn has_iterative_joint(&self, body: usize) -> bool {
+        self.soft.body_masks().get(body).is_some_and(|&mask| mask != 0)
     }
 
-    /// A pass before bodies move.
-    pub(super) fn correct(&mut self, bodies: &mut Bodies, h: f32) {
-        self.mixed_in_space().for_each(|(group, holds)| group.correct(holds, bodies, h.into()));
-        self.soft.solve_soft(bodies, h);
+    /// Solves joints and springs of the iterative solver with bias, before the positions of a substep of `h` seconds are
+    /// integrated.
+    pub(super) fn solve_with_bias(&mut self, bodies: &mut BodySet, h: f32) {
+        self.iterative_spatial_groups()
+            .for_each(|(group, constraints)| group.solve_positions(constraints, bodies, h.into()));
+        self.soft.solve_with_bias(bodies, h);
     }
 
-    /// No body with joints in the iterative solver moves faster than those may.
-    pub(super) fn limit_speeds(&self, bodies: &mut Bodies, h: f32) {
-        self.soft.limit_speeds(bodies, self.unit as f32, h);
+    /// Limits the velocities of bodies with joints of the iterative solver in a substep of `h` seconds: see
+    /// [`JOINTED_BODY_SPEED`](super::parameters::joints::JOINTED_BODY_SPEED).
+    pub(super) fn limit_speeds(&self, bodies: &mut BodySet, h: f32) {
+        self.soft.limit_speeds(bodies, self.length_unit as f32, h);
     }
 
-    /// Bodies have moved.
-    pub(super) fn advance(&mut self, bodies: &mut Bodies, h: f32) {
-        self.mixed_in_space().for_each(|(group, _)| group.advance(bodies, h.into()));
+    /// Moves the anchors and updates the rows of the iterative solver's joints, after the positions of a substep of `h` seconds
+    /// were integrated.
+    pub(super) fn update_anchors(&mut self, bodies: &mut BodySet, h: f32) {
+        self.iterative_spatial_groups().for_each(|(group, _)| group.update_anchors(bodies, h.into()));
         self.soft.advance(bodies);
     }
 
-    /// A pass after bodies have moved: velocities as joints allow them.
-    pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
-        self.mixed_in_space().for_each(|(group, holds)| group.relax(holds, bodies, h.into()));
+    /// Solves the joints of the iterative solver without bias, after the positions of a substep of `h` seconds were integrated
+    /// (relaxation).
+    pub(super) fn relax(&mut self, bodies: &mut BodySet, h: f32) {
+        self.iterative_spatial_groups()
+            .for_each(|(group, constraints)| group.solve_velocities(constraints, bodies, h.into()));
         self.soft.relax(bodies, h);
     }
 
-    /// A pass over contacts that bounce begins.
-    pub(super) fn begin_bounce(&mut self) {
-        self.soft.begin_bounce();
+    /// Starts the restitution phase: no body with joints counts as impacted yet.
+    pub(super) fn begin_restitution(&mut self) {
+        self.soft.begin_restitution();
     }
 
-    /// These lanes of a row have bounced.
+    /// Notes the bodies of these lanes of `row`, if they have joints in the iterative solver: restitution has changed their
+    /// velocities. [`apply_restitution`](Self::apply_restitution) begins at the noted bodies.
     #[inline(always)]
-    pub(super) fn note_bounce<const P: usize>(&mut self, row: &Row<P>, lanes: u32) {
-        self.soft.note_bounce(row, lanes);
+    pub(super) fn record_restitution<const P: usize>(&mut self, row: &ContactConstraintSimd<P>, lanes: u32) {
+        self.soft.record_restitution(row, lanes);
     }
 
-    /// Joints of the iterative solver share the blows of the bodies that have bounced. Answers the greatest speed that one missed, in
-    /// length units per second.
-    pub(super) fn bounce(&mut self, bodies: &mut Bodies) -> f32 {
-        self.soft.bounce(bodies, self.unit as f32)
+    /// Removes the velocity errors that restitution causes at joints of the iterative solver. Returns the largest error before
+    /// removal, in length units/s.
+    pub(super) fn apply_restitution(&mut self, bodies: &mut BodySet) -> f32 {
+        self.soft.propagate_impacts(bodies, self.length_unit as f32)
     }
 
-    /// Moves the hinged groups that nothing touches through all substeps; where all others that nothing touched have come to,
-    /// and what has held all joints.
-    pub(super) fn finish(&mut self, bodies: &mut Bodies, step: &Step) {
+    /// Moves the free revolute trees through a step. Stores velocities and displacements of the other free articulations in the
+    /// bodies, and the forces of all joints in `constraints`.
+    pub(super) fn store(&mut self, bodies: &mut BodySet, step: &StepContext) {
         let (dt, per_second) = (f64::from(step.dt), 1.0 / f64::from(step.dt));
-        self.spatial.iter().for_each(|group| group.finish(&mut self.holds, bodies, dt));
-        self.soft.finish(&mut self.holds, [step.dt, step.h]);
-        for group in self.groups.iter_mut().filter(|group| group.swings()) {
-            if group.is_hinged() {
-                group.parts = hinged::swing(&mut group.hinges, &mut self.holds, bodies, step, self.unit);
+        self.spatial.iter().for_each(|group| group.store_forces(&mut self.constraints, bodies, dt));
+        self.soft.store_forces(&mut self.constraints, [step.dt, step.h]);
+        for group in self.articulation_list.iter_mut().filter(|group| group.is_free()) {
+            if group.is_free_revolute_tree() {
+                group.substeps = revolute_tree::step_revolute_tree(
+                    &mut group.revolute_links,
+                    &mut self.constraints,
+                    bodies,
+                    step,
+                    self.length_unit,
+                );
                 continue;
             }
-            for node in group.nodes.iter().filter(|node| node.body != 0) {
-                let ([vx, vy, spin], [x, y, turned]) = (node.velocity, node.path);
-                // Along the depth axis nothing holds them.
-                let (velocity, path) =
-                    (&mut bodies.hot[node.body as usize].velocity, &mut bodies.path[node.body as usize]);
+            for node in group.links.iter().filter(|node| node.body != 0) {
+                let ([vx, vy, spin], [x, y, rotation]) = (node.velocity, node.delta_pose);
+                // Joints in the plane leave the velocity along the depth axis as it is.
+                let (velocity, delta_pose) = (
+                    &mut bodies.states[node.body as usize].velocity,
+                    &mut bodies.delta_pose[node.body as usize],
+                );
                 *velocity = [vx as f32, vy as f32, spin as f32, velocity[3]];
-                *path = [x as f32, y as f32, turned as f32, path[3]];
+                *delta_pose = [x as f32, y as f32, rotation as f32, delta_pose[3]];
             }
-            for node in group.nodes.iter().filter(|node| node.link.holds()) {
-                let force_of_impulse = node.sign() * per_second;
-                self.holds[node.joint as usize].force = node.total.map(|impulse| impulse * force_of_impulse);
+            for node in group.links.iter().filter(|node| node.locked.is_joint()) {
+                let force_of_impulse = node.joint_sign() * per_second;
+                self.constraints[node.joint as usize].force =
+                    node.total_impulse.map(|impulse| impulse * force_of_impulse);
             }
         }
     }
 }
 
-impl Group {
-    /// Whether it swings by its hinges in this step.
-    fn is_hinged(&self) -> bool {
-        self.swings() && !self.hinges.is_empty()
+impl Articulation {
+    /// Returns whether the articulation moves as a free tree of revolute joints in this step.
+    fn is_free_revolute_tree(&self) -> bool {
+        self.is_free() && !self.revolute_links.is_empty()
     }
 
-    /// Whether all of its joints are in trees.
+    /// Returns whether all joints of the articulation are edges of trees: none closes a loop or has a motor, limits or a
+    /// greatest impulse.
     fn is_tree(&self) -> bool {
-        !self.nodes.is_empty()
+        !self.links.is_empty()
     }
 
-    /// Whether it is a free articulation, which moves by itself in this step.
-    fn swings(&self) -> bool {
-        self.is_apart && self.is_tree() && !self.is_solved
+    /// Returns whether the direct and the iterative solver leave the articulation to the articulated-body algorithm: it is a
+    /// tree, it has no contacts, and the direct solver has not solved it.
+    fn is_free(&self) -> bool {
+        self.is_contact_free && self.is_tree() && !self.is_solved
     }
 
-    /// Whether the iterative solver has its joints in this step.
-    fn is_mixed(&self) -> bool {
-        !(self.is_solved || self.swings())
+    /// Returns whether the iterative solver solves the joints of the articulation in this step.
+    fn is_iterative(&self) -> bool {
+        !(self.is_solved || self.is_free())
     }
 }
 
-/// What stands for a body.
-fn node_of(seat: &Seat, holds: &[Hold], bodies: &Bodies) -> Node {
-    let [mass, inertia] = bodies.inverses[seat.body as usize].map(weight_of);
-    let mut node = Node {
-        body: seat.body,
-        parent: seat.parent,
-        link: if seat.body == 0 { Link::Fixed } else { Link::Free },
+/// Returns the link of a tree entry: masses and indices of its body, and the degrees of freedom that its joint locks.
+fn link_of(entry: &TreeEntry, constraints: &[JointConstraint], bodies: &BodySet) -> ArticulatedLink {
+    let [mass, inertia] = bodies.inverse_mass_inertia[entry.body as usize].map(mass_of_inverse);
+    let mut link = ArticulatedLink {
+        body: entry.body,
+        parent: entry.parent,
+        locked: if entry.body == 0 { LockedDofs::Fixed } else { LockedDofs::Free },
         mass,
         inertia,
-        ..Node::default()
+        ..ArticulatedLink::default()
     };
-    if let Some(at) = seat.hold {
-        (node.joint, node.link) = (at, holds[at as usize].link);
-        // The joint is the first body's view of the second; a tree's is the parent's view of the child.
-        node.is_first = holds[at as usize].ends[0].body == seat.body;
+    if let Some(joint) = entry.joint {
+        (link.joint, link.locked) = (joint, constraints[joint as usize].locked);
+        // The joint's force acts on its second body. In a tree it acts on the child.
+        link.is_first = constraints[joint as usize].anchors[0].body == entry.body;
     }
-    node
+    link
 }
 
-/// Mass or inertia of what cannot be moved or turned: so great that nothing that is pushed can tell.
-pub(super) const IMMOVABLE: f64 = 1e60;
+/// Mass or moment of inertia that stands for an infinite one. Unit: mass units; for a moment of inertia mass units * length
+/// units^2.
+///
+/// The value is so large that no impulse changes a velocity in `f64`. Value chosen; its sensitivity is not measured.
+pub(super) const INFINITE_MASS: f64 = 1e60;
 
-/// A mass from its reciprocal.
-pub(super) fn weight_of(inverse: f32) -> f64 {
-    if inverse > 0.0 { 1.0 / f64::from(inverse) } else { IMMOVABLE }
+/// Returns a mass (mass units) or moment of inertia (mass units * length units^2) from its reciprocal; [`INFINITE_MASS`] for 0.
+pub(super) fn mass_of_inverse(inverse: f32) -> f64 {
+    if inverse > 0.0 { 1.0 / f64::from(inverse) } else { INFINITE_MASS }
 }
 
-/// Nodes go where their bodies and joints are; what does not give way is where its joint says.
-fn begin_nodes(nodes: &mut [Node], holds: &[Hold], bodies: &Bodies, h: f64) {
-    for at in 0..nodes.len() {
-        let node = &mut nodes[at];
-        node.begin(bodies);
-        if !node.link.holds() {
-            // Turned about, a zero might have got another sign.
-            node.arm = [0.0; 2];
+/// Copies poses and velocities of bodies, and anchors and forces of joints, to the links at the start of a step. `h` is the
+/// solver's substep in seconds.
+///
+/// A fixed root takes position and velocity from the anchor of its joint.
+fn begin_links(links: &mut [ArticulatedLink], constraints: &[JointConstraint], bodies: &BodySet, h: f64) {
+    for at in 0..links.len() {
+        let link = &mut links[at];
+        link.begin_step(bodies);
+        if !link.locked.is_joint() {
+            // Rotating a zero arm could flip the sign of a zero.
+            link.arm = [0.0; 2];
         } else {
-            let side = node.hang(&holds[node.joint as usize], h);
-            let (parent, reach) = (node.parent as usize, dot(side.arm, side.arm));
-            nodes[parent].reach = nodes[parent].reach.max(reach);
-            if nodes[parent].link == Link::Fixed {
-                (nodes[parent].place, nodes[parent].velocity) = (side.place, side.velocity);
+            let anchor = link.attach_to_joint(&constraints[link.joint as usize], h);
+            let (parent, max_arm_squared) = (link.parent as usize, dot(anchor.arm, anchor.arm));
+            links[parent].max_arm_squared = links[parent].max_arm_squared.max(max_arm_squared);
+            if links[parent].locked == LockedDofs::Fixed {
+                (links[parent].position, links[parent].velocity) = (anchor.position, anchor.velocity);
             }
         }
     }
 }
 
-impl Node {
-    /// 1 for the second body of a joint, which its force is on, and -1 for the first.
+impl ArticulatedLink {
+    /// Returns the sign of the joint force on this body: 1 for the second body of the joint, -1 for the first. Dimensionless.
     #[inline(always)]
-    fn sign(&self) -> f64 {
+    fn joint_sign(&self) -> f64 {
         if self.is_first { -1.0 } else { 1.0 }
     }
 
-    /// A step begins.
+    /// Sets position and velocity of the link to those of its body at the start of a step, and its displacement to 0.
     #[inline(always)]
-    fn begin(&mut self, bodies: &Bodies) {
+    fn begin_step(&mut self, bodies: &BodySet) {
         let body = self.body as usize;
-        let ([x, y, ..], [vx, vy, spin, _]) = (bodies.poses[body], bodies.hot[body].velocity);
-        self.place = [f64::from(x), f64::from(y)];
+        let ([x, y, ..], [vx, vy, spin, _]) = (bodies.poses[body], bodies.states[body].velocity);
+        self.position = [f64::from(x), f64::from(y)];
         self.velocity = [vx, vy, spin].map(f64::from);
-        (self.path, self.reach) = ([0.0; 3], 0.0);
+        (self.delta_pose, self.max_arm_squared) = ([0.0; 3], 0.0);
     }
 
-    /// Hangs on a joint as it is now. Answers the side of the parent.
+    /// Sets the arms, the target and the initial impulse of the link from its joint. `h` is the solver's substep in seconds, in
+    /// which the last force gives that impulse.
+    ///
+    /// Arms are vectors from the centres of mass to the anchors. Returns the parent's anchor.
     #[inline(always)]
-    fn hang<'a>(&mut self, hold: &'a Hold, h: f64) -> &'a End {
-        let [first, second] = &hold.ends;
+    fn attach_to_joint<'a>(&mut self, constraint: &'a JointConstraint, h: f64) -> &'a JointAnchor {
+        let [first, second] = &constraint.anchors;
         let (parent, child) = if self.is_first { (second, first) } else { (first, second) };
         (self.arm, self.parent_arm) = (child.arm, parent.arm);
-        self.reach = dot(self.arm, self.arm);
-        self.wanted = match hold.link {
-            Link::Distance => hold.range[1],
-            _ => self.sign() * (hold.angle - hold.range[1]),
+        self.max_arm_squared = dot(self.arm, self.arm);
+        self.angle_error_or_length = match constraint.locked {
+            LockedDofs::Distance => constraint.range[1],
+            _ => self.joint_sign() * (constraint.angle - constraint.range[1]),
         };
-        let impulse_of_force = self.sign() * h;
-        self.impulse = hold.force.map(|force| force * impulse_of_force);
-        self.total = [0.0; 3];
-        // Nothing that is not saved may matter.
-        self.direction = if hold.link == Link::Line { hold.axis } else { [1.0, 0.0] };
+        let impulse_of_force = self.joint_sign() * h;
+        self.impulse = constraint.force.map(|force| force * impulse_of_force);
+        self.total_impulse = [0.0; 3];
+        // Values that a snapshot does not contain must not influence the step, so the axis starts from a constant.
+        self.axis = if constraint.locked == LockedDofs::Line { constraint.axis } else { [1.0, 0.0] };
         parent
     }
 }

@@ -1,76 +1,87 @@
-//! The two bodies of a constraint of the iterative solver: relative pose, Jacobian, and what impulses do to them.
+//! The two bodies of a spring in the iterative solver: relative pose, Jacobian and velocity changes by impulses.
 
-use super::super::bodies::{Bodies, Hot};
-use super::super::direct::block::Triple;
-use super::super::direct::constraint::Jacobian;
-use super::super::direct::joint::ANGLE;
-use super::frame::Frame;
-use super::hold::End;
+use super::super::bodies::{BodySet, MotionState};
+use super::super::direct_solver::constraint::Jacobian;
+use super::super::direct_solver::joint::ANGLE;
+use super::super::direct_solver::mat3::Vec3;
+use super::frame::JointFrame;
+use super::joint_constraint::JointAnchor;
 
-/// The pair. Impulses are those of a substep, on the second body, by the rows of [`Frame::jacobian`].
+/// Bodies A and B of a spring. Impulses are those of one substep on B, in the rows of [`JointFrame::jacobian`]: along the
+/// normal, of the angle, along the tangent.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SoftPair {
-    /// Indices into [`Bodies::hot`]: 0 for what has no velocity.
+pub(super) struct SpringBodyPair {
+    /// Indices of A and B in [`BodySet::states`]; 0 for bodies without a velocity.
     bodies: [u32; 2],
-    /// Reciprocals of mass and moment of inertia; 0 for what is fixed.
+    /// For A and B: inverse mass, 1/(mass units), and inverse moment of inertia, 1/(mass units * length units^2); 0 for bodies
+    /// that are not dynamic.
     inverses: [[f64; 2]; 2],
-    pub(super) frame: Frame,
+    /// Relative pose of the two bodies.
+    pub(super) frame: JointFrame,
+    /// Jacobian of the spring's rows at the pose of `frame`.
     pub(super) jacobian: Jacobian,
 }
 
-impl SoftPair {
-    pub(super) fn new(ends: &[End; 2], frame: Frame, bodies: &Bodies) -> Self {
-        let is_listed = |pose: u32| (pose as usize) < bodies.hot.len();
-        SoftPair {
-            bodies: [0, 1].map(|side| ends[side].pose).map(|pose| if is_listed(pose) { pose } else { 0 }),
-            inverses: [0, 1].map(|side| match ends[side].body {
+impl SpringBodyPair {
+    pub(super) fn new(anchors: &[JointAnchor; 2], frame: JointFrame, bodies: &BodySet) -> Self {
+        let is_listed = |pose: u32| (pose as usize) < bodies.states.len();
+        SpringBodyPair {
+            bodies: [0, 1]
+                .map(|side| anchors[side].pose_body)
+                .map(|pose| if is_listed(pose) { pose } else { 0 }),
+            inverses: [0, 1].map(|side| match anchors[side].body {
                 0 => [0.0; 2],
-                body => bodies.inverses[body as usize].map(f64::from),
+                body => bodies.inverse_mass_inertia[body as usize].map(f64::from),
             }),
             frame,
             jacobian: frame.jacobian(),
         }
     }
 
-    /// Velocities of both bodies.
+    /// Returns the velocities of A and B in the world: x and y in length units/s, angular in radians/s.
     #[inline(always)]
-    pub(super) fn velocities(&self, hot: &[Hot]) -> [Triple; 2] {
+    pub(super) fn velocities(&self, states: &[MotionState]) -> [Vec3; 2] {
         self.bodies.map(|body| {
-            let [x, y, spin, _] = hot[body as usize].velocity.map(f64::from);
+            let [x, y, spin, _] = states[body as usize].velocity.map(f64::from);
             [x, y, spin]
         })
     }
 
-    /// Bodies that give way take over these velocities.
+    /// Stores the velocities of A and B in `states`, for the dynamic ones: x and y in length units/s, angular in radians/s.
     #[inline(always)]
-    pub(super) fn write(&self, hot: &mut [Hot], velocities: [Triple; 2]) {
+    pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [Vec3; 2]) {
         for (side, [x, y, spin]) in velocities.into_iter().enumerate() {
-            if self.gives_way(side) {
-                let velocity = &mut hot[self.bodies[side] as usize].velocity;
+            if self.is_movable(side) {
+                let velocity = &mut states[self.bodies[side] as usize].velocity;
                 (velocity[0], velocity[1], velocity[2]) = (x as f32, y as f32, spin as f32);
             }
         }
     }
 
     #[inline(always)]
-    fn gives_way(&self, side: usize) -> bool {
+    fn is_movable(&self, side: usize) -> bool {
         self.inverses[side] != [0.0; 2]
     }
 
-    /// Reciprocals of the moments of inertia.
+    /// Returns the inverse moments of inertia of A and B, 1/(mass units * length units^2).
     pub(super) fn inverse_inertias(&self) -> [f64; 2] {
         self.inverses.map(|[_, inertia]| inertia)
     }
 
-    /// Moment of inertia about a point at the square of this distance from the origin; infinite for what cannot be turned or moved.
-    pub(super) fn inertia_about(&self, side: usize, squared: f64) -> f64 {
+    /// Returns the moment of inertia of the body on `side` (0: A, 1: B) about a point, mass units * length units^2 (parallel
+    /// axis theorem).
+    ///
+    /// `squared_distance` is the square of the point's distance from the centre of mass, length units^2. The result is infinite
+    /// for bodies that do not rotate or do not move.
+    pub(super) fn inertia_about(&self, side: usize, squared_distance: f64) -> f64 {
         let [mass, inertia] = self.inverses[side].map(f64::recip);
-        inertia + if squared > 0.0 { mass * squared } else { 0.0 }
+        inertia + if squared_distance > 0.0 { mass * squared_distance } else { 0.0 }
     }
 
-    /// K = J M^-1 J^T of all three rows.
-    pub(super) fn matrix(&self) -> [Triple; 3] {
-        let ([[mass_a, inertia_a], [mass_b, inertia_b]], Jacobian { a, b, .. }) =
+    /// Returns K = J M^-1 J^T of the rows along the normal, of the angle and along the tangent, the inverse of the effective
+    /// mass: 1/(mass units), 1/(mass units * length units^2) for the angle.
+    pub(super) fn inverse_effective_mass(&self) -> [Vec3; 3] {
+        let ([[mass_a, inertia_a], [mass_b, inertia_b]], Jacobian { angular_a: a, angular_b: b, .. }) =
             (self.inverses, self.jacobian);
         std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -80,45 +91,49 @@ impl SoftPair {
         })
     }
 
-    /// Changes of velocity of both bodies by impulses of the rows.
+    /// Returns the velocity changes M^-1 J^T l of A and B by the impulses l of the rows: x and y in length units/s, angular in
+    /// radians/s.
     #[inline(always)]
-    pub(super) fn yields(&self, impulses: Triple) -> [Triple; 2] {
-        let [a, b] = self.jacobian.push(impulses);
+    pub(super) fn velocity_changes(&self, impulses: Vec3) -> [Vec3; 2] {
+        let [a, b] = self.jacobian.body_impulses(impulses);
         let [[mass_a, inertia_a], [mass_b, inertia_b]] = self.inverses;
         [[mass_a * a[0], mass_a * a[1], inertia_a * a[2]], [mass_b * b[0], mass_b * b[1], inertia_b * b[2]]]
     }
 
-    /// Impulses of the rows act on these velocities.
+    /// Applies the impulses of the rows to the velocities of A and B (x, y, angular).
     #[inline(always)]
-    pub(super) fn push(&self, velocities: &mut [Triple; 2], impulses: Triple) {
-        for (velocity, change) in velocities.iter_mut().zip(self.yields(impulses)) {
+    pub(super) fn apply_impulses(&self, velocities: &mut [Vec3; 2], impulses: Vec3) {
+        for (velocity, change) in velocities.iter_mut().zip(self.velocity_changes(impulses)) {
             (0..3).for_each(|i| velocity[i] += change[i]);
         }
     }
 
-    /// Impulses that do this to velocities are to act at the beginning of every substep.
-    pub(super) fn warm(&self, warm: &mut [[f32; 4]], changes: [Triple; 2]) {
+    /// Adds the velocity changes of A and B (x and y in length units/s, angular in radians/s) to `sums`, the warm-start sums by
+    /// body index.
+    pub(super) fn add_warm_start(&self, sums: &mut [[f32; 4]], changes: [Vec3; 2]) {
         for (side, change) in changes.into_iter().enumerate() {
-            if self.gives_way(side) {
-                let sum = &mut warm[self.bodies[side] as usize];
+            if self.is_movable(side) {
+                let sum = &mut sums[self.bodies[side] as usize];
                 (0..3).for_each(|i| sum[i] += change[i] as f32);
             }
         }
     }
 
-    /// Frame and Jacobian follow bodies that have moved. Impulses that act again at the beginning of the next substep get the
-    /// arms and directions of that: left as they were, they would gain energy where bodies turn.
-    pub(super) fn advance(&mut self, bodies: &mut Bodies, impulses: Triple) {
-        let before = self.yields(impulses);
+    /// Updates pose and Jacobian after the bodies have moved in a substep, and corrects the next warm start.
+    ///
+    /// `impulses` are the accumulated impulses of the rows. They act again at the start of the next substep, with the arms and
+    /// normals after the motion. With the arms and normals before it, the impulses would add energy to bodies that rotate.
+    pub(super) fn advance(&mut self, bodies: &mut BodySet, impulses: Vec3) {
+        let before = self.velocity_changes(impulses);
         let steps = self.bodies.map(|body| {
-            let [x, y, turned, _] = bodies.hot[body as usize].step.map(f64::from);
+            let [x, y, turned, _] = bodies.states[body as usize].displacement.map(f64::from);
             [x, y, turned]
         });
         self.frame = self.frame.displaced(steps);
         self.jacobian = self.frame.jacobian();
-        let after = self.yields(impulses);
-        for side in [0, 1].into_iter().filter(|&side| self.gives_way(side)) {
-            let begun = &mut bodies.begun[self.bodies[side] as usize];
+        let after = self.velocity_changes(impulses);
+        for side in [0, 1].into_iter().filter(|&side| self.is_movable(side)) {
+            let begun = &mut bodies.warm_started_velocity[self.bodies[side] as usize];
             (0..3).for_each(|i| begun[i] -= (after[side][i] - before[side][i]) as f32);
         }
     }

@@ -1,203 +1,234 @@
-//! Joints in the passes of the iterative solver: soft constraints beside the contacts (E. Catto, "Solver2D", 2024; Box2D 3).
+//! Joints and springs in the iterative solver: soft constraints beside the contacts (E. Catto, "Solver2D", 2024; Box2D 3).
 //!
-//! In every substep all joints are solved before all contacts: softly before bodies move, and hard after that. What the impulses of
-//! joints do is summed with that of contacts, and acts at once at the beginning of the substep: a warm start that goes joint by joint,
-//! between the solutions, leaves two to ten times as much error. Joints learn no load, as contacts do: their anchors hardly move against
-//! each other however they swing, so that nothing tells when to learn.
+//! In every substep all joints are solved before all contacts: with bias before bodies move, rigidly in the relaxation after
+//! it. One warm start applies the accumulated impulses of joints and contacts together, at the start of the substep. A warm
+//! start joint by joint, between the solves, leaves two to ten times as much error.
 //!
-//! All of it is made anew in every update from what is saved of joints and bodies.
+//! Joints have no load adaptation as contacts have. The anchors of a joint hardly move relative to each other even while the
+//! bodies swing, so that a small relative motion is no sign of rest.
+//!
+//! The rows are built anew in every update from the saved state of joints and bodies.
 
-use super::super::bodies::Bodies;
-use super::super::rows::Row;
-use super::super::tuning::Step;
-use super::colours::{colour, is_last};
-use super::hold::{End, Hold};
-use super::soft_block::{Kind, SoftBlock};
-use super::soft_law::{BlockLaw, Law};
+use super::super::bodies::BodySet;
+use super::super::constraint_graph::ContactConstraintSimd;
+use super::super::scaled_parameters::StepContext;
+use super::colours::{assign_colors, is_overflow};
+use super::joint_constraint::{JointAnchor, JointConstraint};
+use super::soft_block::{BlockKind, SoftJointBlock};
+use super::soft_law::{RowSoftness, RowSoftnessLanes};
 use super::soft_spring::SoftSpring;
-use super::springs::Springs;
+use super::springs::SpringRows;
 use crate::precise::parameters::joints::{JOINTED_BODY_ROTATION, JOINTED_BODY_SPEED, SOFT_ROW_ARM};
 use crate::storage::reusing_clone::reusing_clone;
 
-/// The joints of the iterative solver.
+/// Joints and springs of the iterative solver.
 #[derive(Debug, Default)]
 pub(super) struct SoftJoints {
-    /// All joints in the plane, by their places in the list, and their colours, in the order of these.
-    order: Vec<(u32, u32)>,
-    /// The joints of this update, and the springs that are rows.
-    joints: Vec<SoftBlock>,
+    /// All 2D joints as (index into the list of joints, colour), sorted by colour.
+    colored_joints: Vec<(u32, u32)>,
+    /// Joints that the iterative solver has in this update, in blocks of four.
+    blocks: Vec<SoftJointBlock>,
+    /// Springs that the iterative solver has in this update.
     springs: Vec<SoftSpring>,
-    /// Their dynamic bodies; and by body number whether it is one of them, as a mask of all bits.
-    bodies: Vec<u32>,
-    masks: Vec<u32>,
-    /// Bodies that a blow has reached, directly or by joints; and by body number, as masks.
-    struck: Vec<u32>,
-    struck_masks: Vec<u32>,
+    /// Indices of the dynamic bodies of `blocks` and `springs`, into the arrays of `BodySet`.
+    jointed_bodies: Vec<u32>,
+    /// For each body index all bits set if the body is in `jointed_bodies`, else 0.
+    jointed_masks: Vec<u32>,
+    /// Indices of bodies that an impact of this update has reached, by a contact or through joints.
+    impacted_bodies: Vec<u32>,
+    /// For each body index all bits set if the body is in `impacted_bodies`, else 0.
+    impacted_masks: Vec<u32>,
 }
 
-reusing_clone! { SoftJoints { order, joints, springs, bodies, masks, struck, struck_masks } }
+reusing_clone! { SoftJoints { colored_joints, blocks, springs, jointed_bodies, jointed_masks, impacted_bodies, impacted_masks } }
 
 impl SoftJoints {
-    /// Plans the order of these joints, given by their places in the list.
-    pub(super) fn plan(&mut self, holds: &[Hold], in_plane: &[u32], bodies: usize) {
-        self.forget();
-        colour(holds, in_plane, bodies, &mut self.order);
-        // Room for all of them: when the iterative solver gets one is not known before. Each colour may leave a block of each kind that is
-        // not full.
-        let colours = self.order.chunk_by(|one, other| one.1 == other.1).count();
-        let blocks = self.order.len().div_ceil(4) + Kind::COUNT * colours;
-        let alone = self.order.iter().filter(|&&(_, colour)| is_last(colour)).count();
-        self.joints.reserve(self.order.len().min(blocks + alone));
-        self.bodies.reserve(bodies.min(2 * self.order.len()));
-        self.struck.clear();
-        for masks in [&mut self.masks, &mut self.struck_masks] {
+    /// Assigns colours to the 2D joints, whose indices into `joints` are `in_plane`, and reserves memory. Called after the list
+    /// of joints has changed. `bodies` is the number of bodies.
+    pub(super) fn plan(&mut self, joints: &[JointConstraint], in_plane: &[u32], bodies: usize) {
+        self.clear();
+        assign_colors(joints, in_plane, bodies, &mut self.colored_joints);
+        // The memory is for all joints: any of them may come to the iterative solver later. Each colour may leave one block of
+        // each kind that is not full.
+        let colours = self.colored_joints.chunk_by(|one, other| one.1 == other.1).count();
+        let blocks = self.colored_joints.len().div_ceil(4) + BlockKind::COUNT * colours;
+        let alone = self.colored_joints.iter().filter(|&&(_, colour)| is_overflow(colour)).count();
+        self.blocks.reserve(self.colored_joints.len().min(blocks + alone));
+        self.jointed_bodies.reserve(bodies.min(2 * self.colored_joints.len()));
+        self.impacted_bodies.clear();
+        for masks in [&mut self.jointed_masks, &mut self.impacted_masks] {
             masks.clear();
             masks.resize(bodies, 0);
         }
     }
 
-    /// No joint is solved in this update, unless more is told.
-    pub(super) fn forget(&mut self) {
-        self.joints.clear();
+    /// Removes all joints and springs from the iterative solver.
+    pub(super) fn clear(&mut self) {
+        self.blocks.clear();
         self.springs.clear();
-        self.bodies.drain(..).for_each(|body| self.masks[body as usize] = 0);
+        self.jointed_bodies.drain(..).for_each(|body| self.jointed_masks[body as usize] = 0);
     }
 
-    /// An update begins, in which these joints are solved, and the springs that no other solver has solved.
-    pub(super) fn begin(
+    /// Builds the rows of an update: from the joints for which `is_iterative` returns true, and from the springs that the
+    /// direct solver has not solved.
+    ///
+    /// `is_iterative` takes an index into `joints`. `length_unit` is the length unit of the simulator, > 0.
+    pub(super) fn prepare(
         &mut self,
-        (holds, springs): (&[Hold], &Springs),
-        is_in: impl Fn(usize) -> bool,
-        (bodies, step): (&Bodies, &Step),
-        unit: f64,
+        (joints, springs): (&[JointConstraint], &SpringRows),
+        is_iterative: impl Fn(usize) -> bool,
+        (bodies, step): (&BodySet, &StepContext),
+        length_unit: f64,
     ) {
-        self.forget();
-        let (times, law) = ([step.dt, step.h].map(f64::from), Law::soft(step.h.into()));
-        let fastest = [f64::from(JOINTED_BODY_SPEED) * unit, f64::from(SOFT_ROW_ARM) * unit];
-        let SoftJoints { order, joints, springs: of_springs, bodies: marked, masks, .. } = self;
-        let mut mark = |ends: &[End; 2]| {
+        self.clear();
+        let (times, softness) = ([step.dt, step.h].map(f64::from), RowSoftness::soft(step.h.into()));
+        let max_initial_speed =
+            [f64::from(JOINTED_BODY_SPEED) * length_unit, f64::from(SOFT_ROW_ARM) * length_unit];
+        let SoftJoints {
+            colored_joints, blocks, springs: soft_springs, jointed_bodies, jointed_masks, ..
+        } = self;
+        let mut mark = |ends: &[JointAnchor; 2]| {
             for body in ends.iter().map(|end| end.body).filter(|&body| body != 0) {
-                if std::mem::replace(&mut masks[body as usize], !0) == 0 {
-                    marked.push(body);
+                if std::mem::replace(&mut jointed_masks[body as usize], !0) == 0 {
+                    jointed_bodies.push(body);
                 }
             }
         };
-        // By kind the block of this colour that is not full.
-        let mut open = [None; Kind::COUNT];
+        // For each kind, the block of this colour that is not full.
+        let mut open = [None; BlockKind::COUNT];
         let mut last = None;
-        for &(at, colour) in order.iter().filter(|&&(at, _)| is_in(at as usize)) {
-            let (hold, is_new) = (&holds[at as usize], last.replace(colour) != Some(colour));
-            if is_new || is_last(colour) {
-                open = [None; Kind::COUNT];
+        for &(at, colour) in colored_joints.iter().filter(|&&(at, _)| is_iterative(at as usize)) {
+            let (hold, is_new) = (&joints[at as usize], last.replace(colour) != Some(colour));
+            if is_new || is_overflow(colour) {
+                open = [None; BlockKind::COUNT];
             }
-            let kind = Kind::of(hold);
-            let block = *open[kind.number()].get_or_insert_with(|| {
-                joints.push(SoftBlock::new(kind));
-                joints.len() - 1
+            let kind = BlockKind::of_joint(hold);
+            let block = *open[kind.index()].get_or_insert_with(|| {
+                blocks.push(SoftJointBlock::new(kind));
+                blocks.len() - 1
             });
-            if joints[block].put(at, hold, bodies, times) {
-                mark(&hold.ends);
+            if blocks[block].add_joint(at, hold, bodies, times) {
+                mark(&hold.anchors);
             }
-            if joints[block].is_full() {
-                open[kind.number()] = None;
+            if blocks[block].is_full() {
+                open[kind.index()] = None;
             }
         }
-        joints.iter_mut().for_each(|block| block.begin(&law, unit as f32));
+        blocks.iter_mut().for_each(|block| block.prepare(&softness, length_unit as f32));
         for hold in springs.unsolved() {
-            of_springs.push(SoftSpring::new(hold, bodies, times[1], fastest));
+            soft_springs.push(SoftSpring::new(hold, bodies, times[1], max_initial_speed));
             mark(hold.ends());
         }
     }
 
+    /// Returns whether the iterative solver has neither joints nor springs in this update.
     pub(super) fn is_empty(&self) -> bool {
-        self.joints.is_empty() && self.springs.is_empty()
+        self.blocks.is_empty() && self.springs.is_empty()
     }
 
-    /// By body number a mask of all bits for bodies with joints in the iterative solver.
-    pub(super) fn masks(&self) -> &[u32] {
-        &self.masks
+    /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0.
+    pub(super) fn body_masks(&self) -> &[u32] {
+        &self.jointed_masks
     }
 
-    /// Adds what impulses do to velocities in a substep.
-    pub(super) fn warm(&self, bodies: &mut Bodies) {
-        self.springs.iter().for_each(|spring| spring.warm(&mut bodies.warm));
-        self.joints.iter().for_each(|block| block.warm(&mut bodies.warm));
+    /// Adds the velocity changes by the accumulated impulses of joints and springs to the warm-start sums in `bodies`.
+    pub(super) fn add_warm_start(&self, bodies: &mut BodySet) {
+        self.springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
+        self.blocks.iter().for_each(|block| block.add_warm_start(&mut bodies.warm_start));
     }
 
-    /// The pass before bodies move.
-    pub(super) fn solve_soft(&mut self, bodies: &mut Bodies, h: f32) {
-        self.springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.hot));
-        self.solve(bodies, &Law::soft(h.into()), h);
+    /// Solves springs and joints once with bias, before bodies move in a substep of `h` seconds.
+    pub(super) fn solve_with_bias(&mut self, bodies: &mut BodySet, h: f32) {
+        self.springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.states));
+        self.solve(bodies, &RowSoftness::soft(h.into()), h);
     }
 
-    /// The pass after bodies have moved.
-    pub(super) fn relax(&mut self, bodies: &mut Bodies, h: f32) {
-        self.solve(bodies, &Law::HARD, h);
-        self.joints.iter_mut().for_each(SoftBlock::count_impulses);
+    /// Solves joints once without bias, after bodies have moved in a substep of `h` seconds: the relaxation. Adds the impulses
+    /// of the substep to the sums of the update.
+    pub(super) fn relax(&mut self, bodies: &mut BodySet, h: f32) {
+        self.solve(bodies, &RowSoftness::RIGID, h);
+        self.blocks.iter_mut().for_each(SoftJointBlock::accumulate_impulses);
     }
 
-    fn solve(&mut self, bodies: &mut Bodies, law: &Law, h: f32) {
-        let (law, inverse_h) = (BlockLaw::of(law), 1.0 / h);
-        self.joints.iter_mut().for_each(|block| block.solve(&mut bodies.hot, &law, inverse_h));
+    fn solve(&mut self, bodies: &mut BodySet, softness: &RowSoftness, h: f32) {
+        let (law, inverse_h) = (RowSoftnessLanes::splat(softness), 1.0 / h);
+        self.blocks.iter_mut().for_each(|block| block.solve(&mut bodies.states, &law, inverse_h));
     }
 
-    /// Joints and springs follow bodies that have moved.
-    pub(super) fn advance(&mut self, bodies: &mut Bodies) {
+    /// Updates poses and rows of joints and springs after bodies have moved in a substep.
+    pub(super) fn advance(&mut self, bodies: &mut BodySet) {
         self.springs.iter_mut().for_each(|spring| spring.advance(bodies));
-        self.joints.iter_mut().for_each(|block| block.advance(bodies));
+        self.blocks.iter_mut().for_each(|block| block.advance(bodies));
     }
 
-    /// No body is faster than bodies with joints may be in a substep of `h` seconds, but for bullets. Joints that cannot be kept would
-    /// drive them further and further apart.
-    pub(super) fn limit_speeds(&self, bodies: &mut Bodies, unit: f32, h: f32) {
-        let (most, most_spin) = (JOINTED_BODY_SPEED * unit, JOINTED_BODY_ROTATION / h);
-        for body in self.bodies.iter().map(|&body| body as usize).filter(|&body| !bodies.are_bullets[body]) {
-            let [x, y, spin, _] = bodies.hot[body].velocity;
-            let (squared, spins) = (x * x + y * y, spin.abs());
-            if squared > most * most || spins > most_spin {
-                let part = if squared > most * most { most / squared.sqrt() } else { 1.0 };
-                let spin_part = if spins > most_spin { most_spin / spins } else { 1.0 };
-                for (axis, (old, part)) in [(x, part), (y, part), (spin, spin_part)].into_iter().enumerate() {
-                    // The part that is cut off is no impulse that acts again.
-                    bodies.hot[body].velocity[axis] = old * part;
-                    bodies.begun[body][axis] += old * part - old;
+    /// Limits the velocities of bodies with joints or springs in the iterative solver, except bullets, in a substep of `h`
+    /// seconds.
+    ///
+    /// The limits are [`JOINTED_BODY_SPEED`] for the speed, and [`JOINTED_BODY_ROTATION`] for the rotation in a substep. Joints
+    /// that contradict each other would otherwise accelerate their bodies without bound.
+    pub(super) fn limit_speeds(&self, bodies: &mut BodySet, length_unit: f32, h: f32) {
+        let (max_speed, max_angular_speed) = (JOINTED_BODY_SPEED * length_unit, JOINTED_BODY_ROTATION / h);
+        for body in
+            self.jointed_bodies.iter().map(|&body| body as usize).filter(|&body| !bodies.are_bullets[body])
+        {
+            let [x, y, spin, _] = bodies.states[body].velocity;
+            let (squared_speed, angular_speed) = (x * x + y * y, spin.abs());
+            if squared_speed > max_speed * max_speed || angular_speed > max_angular_speed {
+                let scale = if squared_speed > max_speed * max_speed {
+                    max_speed / squared_speed.sqrt()
+                } else {
+                    1.0
+                };
+                let angular_scale =
+                    if angular_speed > max_angular_speed { max_angular_speed / angular_speed } else { 1.0 };
+                for (axis, (old, part)) in
+                    [(x, scale), (y, scale), (spin, angular_scale)].into_iter().enumerate()
+                {
+                    // The removed velocity is no impulse, so the next warm start must not apply it again.
+                    bodies.states[body].velocity[axis] = old * part;
+                    bodies.warm_started_velocity[body][axis] += old * part - old;
                 }
             }
         }
     }
 
-    /// A pass over contacts that bounce begins.
-    pub(super) fn begin_bounce(&mut self) {
-        self.struck.drain(..).for_each(|body| self.struck_masks[body as usize] = 0);
+    /// Starts the restitution phase of the contacts: no body is impacted yet.
+    pub(super) fn begin_restitution(&mut self) {
+        self.impacted_bodies.drain(..).for_each(|body| self.impacted_masks[body as usize] = 0);
     }
 
-    /// Notes the bodies of lanes that have bounced.
-    pub(super) fn note_bounce<const P: usize>(&mut self, row: &Row<P>, lanes: u32) {
+    /// Adds the bodies of these contact lanes to the impacted bodies, if they have joints or springs in the iterative solver.
+    /// `lanes` has one bit for each of the four lanes of `row`.
+    pub(super) fn record_restitution<const P: usize>(&mut self, row: &ContactConstraintSimd<P>, lanes: u32) {
         for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
             for body in [row.a[lane], row.b[lane]] {
-                let is_in = self.masks.get(body as usize).is_some_and(|&mask| mask != 0);
-                if is_in && std::mem::replace(&mut self.struck_masks[body as usize], !0) == 0 {
-                    self.struck.push(body);
+                let is_jointed = self.jointed_masks.get(body as usize).is_some_and(|&mask| mask != 0);
+                if is_jointed && std::mem::replace(&mut self.impacted_masks[body as usize], !0) == 0 {
+                    self.impacted_bodies.push(body);
                 }
             }
         }
     }
 
-    /// Hard joints of bodies that a blow has reached, in the order of colours, and of bodies that it reaches by these, keep what they hold
-    /// in the velocities after it. Their impulses are those of the blow alone: they do not act again. Answers the greatest speed that one
-    /// missed, in length units per second.
-    pub(super) fn bounce(&mut self, bodies: &mut Bodies, unit: f32) -> f32 {
-        let SoftJoints { joints, struck, struck_masks, .. } = self;
-        if struck.is_empty() {
+    /// Removes the velocity errors of rigid joints after the restitution phase, in the order of colours, beginning at impacted
+    /// bodies.
+    ///
+    /// Each solved joint makes its other body impacted, too. The impulses of the impact do not act again in the next update.
+    /// Returns the largest velocity error before removal, length units/s.
+    pub(super) fn propagate_impacts(&mut self, bodies: &mut BodySet, length_unit: f32) -> f32 {
+        let SoftJoints { blocks, impacted_bodies, impacted_masks, .. } = self;
+        if impacted_bodies.is_empty() {
             return 0.0;
         }
-        let missed =
-            joints.iter_mut().map(|block| block.bounce(&mut bodies.hot, (struck_masks, struck), unit));
-        missed.fold(0.0, |most: f32, missed| if missed > most { missed } else { most })
+        let errors = blocks.iter_mut().map(|block| {
+            block.solve_impact(&mut bodies.states, (impacted_masks, impacted_bodies), length_unit)
+        });
+        errors.fold(0.0, |most: f32, missed| if missed > most { missed } else { most })
     }
 
-    /// Forces and torques of these joints in the last substep, and their means over the update of `dt` seconds.
-    pub(super) fn finish(&self, holds: &mut [Hold], times: [f32; 2]) {
-        self.joints.iter().for_each(|block| block.tell(holds, times));
+    /// Stores two forces in each joint: force and torque of the last substep, and the mean over the update. `times` are the
+    /// seconds of the update and of the substep.
+    pub(super) fn store_forces(&self, joints: &mut [JointConstraint], times: [f32; 2]) {
+        self.blocks.iter().for_each(|block| block.store_forces(joints, times));
     }
 }

@@ -1,123 +1,132 @@
-//! Springs as rows of the direct solver.
+//! Springs as rows of the solvers.
 //!
-//! A spring that pulls at something jointed or touched is a row with a stiffness of its own, integrated with implicit Euler: with x the
-//! stretch when the step begins and u its rate at the end of the step, the impulse is
+//! A spring at a body with joints or contacts is a row with stiffness k and damping c, integrated with implicit Euler. With
+//! stretch x at the start of the step and its rate u at the end, the impulse is
 //!
 //! ```text
 //! l = -dt (k (x + dt u) + c u) = -s (u + dt k x / s),   s = dt (c + dt k)
 //! ```
 //!
-//! (D. Baraff and A. Witkin, "Large steps in cloth simulation", 1998). A force that is found when the step begins and acts on one body
-//! would throw a light body that other rows hold: its effective mass is another one there. A spring of which no body is jointed or
-//! touched stays such a force, since implicit Euler damps what swings.
+//! (D. Baraff and A. Witkin, "Large steps in cloth simulation", 1998). An explicit force would accelerate a light body too much
+//! if other rows hold it, since these rows change its effective mass. A spring whose bodies have neither joints nor contacts
+//! stays an explicit force: implicit Euler would damp its oscillation.
 //!
-//! Whether a spring is a row is decided in one place, [`Precise::takes_spring`], when it acts. A row that the direct solver does not solve
-//! in this step is one of the [iterative solver](super::soft_spring).
+//! [`Precise::constrain_spring`] makes this choice for each spring when it acts. A spring that the direct solver does not solve
+//! in this step is solved by the [iterative solver](super::soft_spring).
 //!
-//! | spring | rows |
+//! | spring | rows of the direct solver |
 //! |---|---|
-//! | linear, fixed linear | along the line between its anchors; across it as far as the tension turns that faster than a step bears |
-//! | angle | the angle; its damping, which acts on the spin of each body, adds to their inertia |
+//! | linear, fixed linear | along the line between its anchors; across it for geometric stiffness beyond the stable limit |
+//! | angle | the angle; its damping acts on the angular velocity of each body and adds to their inertia |
 //! | fixed angle | the angle |
 
 use super::super::Precise;
-use super::super::direct::constraint::{Ends, FIXED};
-use super::super::direct::joint::{ALONG, ANGLE, Elastic, JointRows};
-use super::super::tuning::Step;
-use super::Candidate;
-use super::frame::Frame;
-use super::hold::End;
-use super::tree::Link;
+use super::super::direct_solver::constraint::{BodyIndices, FIXED};
+use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
+use super::super::scaled_parameters::StepContext;
+use super::JointCandidate;
+use super::articulated_body::LockedDofs;
+use super::frame::JointFrame;
+use super::joint_constraint::JointAnchor;
 use crate::body::BodyId;
 use crate::math::Vector2;
 use crate::objects::Objects;
-use crate::springs::{Push, Spring, SpringId, SpringKind};
+use crate::springs::{Spring, SpringForce, SpringId, SpringKind};
 use crate::storage::reusing_clone::reusing_clone;
 
-/// Springs that are rows in this update.
+/// Springs that solvers treat as rows in this update, instead of explicit forces.
 #[derive(Debug, Default)]
-pub(in crate::precise) struct Springs {
-    /// Springs that were taken, in the order of their list, with accelerations of their bodies by the forces that they would be otherwise:
-    /// length units and radians per second squared.
-    taken: Vec<(SpringId, [[f32; 3]; 2])>,
-    holds: Vec<SpringHold>,
-    /// By body number: whether one of the springs pulls at it. Of no use between steps.
-    pulls: Vec<bool>,
+pub(in crate::precise) struct SpringRows {
+    /// Springs that became rows, in the order of the simulator's list. Each has the accelerations that its explicit force would
+    /// give to A and B: x and y in length units/s^2, angular in radians/s^2.
+    constrained: Vec<(SpringId, [[f32; 3]; 2])>,
+    /// The springs of `constrained` that act on a dynamic body, with poses and coefficients in this step.
+    constraints: Vec<SpringConstraint>,
+    /// For each body index whether a spring of `constraints` acts on the body. Unused between steps.
+    is_body_attached: Vec<bool>,
 }
 
-reusing_clone! { Springs { taken, holds, pulls } }
+reusing_clone! { SpringRows { constrained, constraints, is_body_attached } }
 
-/// A spring in a step.
+/// A spring with its pose and coefficients in one step.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::precise) struct SpringHold {
+pub(in crate::precise) struct SpringConstraint {
     spring: SpringId,
-    ends: [End; 2],
-    /// Along the line between anchors, or the angle.
+    /// Anchors on the bodies A and B, or on the world.
+    ends: [JointAnchor; 2],
+    /// Whether the row is along the line between the anchors; else it is angular.
     is_linear: bool,
-    /// Force per length unit or torque per radian, and force or torque per rate of the stretch.
+    /// Stiffness k, >= 0: mass units/s^2 in linear springs, mass units * length units^2/s^2 per radian in angle springs.
     pub(super) stiffness: f64,
+    /// Damping c, >= 0: mass units/s in linear springs, mass units * length units^2/s in angle springs.
     pub(super) damping: f64,
-    /// Torque on each body per its spin.
-    damping_of_spin: f64,
-    /// Stretch when the step begins, in length units or radians.
+    /// Torque on each body per angular velocity of that body, mass units * length units^2/s, >= 0. It damps angle springs
+    /// between two bodies, whose `damping` is 0.
+    spin_damping: f64,
+    /// Stretch at the start of the step: length units in linear springs, radians in angle springs.
     pub(super) stretch: f64,
-    /// Greatest torque; infinite for a linear spring.
-    pub(super) most: f64,
+    /// Largest torque, mass units * length units^2/s^2, > 0; infinite for linear springs.
+    pub(super) max_torque: f64,
+    /// Accelerations that the explicit force of the spring would give to A and B: x and y in length units/s^2, angular in
+    /// radians/s^2.
     accelerations: [[f32; 3]; 2],
-    /// The direct solver has solved it in this step.
+    /// Whether the direct solver has solved the spring in this step.
     is_solved: bool,
 }
 
-impl Springs {
-    pub(in crate::precise) fn are_none(&self) -> bool {
-        self.holds.is_empty()
+impl SpringRows {
+    /// Returns whether no spring is a row in this step.
+    pub(in crate::precise) fn is_empty(&self) -> bool {
+        self.constraints.is_empty()
     }
 
-    /// Bodies have other numbers.
-    pub(in crate::precise) fn forget_numbers(&mut self) {
-        self.holds.clear();
+    /// Removes all springs from the list of this step, since the body indices in them have become invalid.
+    pub(in crate::precise) fn clear_body_indices(&mut self) {
+        self.constraints.clear();
     }
 
-    /// The springs as the direct solver sees them.
-    pub(in crate::precise) fn candidates(&self) -> impl Iterator<Item = Candidate> + '_ {
-        self.holds.iter().enumerate().map(|(at, hold)| Candidate {
+    /// Returns the springs of this step as candidates for islands of the direct solver.
+    pub(in crate::precise) fn candidates(&self) -> impl Iterator<Item = JointCandidate> + '_ {
+        self.constraints.iter().enumerate().map(|(at, hold)| JointCandidate {
             joint: at as u32,
             bodies: hold.ends.map(|end| end.body),
-            is_free: false,
-            may_be_rows: true,
+            is_free_articulation: false,
+            has_rows: true,
             error: 0.0,
         })
     }
 
-    /// A spring by its place.
-    pub(in crate::precise) fn hold(&self, at: u32) -> &SpringHold {
-        &self.holds[at as usize]
+    /// Returns the spring at `index` of the list of this step.
+    pub(in crate::precise) fn constraint(&self, index: u32) -> &SpringConstraint {
+        &self.constraints[index as usize]
     }
 
-    /// The direct solver has solved this spring.
-    pub(in crate::precise) fn note_solved(&mut self, at: u32) {
-        self.holds[at as usize].is_solved = true;
+    /// Marks the spring at `index` as solved by the direct solver, so that the iterative solver leaves it out.
+    pub(in crate::precise) fn mark_solved(&mut self, index: u32) {
+        self.constraints[index as usize].is_solved = true;
     }
 
-    /// The springs that the direct solver has not solved.
-    pub(super) fn unsolved(&self) -> impl Iterator<Item = &SpringHold> + '_ {
-        self.holds.iter().filter(|hold| !hold.is_solved)
+    /// Returns the springs that the direct solver has not solved.
+    pub(super) fn unsolved(&self) -> impl Iterator<Item = &SpringConstraint> + '_ {
+        self.constraints.iter().filter(|hold| !hold.is_solved)
     }
 
-    /// Whether the direct solver has solved all of them.
+    /// Returns whether the direct solver has solved all springs of this step.
     pub(in crate::precise) fn are_all_solved(&self) -> bool {
         self.unsolved().next().is_none()
     }
 
-    /// Whether one of the springs pulls at a body.
-    pub(in crate::precise) fn pull_at(&self, body: usize) -> bool {
-        self.pulls.get(body) == Some(&true)
+    /// Returns whether a spring of this step acts on the body with the index `body`.
+    pub(in crate::precise) fn is_attached_to(&self, body: usize) -> bool {
+        self.is_body_attached.get(body) == Some(&true)
     }
 
-    /// A number by which two lists of springs are told from each other (multiplicative hashing): which there are, and which ends
-    /// give way; 0 for none. Numbers of bodies are others after a restore.
+    /// Returns a hash of the springs and of which of these bodies are dynamic; 0 without springs
+    /// (multiplicative hashing).
+    ///
+    /// It does not depend on body indices, since restoring a snapshot changes these.
     pub(in crate::precise) fn signature(&self) -> u64 {
-        self.holds.iter().fold(0, |sum: u64, hold| {
+        self.constraints.iter().fold(0, |sum: u64, hold| {
             let [a, b] = hold.ends.map(|end| u64::from(end.body != 0));
             let word = hold.spring.to_bits().rotate_left(2) ^ (a << 1 | b);
             (sum.rotate_left(5) ^ word).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15)
@@ -125,42 +134,52 @@ impl Springs {
     }
 }
 
-impl SpringHold {
-    /// Its rows in a step of `dt` seconds. `lever`: length units that a turn by one radian counts as.
-    pub(in crate::precise) fn rows(&self, ends: Ends, dt: f64, lever: f64) -> JointRows {
+impl SpringConstraint {
+    /// Returns the rows of the spring in a step of `dt` seconds, for the direct solver.
+    ///
+    /// `lever` converts angular errors to linear ones where errors are compared, length units per radian.
+    pub(in crate::precise) fn constraint_rows(
+        &self,
+        body_indices: BodyIndices,
+        dt: f64,
+        lever: f64,
+    ) -> JointRows {
         let frame = self.frame();
         let row = if self.is_linear { ALONG } else { ANGLE };
-        let prescribed =
-            [0, 1].map(|side| if ends.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] });
-        let mut rows = JointRows::new(ends, frame.jacobian(), [0.0; 3], prescribed, lever);
-        let SpringHold { stiffness, damping, stretch, .. } = *self;
-        rows.spring(row, Elastic { stiffness, damping, stretch }, [dt, self.most * dt]);
+        let prescribed = [0, 1]
+            .map(|side| if body_indices.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] });
+        let mut rows = JointRows::new(body_indices, frame.jacobian(), [0.0; 3], prescribed, lever);
+        let SpringConstraint { stiffness, damping, stretch, .. } = *self;
+        rows.add_spring_row(row, SpringDamper { stiffness, damping, stretch }, [dt, self.max_torque * dt]);
         if self.is_linear {
             let distance = frame.distance();
             let tension = if distance > 0.0 { stretch / distance } else { 1.0 };
-            rows.resist_across(dt * dt * stiffness * tension);
+            rows.add_transverse_stiffness(dt * dt * stiffness * tension);
         }
         rows
     }
 
-    /// Where its bodies are against each other; the angle is that beyond rest.
-    pub(super) fn frame(&self) -> Frame {
-        let link = if self.is_linear { Link::Distance } else { Link::Angle };
-        Frame::between(link, &self.ends, self.stretch)
+    /// Returns the relative pose of the spring's bodies. For an angle spring, the angle of the pose is the spring's stretch in
+    /// radians.
+    pub(super) fn frame(&self) -> JointFrame {
+        let link = if self.is_linear { LockedDofs::Distance } else { LockedDofs::Angle };
+        JointFrame::between(link, &self.ends, self.stretch)
     }
 
-    pub(super) fn ends(&self) -> &[End; 2] {
+    /// Returns the anchors of the spring on the bodies A and B, or on the world.
+    pub(super) fn ends(&self) -> &[JointAnchor; 2] {
         &self.ends
     }
 
-    /// Damping of the spin of its bodies, torque per radian per second.
-    pub(in crate::precise) fn damping_of_spin(&self) -> f64 {
-        self.damping_of_spin
+    /// Returns the torque on each body per angular velocity of that body, mass units * length units^2/s; 0 for linear springs.
+    pub(in crate::precise) fn spin_damping(&self) -> f64 {
+        self.spin_damping
     }
 }
 
-/// Whether a spring's law is one that rows have: it pulls back, and damps.
-fn is_ordinary(spring: &Spring) -> bool {
+/// Returns whether a row can express the spring: stiffness and damping are not negative, one of them is positive, and its
+/// torque is not 0.
+fn is_passive(spring: &Spring) -> bool {
     let (stiffness, damping) = (spring.spring_constant(), spring.damping_constant());
     let is_strong = match spring.kind() {
         SpringKind::Angle(angle) => angle.max_torque() > 0.0 && angle.torque_multiplier() != 0.0,
@@ -170,122 +189,144 @@ fn is_ordinary(spring: &Spring) -> bool {
     is_strong && stiffness >= 0.0 && damping >= 0.0 && stiffness + damping > 0.0
 }
 
-/// A bound of a torque; what is too great to be one is none.
-fn bound(torque: f32) -> f64 {
+/// Returns the torque limit in mass units * length units^2/s^2: `torque`, or infinity if `torque` is `f32::MAX` or more.
+fn torque_limit(torque: f32) -> f64 {
     if torque < f32::MAX { torque.into() } else { f64::INFINITY }
 }
 
 impl Precise {
-    /// Springs are about to act.
+    /// Starts the springs of an update: clears the list of springs that are rows, and imports edited joints.
+    ///
+    /// Joints are imported here because [`constrain_spring`](Self::constrain_spring) decides by them.
     pub(crate) fn begin_springs(&mut self, objects: &Objects) {
-        self.springs.taken.clear();
-        if self.space.is_none() && !objects.springs.list().is_empty() {
-            self.renew_joints(objects);
+        self.springs.constrained.clear();
+        if self.depth.is_none() && !objects.springs.list().is_empty() {
+            self.reimport_joints(objects);
         }
     }
 
-    /// Whether a spring that pushes its bodies so is a row in this update, and the pushes are not to be applied.
-    pub(crate) fn takes_spring(
+    /// Decides whether a spring is a row in this update, and adds it to the list of rows if so. Returns whether it is a row;
+    /// the caller must not apply the explicit forces `pushes` then.
+    pub(crate) fn constrain_spring(
         &mut self,
         id: SpringId,
-        pushes: [Option<Push>; 2],
+        pushes: [Option<SpringForce>; 2],
         objects: &Objects,
     ) -> bool {
         let spring = &objects.springs[id];
-        let takes = self.space.is_none() && is_ordinary(spring) && self.has_rows_beside(spring);
+        let takes = self.depth.is_none() && is_passive(spring) && self.needs_constraint(spring);
         if takes {
             let mut accelerations = [[0.0; 3]; 2];
             for push in pushes.into_iter().flatten() {
-                // A spring to the world has its body on the second side.
+                // A spring to the world has its body on side B.
                 let side = usize::from(spring.body2().is_none() || push.body() != spring.body1());
                 accelerations[side] = push.accelerations(&objects.bodies[push.body()].body);
             }
-            self.springs.taken.push((id, accelerations));
+            self.springs.constrained.push((id, accelerations));
         }
         takes
     }
 
-    /// Whether both bodies of a spring are awake and take part, and one of them is jointed or touched.
-    fn has_rows_beside(&self, spring: &Spring) -> bool {
-        let [one, other] = spring.ends().map(|end| end.map(|body| self.number_of(body)));
+    /// Returns whether both bodies of a spring are awake and enabled, and one of them is dynamic and has a joint or a contact.
+    fn needs_constraint(&self, spring: &Spring) -> bool {
+        let [one, other] = spring.ends().map(|end| end.map(|body| self.body_index(body)));
         let ends = [one.unwrap_or(Some(0)), other.unwrap_or(Some(0))];
         let [Some(a), Some(b)] = ends else { return false };
         let is_held = |&body: &usize| {
             body != 0
-                && body < self.bodies.first_fixed()
+                && body < self.bodies.first_static()
                 && self.is_dynamic(body)
-                && (self.joints.holds(body) || self.is_touched(body))
+                && (self.joints.has_joint(body) || self.has_contact(body))
         };
         a != b && ![a, b].iter().any(|&body| self.sleep.is_asleep(body)) && [a, b].iter().any(is_held)
     }
 
-    /// Whether a body has a contact.
-    fn is_touched(&self, body: usize) -> bool {
-        self.pairs.of_body(&self.proxies, body).any(|pair| self.pairs.all[pair].home.is_some())
+    /// Returns whether the body with the index `body` has a contact constraint.
+    fn has_contact(&self, body: usize) -> bool {
+        self.pairs.pairs_of_body(&self.proxies, body).any(|pair| self.pairs.all[pair].constraint.is_some())
     }
 
-    /// The springs that were taken are brought to the poses of this step. Forces of the step are those with them.
-    pub(super) fn read_springs(&mut self, objects: &Objects, step: &Step) {
+    /// Computes poses and coefficients of the springs that are rows, for this step.
+    ///
+    /// Adds half the acceleration by each explicit force times dt^2 to `force_position_delta` of its bodies. With this term the
+    /// force moves bodies by the symplectic Euler method, as in the faithful set.
+    pub(super) fn import_springs(&mut self, objects: &Objects, step: &StepContext) {
         let mut springs = std::mem::take(&mut self.springs);
-        springs.holds.clear();
-        let of_step = springs.taken.iter().filter_map(|&(id, accelerations)| {
-            let hold = self.spring_hold((id, objects.springs.get(id)?), objects)?;
-            Some(SpringHold { accelerations, ..hold })
+        springs.constraints.clear();
+        let of_step = springs.constrained.iter().filter_map(|&(id, accelerations)| {
+            let constraint = self.spring_constraint((id, objects.springs.get(id)?), objects)?;
+            Some(SpringConstraint { accelerations, ..constraint })
         });
-        springs.holds.extend(of_step);
-        if !(springs.holds.is_empty() && springs.pulls.is_empty()) {
-            springs.pulls.clear();
-            springs.pulls.resize(if springs.holds.is_empty() { 0 } else { self.bodies.hot.len() }, false);
+        springs.constraints.extend(of_step);
+        if !(springs.constraints.is_empty() && springs.is_body_attached.is_empty()) {
+            springs.is_body_attached.clear();
+            springs
+                .is_body_attached
+                .resize(if springs.constraints.is_empty() { 0 } else { self.bodies.states.len() }, false);
         }
-        for hold in &springs.holds {
+        for hold in &springs.constraints {
             for (end, accelerations) in hold.ends.iter().zip(hold.accelerations) {
                 if end.body != 0 {
-                    springs.pulls[end.body as usize] = true;
-                    let forced = &mut self.bodies.forced[end.body as usize];
-                    (0..3).for_each(|axis| forced[axis] += accelerations[axis] * (0.5 * step.dt * step.dt));
+                    springs.is_body_attached[end.body as usize] = true;
+                    let position_delta = &mut self.bodies.force_position_delta[end.body as usize];
+                    (0..3).for_each(|axis| {
+                        position_delta[axis] += accelerations[axis] * (0.5 * step.dt * step.dt)
+                    });
                 }
             }
         }
         self.springs = springs;
     }
 
-    /// A spring as it is now; `None` if it holds nothing that gives way.
-    fn spring_hold(&self, (id, spring): (SpringId, &Spring), objects: &Objects) -> Option<SpringHold> {
-        let (ends, rest) = self.spring_ends(spring, objects)?;
+    /// Returns the constraint of a spring at the present poses.
+    ///
+    /// Returns `None` if no end is on a dynamic body, if both ends are on the same body, or if a linear spring with a rest
+    /// length has coincident anchors.
+    fn spring_constraint(
+        &self,
+        (id, spring): (SpringId, &Spring),
+        objects: &Objects,
+    ) -> Option<SpringConstraint> {
+        let (ends, rest_length) = self.spring_anchors(spring, objects)?;
         let is_linear = matches!(spring.kind(), SpringKind::Linear(_) | SpringKind::FixedLinear(_));
-        let distance = Frame::between(Link::Distance, &ends, 0.0).distance();
-        // Without a length at rest it pulls the same way in all directions, even where it has none.
-        if is_linear && distance == 0.0 && rest != 0.0 {
+        let distance = JointFrame::between(LockedDofs::Distance, &ends, 0.0).distance();
+        // A spring with rest length 0 has the same stiffness in all directions, so that it needs no direction at distance 0.
+        if is_linear && distance == 0.0 && rest_length != 0.0 {
             return None;
         }
-        let stretch = if is_linear { distance - rest } else { -rest };
-        let (multiplier, most) = match spring.kind() {
-            SpringKind::Angle(angle) => (angle.torque_multiplier(), bound(angle.max_torque())),
-            SpringKind::FixedAngle(angle) => (angle.torque_multiplier(), bound(angle.max_torque())),
+        let stretch = if is_linear { distance - rest_length } else { -rest_length };
+        let (multiplier, max_torque) = match spring.kind() {
+            SpringKind::Angle(angle) => (angle.torque_multiplier(), torque_limit(angle.max_torque())),
+            SpringKind::FixedAngle(angle) => (angle.torque_multiplier(), torque_limit(angle.max_torque())),
             _ => (1.0, f64::INFINITY),
         };
         let [stiffness, damping] = [spring.spring_constant(), spring.damping_constant()]
             .map(|constant| f64::from(multiplier.abs()) * f64::from(constant));
-        let mut hold = SpringHold {
+        let mut constraint = SpringConstraint {
             spring: id,
             ends,
             is_linear,
             stiffness,
             damping,
-            damping_of_spin: 0.0,
+            spin_damping: 0.0,
             stretch,
-            most,
+            max_torque,
             accelerations: [[0.0; 3]; 2],
             is_solved: false,
         };
         if matches!(spring.kind(), SpringKind::Angle(_)) {
-            hold.damp_spins(|end| self.bodies.hot.get(end.body as usize).map_or(0.0, |hot| hot.velocity[2]));
+            constraint.set_spin_damping(|end| {
+                self.bodies.states.get(end.body as usize).map_or(0.0, |hot| hot.velocity[2])
+            });
         }
-        (hold.ends[0].body != hold.ends[1].body).then_some(hold)
+        (constraint.ends[0].body != constraint.ends[1].body).then_some(constraint)
     }
 
-    /// Where a spring pulls at its bodies, and its length at rest; or the angle at rest, less the one now.
-    fn spring_ends(&self, spring: &Spring, objects: &Objects) -> Option<([End; 2], f64)> {
+    /// Returns the anchors of a spring and its rest length in length units. An angle spring has instead of the length its rest
+    /// angle minus its present angle, in radians.
+    ///
+    /// Returns `None` if a body is gone.
+    fn spring_anchors(&self, spring: &Spring, objects: &Objects) -> Option<([JointAnchor; 2], f64)> {
         let bodies = &objects.bodies;
         let angle_of = |body: BodyId| bodies.get(body).map(|entry| f64::from(entry.body.total_rotation()));
         let origin = Vector2::zeros();
@@ -308,21 +349,25 @@ impl Precise {
                 ([(None, origin), (Some(angle.body()), origin)], f64::from(angle.target_angle()) - turned)
             }
         };
-        Some(([self.end(a, p, bodies)?, self.end(b, q, bodies)?], rest))
+        Some(([self.joint_anchor(a, p, bodies)?, self.joint_anchor(b, q, bodies)?], rest))
     }
 }
 
-impl SpringHold {
-    /// The damping of an angle spring acts on the spin of each body, and not on that of one against the other; where a torque is at its
-    /// bound it changes nothing.
-    fn damp_spins(&mut self, spin: impl Fn(&End) -> f32) {
+impl SpringConstraint {
+    /// Moves `damping` of an angle spring to `spin_damping`, which acts on the angular velocities of its bodies. A spring at
+    /// its torque limit has no damping.
+    ///
+    /// An angle spring damps the angular velocity of each body, not the relative one. `angular_velocity` returns that of an
+    /// anchor's body in radians/s.
+    fn set_spin_damping(&mut self, angular_velocity: impl Fn(&JointAnchor) -> f32) {
         let damping = std::mem::take(&mut self.damping);
-        let is_bounded = |end: &End, sign: f64| {
+        let is_bounded = |end: &JointAnchor, sign: f64| {
             end.body != 0
-                && (sign * self.stiffness * self.stretch - damping * f64::from(spin(end))).abs() >= self.most
+                && (sign * self.stiffness * self.stretch - damping * f64::from(angular_velocity(end))).abs()
+                    >= self.max_torque
         };
         if !(is_bounded(&self.ends[0], 1.0) || is_bounded(&self.ends[1], -1.0)) {
-            self.damping_of_spin = damping;
+            self.spin_damping = damping;
         }
     }
 }

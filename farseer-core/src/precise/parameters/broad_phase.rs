@@ -1,59 +1,85 @@
-//! Broad phase: AABBs, the hash grid, lists that keep room, and the range of coordinates.
+//! Parameters of the broad phase: fat AABBs, the hash grid, AABB queries, spare positions in lists, and limits of coordinates.
+//!
+//! Lengths are multiples of the length unit of `Methods::Precise` or of the extent of a proxy: the largest distance of its
+//! surface from the origin of its body. Box2D 3 (E. Catto) is the source of the margin; the other values are made for this
+//! engine.
 
-/// Largest margin of an AABB. Unit: length units. Box2D 3 (E. Catto, `B2_MAX_AABB_MARGIN`, 0.05 m).
-pub(in crate::precise) const AABB_MARGIN: f32 = 0.05;
+/// Largest margin of a fat AABB on all sides, in length units. The margin keeps a slow proxy from a new AABB in every step.
+/// Source: Box2D 3 (E. Catto, `B2_MAX_AABB_MARGIN`, 0.05 m). Unit: length units.
+pub(in crate::precise) const AABB_MAX_MARGIN: f32 = 0.05;
 
-/// Largest margin of an AABB as a fraction of the size of its proxy. Unit: dimensionless. An eighth of the extent in Box2D 3.
-pub(in crate::precise) const AABB_MARGIN_PER_SIZE: f32 = 0.25;
+/// Largest margin of a fat AABB, dimensionless: a fraction of the extent of its proxy, the largest distance of the surface from
+/// the origin of the body. It keeps small proxies from many pairs that never touch. Source: Box2D 3 limits the margin in the
+/// same way, to an eighth of the extent. Value 0.25 chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const AABB_MAX_MARGIN_PER_SIZE: f32 = 0.25;
 
-/// Steps by whose motion an AABB reaches ahead. Unit: dimensionless, steps. Half of them take as long within 5 % (arena, spinner of
-/// 1,520 bodies).
-pub(in crate::precise) const AABB_STEPS_AHEAD: f32 = 4.0;
+/// Number of steps of its body's motion by which a fat AABB reaches ahead of its proxy. This prediction keeps a fast proxy from
+/// a new AABB in every step. Measured: half of the value takes as long within 5 % (arena, spinner of 1,520 bodies). Unit:
+/// dimensionless, steps.
+pub(in crate::precise) const AABB_PREDICTED_STEPS: f32 = 4.0;
 
-/// Most that an AABB reaches ahead beyond the next step, as a multiple of the size of its proxy. Unit: dimensionless. A pair
-/// should not exist for long before the shapes touch.
-pub(in crate::precise) const AABB_REACH_PER_SIZE: f32 = 1.0;
+/// Largest distance by which [`AABB_PREDICTED_STEPS`] may extend a fat AABB, dimensionless: a multiple of the extent of its
+/// proxy, the largest distance of the surface from the origin of the body. Without a limit, pairs would exist long before their
+/// shapes touch. The motion of one step is always covered. Value chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const AABB_MAX_PREDICTION_PER_SIZE: f32 = 1.0;
 
-/// The steps of a proxy without pairs. Unit: dimensionless, steps. A longer reach saves searches of the broad phase.
-pub(in crate::precise) const UNPAIRED_AABB_STEPS_AHEAD: f32 = 32.0;
+/// Number of steps of its body's motion by which a fat AABB reaches ahead of a proxy without pairs. A long prediction saves
+/// searches of the broad phase. Value chosen; its sensitivity is not measured. Unit: dimensionless, steps.
+pub(in crate::precise) const UNPAIRED_AABB_PREDICTED_STEPS: f32 = 32.0;
 
-/// The reach of a proxy without pairs, as a multiple of its size. Unit: dimensionless.
-pub(in crate::precise) const UNPAIRED_AABB_REACH_PER_SIZE: f32 = 2.0;
+/// Largest distance by which [`UNPAIRED_AABB_PREDICTED_STEPS`] may extend the fat AABB of a proxy without pairs, dimensionless:
+/// a multiple of the extent of the proxy. The extent is the largest distance of the surface from the origin of the body.
+/// Without a limit, fast proxies would get pairs far ahead. Value chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const UNPAIRED_AABB_MAX_PREDICTION_PER_SIZE: f32 = 2.0;
 
-/// Levels of the hash grid: cell sizes from 2^-32 to 2^31. Unit: dimensionless, a count. Boxes of the last level may be of any size: it
-/// is searched from end to end.
+/// Number of levels of the hash grid. Level i has cells of the size 2^(i - 32), in the unit of the coordinates, so the sizes
+/// run from 2^-32 to 2^31. The last level takes AABBs of any size, because a query tests all of its entries. Unit:
+/// dimensionless, a count.
 pub(in crate::precise) const GRID_LEVELS: i32 = 64;
 
-/// Binary exponent of the smallest cell. Unit: dimensionless.
-pub(in crate::precise) const GRID_LOWEST_LEVEL: i32 = -32;
+/// Binary exponent of the cell size of level 0 of the hash grid, dimensionless: these cells have the size 2^-32 in the unit of
+/// the coordinates. Unit: dimensionless.
+pub(in crate::precise) const GRID_MIN_CELL_EXPONENT: i32 = -32;
 
-/// Cell index beyond which there is one last cell. Unit: dimensionless. Less than 2^31, so that it is an `i32`.
-pub(in crate::precise) const GRID_FARTHEST_CELL: f32 = 1e9;
+/// Largest cell index of the hash grid along x and y, dimensionless. Larger coordinates are clamped to the outermost cell. The
+/// value is below 2^31, so that an index fits into an `i32`. Unit: dimensionless.
+pub(in crate::precise) const GRID_MAX_CELL_INDEX: f32 = 1e9;
 
-/// Greatest coordinate at which anything collides. Unit: that of coordinates. Its square is less than the largest `f32`, 3.4e38.
-pub(in crate::precise) const COLLISION_RANGE: f32 = 1e18;
+/// Largest absolute coordinate at which shapes collide, in the unit of the coordinates. The square of the value, 1e36, stays
+/// below the largest `f32`, 3.4e38, so that squared distances are finite. Unit: the length unit of coordinates.
+pub(in crate::precise) const COLLISION_MAX_COORDINATE: f32 = 1e18;
 
-/// Greatest coordinate of AABBs that queries look at. Unit: that of coordinates. A tenth of [`COLLISION_RANGE`].
-pub(in crate::precise) const QUERY_RANGE: f32 = 1e17;
+/// Largest sum of the absolute coordinates of an AABB query that the hash grid answers, in the unit of the coordinates. Larger
+/// queries test all geoms. The value is a tenth of [`COLLISION_MAX_COORDINATE`], so that the query stays within the range of
+/// the grid. Unit: the length unit of coordinates.
+pub(in crate::precise) const QUERY_MAX_COORDINATE: f32 = 1e17;
 
-/// Difference by rounding between AABBs and geoms, as a fraction of the largest coordinate. Unit: dimensionless. 64 roundings of `f32`.
-pub(in crate::precise) const QUERY_ROUNDING: f32 = 64.0 * f32::EPSILON;
+/// Bound on the rounding error by which a geom may reach beyond its AABB in the grid, as a fraction of the absolute
+/// coordinates, dimensionless. AABB queries are enlarged by it. The value is 64 roundings of an `f32`. Unit: dimensionless.
+pub(in crate::precise) const QUERY_ROUNDING_RATIO: f32 = 64.0 * f32::EPSILON;
 
-/// Part of the speculative distance that a convex piece may fall short of its outline by. Unit: dimensionless, at most 1.
-pub(in crate::precise) const PIECE_SHORTFALL: f32 = 0.25;
+/// Distance by which a geom may reach beyond the AABB of its convex piece and still count as covered, as a fraction of the
+/// speculative distance, dimensionless, 0..=1. Tight AABBs include the speculative distance, so values up to 1 are safe. Value
+/// chosen; its sensitivity is not measured. Unit: dimensionless, at most 1.
+pub(in crate::precise) const PIECE_MAX_SHORTFALL_RATIO: f32 = 0.25;
 
-/// Empty list positions that are kept before half of all may be empty. Unit: dimensionless, a count.
-pub(in crate::precise) const KEPT_EMPTY_POSITIONS: usize = 64;
+/// Number by which the empty positions of a list may exceed the used ones before the list is rebuilt. The allowance keeps short
+/// lists from frequent rebuilds. Value chosen; its sensitivity is not measured. Unit: dimensionless, a count.
+pub(in crate::precise) const MIN_EMPTY_POSITIONS_TO_COMPACT: usize = 64;
 
-/// Bodies for each of which the list of movable bodies has room for one more. Unit: dimensionless.
-pub(in crate::precise) const BODIES_PER_SPARE_ROOM: usize = 8;
+/// Number of non-static bodies, or of their proxies, for each spare position after them in the list. Spare positions take new
+/// objects without a rebuild of the list. Value chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const BODIES_PER_SPARE_POSITION: usize = 8;
 
-/// Least room for more movable bodies. Unit: dimensionless, a count.
-pub(in crate::precise) const LEAST_SPARE_ROOM: usize = 8;
+/// Smallest number of spare positions after the non-static bodies, or after their proxies, in the list. Spare positions take
+/// new objects without a rebuild. Value chosen; its sensitivity is not measured. Unit: dimensionless, a count.
+pub(in crate::precise) const MIN_SPARE_POSITIONS: usize = 8;
 
-/// Relative motion after which a separated pair is tested again in any case, so that sums of motion do not wrap. Unit: length units. Sums
-/// wrap at 64 length units (2^32 parts of 2^-26).
-pub(in crate::precise) const SEPARATED_PAIR_SLACK: f32 = 8.0;
+/// Largest summed path length of both bodies, in length units, before a pair without contacts is tested again, even if its
+/// shapes are farther apart. The limit keeps the wrapping travel counters unambiguous: they wrap at 64 length units (2^32
+/// multiples of 2^-26). Unit: length units.
+pub(in crate::precise) const SEPARATED_PAIR_MAX_SLACK: f32 = 8.0;
 
-/// Factor by which a coordinate of a body must stay below the largest `f32`. Unit: dimensionless.
+/// Factor between the largest `f32` and the largest allowed coordinate of a body, dimensionless. The headroom keeps the
+/// vertices around the body finite. Value chosen; its sensitivity is not measured. Unit: dimensionless.
 pub(in crate::precise) const COORDINATE_HEADROOM: f32 = 1e8;

@@ -1,92 +1,125 @@
-//! Contact constraints: softness, load adaptation, restitution, rolling, and the integration of positions.
+//! Parameters of contact constraints: detection distances, soft constraints, load adaptation, restitution, and polygons that
+//! roll.
+//!
+//! The constants are read by [`Parameters`](crate::precise::scaled_parameters::Parameters) and `StepContext`, which convert
+//! them to the user's units and to the step, and by `contact_solver/` and `integration.rs`.
 
-/// Speculative distance: nearer shapes have contact points. Unit: length units. Box2D 3 (E. Catto, `B2_SPECULATIVE_DISTANCE`, four
-/// linear slops of 0.005 m).
+/// Speculative distance: shapes with a separation below this distance get contact points before they touch. Unit: length units.
+/// Fast shapes would otherwise penetrate before they have a contact. Box2D 3 (E. Catto, `B2_SPECULATIVE_DISTANCE`, four linear
+/// slops of 0.005 m).
 pub(in crate::precise) const SPECULATIVE_DISTANCE: f32 = 0.02;
 
-/// Relative motion of a pair below which its manifold is recycled. Unit: length units. Box2D 3 (`B2_CONTACT_RECYCLE_DISTANCE`, ten
-/// linear slops).
+/// Greatest relative motion of a pair with which the narrow phase recycles its manifold. Unit: length units. Manifolds that are
+/// computed anew in every step make tall stacks jitter. Box2D 3 (`B2_CONTACT_RECYCLE_DISTANCE`, ten linear slops of 0.005 m).
 pub(in crate::precise) const RECYCLING_DISTANCE: f32 = 0.05;
 
-/// Motion of a body after which the separations of its contacts are computed again. Unit: length units.
+/// Motion of the two bodies of a pair after which the narrow phase updates its separations. Unit: length units. Pairs that move
+/// less cost nothing. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const SEPARATION_REFRESH_DISTANCE: f32 = 0.003;
 
-/// Relative speed at a contact from which on its spring does not adapt to its load. Unit: length units/s.
-pub(in crate::precise) const LOAD_ADAPTATION_SPEED: f32 = 0.05;
+/// Relative speed of two bodies at a contact from which on load adaptation does not raise the rest impulse of the contact.
+/// Unit: length units/s. Load adaptation of a contact in motion would add energy. Value chosen; its sensitivity is not
+/// measured.
+pub(in crate::precise) const LOAD_ADAPTATION_MAX_SPEED: f32 = 0.05;
 
-/// Greatest speed at which penetration is resolved. Unit: length units/s. Box2D 3 (`contactSpeed`, 3 m/s).
-pub(in crate::precise) const PENETRATION_RECOVERY_SPEED: f32 = 3.0;
+/// Greatest bias velocity with which a soft contact resolves penetration. Unit: length units/s. Bodies that overlap deeply
+/// would otherwise be thrown apart. Box2D 3 (`contactSpeed`, 3 m/s).
+pub(in crate::precise) const PENETRATION_RECOVERY_MAX_SPEED: f32 = 3.0;
 
-/// Restitution threshold: slower approaches do not bounce. Unit: length units/s. Box2D 3 (`restitutionThreshold`, 1 m/s).
+/// Restitution threshold: impacts at a lower approach speed are inelastic. Unit: length units/s. Without a threshold, bodies at
+/// rest would bounce under their weight. Box2D 3 (`restitutionThreshold`, 1 m/s).
 pub(in crate::precise) const RESTITUTION_THRESHOLD: f32 = 1.0;
 
-/// Frequency of the soft contact constraint. Unit: Hz. With a stiffer one boxes that stand face to face do not come to rest, with a
-/// softer one piles of thousands oscillate for seconds. 30 Hz in Box2D 3.
+/// Frequency of the soft contact constraint. Unit: Hz. At a higher one boxes that stand face to face do not come to rest. At a
+/// lower one piles of thousands of bodies oscillate for seconds. Box2D 3 has 30 Hz instead. Value chosen; its sensitivity is
+/// not measured.
 pub(in crate::precise) const CONTACT_FREQUENCY: f32 = 45.0;
 
-/// Damping ratio of the soft contact constraint. Unit: dimensionless. Box2D 3 (`contactDampingRatio`).
+/// Damping ratio of the soft contact constraint: overdamped, so that penetration is resolved without a rebound. Unit:
+/// dimensionless. Box2D 3 (`contactDampingRatio`).
 pub(in crate::precise) const CONTACT_DAMPING_RATIO: f32 = 10.0;
 
-/// Fewest substeps in a period of the soft contact constraint: limits its frequency. Unit: dimensionless, substeps. 8 in Box2D 3.
+/// Least period of the soft contact constraint, counted in substeps. Unit: dimensionless, substeps. It limits the frequency to
+/// 1 / (5 h) for substeps of h seconds. Box2D 3 has 8 substeps instead. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const SUBSTEPS_PER_CONTACT_PERIOD: f32 = 5.0;
 
-/// Frequency of contacts of bodies with joints in the iterative solver. Unit: Hz. That of all contacts in Box2D 3. Stiffer contacts win
-/// against joints, which then gape: in piles of ragdolls by 3.1 px instead of 1.3 with the frequency of other contacts.
+/// Frequency of the contacts of bodies that have joints in the iterative solver. Unit: Hz. Stiffer contacts prevail over
+/// joints, which then have gaps: in piles of ragdolls the gaps are 3.1 px with [`CONTACT_FREQUENCY`], 1.3 px with this
+/// frequency. Box2D 3 has 30 Hz for all contacts.
 pub(in crate::precise) const JOINTED_CONTACT_FREQUENCY: f32 = 30.0;
 
-/// Greatest frequency of such contacts as a fraction of the substep rate. Unit: dimensionless. That of all contacts in Box2D 3.
+/// Upper limit of [`JOINTED_CONTACT_FREQUENCY`] as a fraction of the substep rate 1 / h. Unit: dimensionless. An eighth is
+/// Box2D 3's limit for all contacts.
 pub(in crate::precise) const JOINTED_CONTACT_FREQUENCY_PER_RATE: f32 = 0.125;
 
-/// Part of the difference by which a contact spring's rest impulse rises towards its load in 1/60 s. Unit: dimensionless, at most 1.
-/// Adaptation lifts a pile, and lags behind its load, which keeps it in motion: so it is slow.
+/// Load adaptation: fraction of the difference between normal impulse and rest impulse by which the rest impulse rises in 1/60
+/// s. Unit: dimensionless, at most 1. A rising rest impulse lifts a pile and lags behind the load, which keeps the pile in
+/// motion: so the fraction is small. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const LOAD_RISE_PER_STEP: f32 = 0.02;
 
-/// Part of the difference by which it falls in 1/60 s. Unit: dimensionless, at most 1.
+/// Load adaptation: fraction of the excess of the rest impulse over the normal impulse by which the rest impulse falls in 1/60
+/// s. Unit: dimensionless, at most 1. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const LOAD_FALL_PER_STEP: f32 = 0.05;
 
-/// Part of the load that is left on the spring. Unit: dimensionless, at most 1.
-pub(in crate::precise) const LOAD_LEFT_ON_SPRING: f32 = 0.6;
+/// Load adaptation: fraction of the load of a contact, the sum of its normal impulses, that the soft constraint carries by
+/// penetration. The rest impulses rise up to 1 minus this fraction of the load. Unit: dimensionless, at most 1. The penetration
+/// keeps contacts deep in a pile closed. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const LOAD_ON_SPRING_FRACTION: f32 = 0.6;
 
-/// Greatest penetration that counts as sag under load. Unit: length units.
+/// Greatest penetration that counts as sag of a soft contact under load. Unit: length units. Load adaptation excludes deeper
+/// contacts: a body that is wedged in another one would be pressed ever harder. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const GREATEST_SAG: f32 = 0.1;
 
-/// Least value of 1 - (coupling times effective mass)^2 with which the two points of a manifold are solved as a block. Unit:
-/// dimensionless. Below it the block is ill-conditioned, and the points are solved one after the other.
-pub(in crate::precise) const BLOCK_CONDITION: f32 = 0.02;
+/// Least relative determinant 1 - k12^2 / (k11 k22) with which the block solver takes the two points of a manifold. Unit:
+/// dimensionless. Here k is the 2x2 matrix J M^-1 J^T of both normal rows. Below the limit the matrix is ill-conditioned, and
+/// the points are solved one after the other. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const BLOCK_MIN_RELATIVE_DETERMINANT: f32 = 0.02;
 
-/// Greatest change of velocity of a body without contact impulses, as a multiple of that by its forces, with which it moves in a
-/// closed-form arc. Unit: dimensionless.
-pub(in crate::precise) const BALLISTIC_VELOCITY_CHANGE: f32 = 2.0;
+/// Greatest velocity change of a body in a step for the midpoint correction of its path, as a multiple of the change by forces
+/// alone. Unit: dimensionless. A greater velocity change comes from an impact, for which the correction is wrong. Value chosen;
+/// its sensitivity is not measured.
+pub(in crate::precise) const MIDPOINT_MAX_VELOCITY_CHANGE: f32 = 2.0;
 
-/// Greatest relative difference between the points of a central bounce. Unit: dimensionless.
-pub(in crate::precise) const CENTRAL_BOUNCE_DIFFERENCE: f32 = 1e-3;
+/// Greatest deviation with which an impact counts as central, that is, passes through both centres of mass. It limits the
+/// relative difference of the points' approach velocities, and the arm of the impact relative to the radius of gyration. Unit:
+/// dimensionless. Only central impacts have a closed form. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const CENTRAL_IMPACT_TOLERANCE: f32 = 1e-3;
 
-/// Most passes over contacts and joints for the velocities after an impact. Unit: dimensionless, a count. With a body that is welded on one
-/// of a quarter of its mass each pass leaves 4 / 5 of the error: a thousandth after all.
-pub(in crate::precise) const JOINTED_RESTITUTION_PASSES: usize = 32;
+/// Most Gauss-Seidel sweeps over contacts and joints for the velocities after an impact. Unit: dimensionless, a count. If a
+/// body is welded to a body of a quarter of its mass, each sweep leaves 4 / 5 of the error: after 32 sweeps a thousandth is
+/// left.
+pub(in crate::precise) const JOINTED_RESTITUTION_MAX_SWEEPS: usize = 32;
 
-/// Velocity error of joints at which these passes end, as a fraction of the restitution threshold. Unit: dimensionless.
-pub(in crate::precise) const JOINTED_RESTITUTION_ERROR: f32 = 1e-3;
+/// Velocity error of joints at which the sweeps of [`JOINTED_RESTITUTION_MAX_SWEEPS`] end early, as a fraction of the
+/// restitution threshold. Unit: dimensionless. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const JOINTED_RESTITUTION_TOLERANCE: f32 = 1e-3;
 
-/// Most corner impacts of a pivoting polygon in a step. Unit: dimensionless, a count. A polygon with more of them turns by several
-/// corners in every substep.
-pub(in crate::precise) const PIVOT_IMPACTS_PER_STEP: usize = 64;
+/// Greatest number of vertex impacts of a pivoting polygon in a step; with more impacts the iterative solver takes the polygon.
+/// Unit: dimensionless, a count. A polygon with more impacts rotates by several vertices in every substep. Value chosen; its
+/// sensitivity is not measured.
+pub(in crate::precise) const PIVOT_MAX_IMPACTS_PER_STEP: usize = 64;
 
-/// Greatest speed of the pivot over the face as a fraction of the speed of the centre of mass. Unit: dimensionless. A larger one is
-/// slip or a hop; a smaller one is the velocity error of the iterative solver, and its square is lost as energy.
-pub(in crate::precise) const PIVOT_SLIP: f32 = 0.05;
+/// Greatest speed of the pivot vertex over the face as a fraction of the speed of the centre of mass. Unit: dimensionless. A
+/// larger fraction is sliding or a take-off. A smaller one is the velocity error of the iterative solver. The removal of this
+/// error loses energy in proportion to the square of the error. The value is also the greatest angle, in radians, by which the
+/// next vertex may already be below the face. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const PIVOT_MAX_SLIP: f32 = 0.05;
 
-/// Least fraction of a substep that is integrated; less is rounding. Unit: dimensionless.
-pub(in crate::precise) const PIVOT_LEAST_SUBSTEP: f32 = 1e-4;
+/// Least time that a pivoting polygon integrates at the end of a step, as a fraction of a substep. Unit: dimensionless. A
+/// shorter time left over is a rounding error. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const PIVOT_MIN_SUBSTEP: f32 = 1e-4;
 
-/// Penetration from which on a polygon is lifted before it pivots, as a fraction of the speculative distance. Unit: dimensionless.
-/// 0.005 length units, the slop of Box2D, of which the speculative distance is four.
-pub(in crate::precise) const PIVOT_PENETRATION: f32 = 0.25;
+/// Greatest distance of the lowest vertex from the plane with which a polygon pivots, as a fraction of the speculative
+/// distance. Unit: dimensionless. The distance is 0.005 length units, Box2D's linear slop: the speculative distance is four
+/// linear slops.
+pub(in crate::precise) const PIVOT_MAX_PENETRATION: f32 = 0.25;
 
-/// Greatest difference between the planes of two static faces that a polygon rolls over as one. Unit: length units in height, and
-/// dimensionless as the sine of the angle.
-pub(in crate::precise) const PIVOT_PLANE_DIFFERENCE: f32 = 1e-3;
+/// Greatest deviation between two static faces that a pivoting polygon treats as one plane: difference in height, and sine of
+/// the angle. Unit: length units in height, and dimensionless as the sine of the angle. Value chosen; its sensitivity is not
+/// measured.
+pub(in crate::precise) const PIVOT_PLANE_TOLERANCE: f32 = 1e-3;
 
-/// Greatest distance between a manifold point and a corner of the rolling polygon, as a fraction of the polygon's reach. Unit:
-/// dimensionless. Clipping at the end of the face moves points farther.
-pub(in crate::precise) const ROLLING_POINT_DISTANCE: f32 = 1e-3;
+/// Greatest distance along the face between a manifold point and a vertex of the rolling polygon, as a fraction of the greatest
+/// distance of the polygon's surface from its origin. Unit: dimensionless. Points that clipping moved to the end of a face lie
+/// farther from the vertex. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const ROLLING_VERTEX_TOLERANCE: f32 = 1e-3;

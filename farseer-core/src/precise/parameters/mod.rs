@@ -1,13 +1,15 @@
-//! Parameters: every number of the method that was chosen, one file for each part of the method.
+//! Parameters of the precise engine: each number that was chosen, in one file per stage.
 //!
-//! A name is a quantity and its role. The text above it says `Unit: ...`, what it is for, and where its value comes from: a derivation, a
-//! citation or a measurement. A number without one of them is a choice. Lengths are in length units, the size of things that a player
-//! looks at ([`Tuning::unit`](super::tuning::Tuning::unit)): 1 m in a game in metres, 32 px in one in px.
+//! The name of a constant is a quantity and its role. Its comment has `Unit: ...`, its purpose, and where the value comes from:
+//! a derivation, a citation or a measurement. "Value chosen" marks a value that has none of these. Lengths are multiples of the
+//! length unit ([`Parameters::length_unit`](super::scaled_parameters::Parameters::length_unit)), the size of things that a
+//! player looks at: 1 m in a game in metres, 32 px in one in px.
 //!
-//! `docs/measured/sensitivity` has the changes by half and twice a number; its rows are the measured ones. The program `sensitivity` reads these files: one constant per
-//! line, its value on the same line. Units that it treats apart: `a cosine` (half and twice the angle is meant) and `at most 1`.
+//! `docs/measured/sensitivity` reports the effect of half and twice the value, for the parameters in its table. The program
+//! `sensitivity` (`tests/measure/drawing/examples`) parses these files: one constant per line, its value on the same line. It
+//! treats two units apart: `a cosine` (it halves and doubles the angle) and `at most 1` (it clamps twice the value to 1).
 //!
-//! Not here: identities, indices, marks in place of an index, numbers of lanes.
+//! Not here: identities, indices, sentinel values, numbers of SIMD lanes.
 
 pub(super) mod broad_phase;
 pub(super) mod contacts;

@@ -1,73 +1,97 @@
-//! Narrow phase: manifolds, contact recycling, ghost collisions, continuous collision and one-way surfaces.
+//! Parameters of the narrow phase: manifolds, contact recycling, ghost filters, continuous collision and one-way geoms.
+//!
+//! Limits of angles are given as cosines or sines where the code compares scalar or cross products of unit vectors.
 
-/// Least advantage of another reference edge, as a fraction of the speculative distance. Unit: dimensionless. Prevents alternating
-/// edges.
+/// Advantage in separation that an edge of B needs over one of A to become the reference edge, as a fraction of the speculative
+/// distance, dimensionless. Without it the reference edge alternates between A and B from step to step. Value chosen; its
+/// sensitivity is not measured. Unit: dimensionless.
 pub(in crate::precise) const REFERENCE_EDGE_HYSTERESIS: f32 = 0.025;
 
-/// Least cosine between the line that joins two corners and an edge's normal with which the corners lie on that edge. Unit:
-/// dimensionless, a cosine.
-pub(in crate::precise) const CAPSULE_EDGE_COSINE: f32 = 0.9999;
+/// Smallest cosine of the angle between an edge normal and the line through the closest vertices of two cores for an edge
+/// contact, dimensionless. Above it a capsule gets the two contact points of the edge, below it one point between the vertices.
+/// Value chosen; its sensitivity is not measured. Unit:  dimensionless, a cosine.
+pub(in crate::precise) const CAPSULE_EDGE_MIN_COS: f32 = 0.9999;
 
-/// Sine of the angle below which an outline is straight at a corner. Unit: dimensionless.
-pub(in crate::precise) const STRAIGHT_CORNER_SINE: f32 = 1e-3;
+/// Largest sine of the angle between two edge normals at a vertex that counts as straight, dimensionless. A straight vertex
+/// admits no contact normals but those of its two edges. Value chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const STRAIGHT_VERTEX_MAX_SIN: f32 = 1e-3;
 
-/// Sine of the angle by which a normal may leave a neighbour's Voronoi cone, for rounding. Unit: dimensionless. `sinTol` of Box2D's
-/// `b2ClassifyNormal`.
-pub(in crate::precise) const EDGE_NORMAL_SLACK: f32 = 0.01;
+/// Sine of the angle by which a contact normal may leave the Voronoi region of a vertex without being skipped, dimensionless.
+/// It absorbs rounding. Source: `sinTol` of `b2ClassifyNormal` in Box2D's `manifold.c` (E. Catto). Unit: dimensionless.
+pub(in crate::precise) const VORONOI_TOLERANCE_SIN: f32 = 0.01;
 
-/// Greatest penetration behind an edge that a normal is snapped to, as a multiple of that along the normal. Unit: dimensionless. That
-/// of an edge at an angle of 60 degrees: 1 / cos 60 degrees.
-pub(in crate::precise) const SNAPPED_PENETRATION_RATIO: f32 = 2.0;
+/// Largest penetration behind an edge to which the ghost filter moves ("snaps") a contact, as a multiple of the penetration
+/// along the old normal, dimensionless. The value, 1 / cos 60 degrees, allows angles of up to 60 degrees between both normals.
+/// Unit: dimensionless.
+pub(in crate::precise) const SNAP_MAX_PENETRATION_RATIO: f32 = 2.0;
 
-/// Largest gap, offset or step between flush faces. Unit: length units. Half a px where the length unit is 32 px.
-pub(in crate::precise) const FLUSH_FACE_STEP: f32 = 1.0 / 64.0;
+/// Largest gap, offset or step between two faces that count as flush, in length units. It is half a px for a length unit of 32
+/// px. Value chosen; its sensitivity is not measured. Unit: length units.
+pub(in crate::precise) const FLUSH_FACE_MAX_STEP: f32 = 1.0 / 64.0;
 
-/// Deepest penetration that may be a ghost collision. Unit: length units. The sag of a contact under its load is less. A body that is
-/// deeper in a tile was put there, and is pushed out by every tile.
-pub(in crate::precise) const GHOST_PENETRATION: f32 = 0.1;
+/// Largest penetration of a contact that the ghost filter between geoms may remove, in length units. Contacts under load
+/// penetrate less. A body that is deeper in a tile was placed there by the game, and every tile resolves its penetration. Unit:
+/// length units.
+pub(in crate::precise) const GHOST_MAX_PENETRATION: f32 = 0.1;
 
-/// Sine of the angle by which a normal may leave a normal cone, for rounding. Unit: dimensionless.
-pub(in crate::precise) const NORMAL_CONE_SLACK: f32 = 1e-3;
+/// Sine of the angle by which a contact normal may lie outside of a normal cone and still count as inside, dimensionless. It
+/// absorbs rounding. Value chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const NORMAL_CONE_TOLERANCE_SIN: f32 = 1e-3;
 
-/// Sine of the angle up to which a contact normal is that of a face. Unit: dimensionless.
-pub(in crate::precise) const FACE_NORMAL_SINE: f32 = 0.01;
+/// Largest sine of the angle between a contact normal and a face normal for which the contact belongs to that face,
+/// dimensionless. Value chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const FACE_NORMAL_MAX_SIN: f32 = 0.01;
 
-/// Least cosine between two normals that count as equal at the rims of faces. Unit: dimensionless, a cosine.
-pub(in crate::precise) const RIM_NORMAL_COSINE: f32 = 0.999_99;
+/// Upper bound of the cosine between the contact normal of a round shape at a rim and the normal of the face that supports the
+/// shape, dimensionless. At larger cosines the contact is one with the face itself, and the rim filter keeps it. Value chosen;
+/// its sensitivity is not measured. Unit: dimensionless, a cosine.
+pub(in crate::precise) const RIM_NORMAL_MAX_COS: f32 = 0.999_99;
 
-/// Cosine of the greatest relative rotation of a recycled manifold. Unit: dimensionless, a cosine. 11.5 degrees, Box2D 3
-/// (`B2_CONTACT_RECYCLE_COS_ANGLE`).
-pub(in crate::precise) const RECYCLING_COSINE: f32 = 0.98;
+/// Cosine of the largest rotation of a body since its manifold was computed, up to which contact recycling keeps the manifold,
+/// dimensionless. Beyond 11.5 degrees the manifold is computed again. Source: Box2D 3.2 (E. Catto,
+/// `B2_CONTACT_RECYCLE_COS_ANGLE`). Unit: dimensionless, a cosine.
+pub(in crate::precise) const RECYCLE_MAX_ANGLE_COS: f32 = 0.98;
 
-/// The same for a kinematic body A. Unit: dimensionless, a cosine. 0.36 degrees: the normal of a contact with a turntable follows it.
-pub(in crate::precise) const KINEMATIC_RECYCLING_COSINE: f32 = 0.99998;
+/// Cosine of the largest rotation of a kinematic body A for contact recycling, dimensionless, a cosine: 0.36 degrees. It
+/// replaces [`RECYCLE_MAX_ANGLE_COS`], because the normal of a contact with a turntable would lag behind. Value chosen; its
+/// sensitivity is not measured. Unit: dimensionless, a cosine.
+pub(in crate::precise) const RECYCLE_KINEMATIC_MAX_ANGLE_COS: f32 = 0.99998;
 
-/// Largest error of a recycled separation: relative translation times the sine of the relative rotation since. Unit: length units.
-pub(in crate::precise) const RECYCLED_SEPARATION_ERROR: f32 = 3e-4;
+/// Largest estimated error of a recycled separation, in length units. The estimate is the relative motion of the pair times the
+/// sine of the rotation since the manifold was computed. Value chosen; its sensitivity is not measured. Unit: length units.
+pub(in crate::precise) const RECYCLE_MAX_SEPARATION_ERROR: f32 = 3e-4;
 
-/// Rotation in a step from which on a polygon on a static body has its manifold computed in every step. Unit: radians. It rolls or topples:
-/// corners land one after the other.
-pub(in crate::precise) const ROLLING_ROTATION: f32 = 0.01;
+/// Rotation per step, in radians, above which a polygon on a static body counts as rolling fast. The manifold of the polygon is
+/// then computed in every step and updated in every substep, because the vertices land one after the other. Value chosen; its
+/// sensitivity is not measured. Unit: radians.
+pub(in crate::precise) const ROLLING_MIN_ANGLE_PER_STEP: f32 = 0.01;
 
-/// Largest angle by which contact arms are rotated ahead of the pose. Unit: radians.
-pub(in crate::precise) const ARM_LEAD_ANGLE: f32 = 0.2;
+/// Largest angle, in radians, by which the vectors from a rolling body B to its contact points are rotated ahead of the pose of
+/// B: see `CachedManifold::arm_lead_angle`. Value chosen; its sensitivity is not measured. Unit: radians.
+pub(in crate::precise) const ARM_LEAD_MAX_ANGLE: f32 = 0.2;
 
-/// Largest distance between a new point and an old anchor whose impulses it inherits, as a fraction of the smaller body's reach. Unit:
-/// dimensionless.
-pub(in crate::precise) const WARM_START_DISTANCE: f32 = 0.4;
+/// Largest distance between a new contact point and the old point whose impulses it inherits, dimensionless: a fraction of the
+/// smaller extent of both shapes. The extent is the largest distance of a surface from the origin of its body. Larger distances
+/// would warm start unrelated points. Value chosen; its sensitivity is not measured. Unit:  dimensionless.
+pub(in crate::precise) const WARM_START_MAX_DISTANCE_RATIO: f32 = 0.4;
 
-/// Penetration at the time of impact, as a fraction of the speculative distance: enough that the next step finds the contact. Unit:
-/// dimensionless.
-pub(in crate::precise) const IMPACT_PENETRATION: f32 = 0.5;
+/// Penetration of a body at its time of impact, as a fraction of the speculative distance, dimensionless. The body stops a
+/// little behind the surface, so that the next narrow phase finds the contact. Value chosen; its sensitivity is not measured.
+/// Unit:  dimensionless.
+pub(in crate::precise) const TOI_PENETRATION_RATIO: f32 = 0.5;
 
-/// Motions and coordinates beyond this length have squares that are not finite. Unit: that of coordinates.
-pub(in crate::precise) const CONTINUOUS_COLLISION_RANGE: f32 = 1e18;
+/// Largest displacement per step for which continuous collision examines a body, in the unit of coordinates. Squares of much
+/// larger numbers overflow an `f32`. Unit: the length unit of coordinates.
+pub(in crate::precise) const CCD_MAX_COORDINATE: f32 = 1e18;
 
-/// Tolerance of the time of impact, as a fraction of the speculative distance. Unit: dimensionless.
-pub(in crate::precise) const IMPACT_TOLERANCE: f32 = 0.1;
+/// Tolerance of the separation at the time of impact, as a fraction of the speculative distance, dimensionless. The iteration
+/// for the time of impact ends within it. Value chosen; its sensitivity is not measured. Unit: dimensionless.
+pub(in crate::precise) const TOI_TOLERANCE_RATIO: f32 = 0.1;
 
-/// Most advances of conservative advancement; a body stops short after them. Unit: dimensionless, a count.
-pub(in crate::precise) const IMPACT_ADVANCES: usize = 32;
+/// Largest number of iterations of conservative advancement for a time of impact. After them the result is a time before the
+/// impact, so a body stops short of the other one. Value chosen; its sensitivity is not measured. Unit: dimensionless, a count.
+pub(in crate::precise) const TOI_MAX_ITERATIONS: usize = 32;
 
-/// Least cosine between the open direction and the normal of a side that stops. Unit: dimensionless, a cosine. 60 degrees.
-pub(in crate::precise) const ONE_WAY_COSINE: f32 = 0.5;
+/// Smallest cosine of the angle between a face normal and the direction of free passage for which a one-way geom stops bodies
+/// with that face, dimensionless: 60 degrees. Value chosen; its sensitivity is not measured. Unit: dimensionless, a cosine.
+pub(in crate::precise) const ONE_WAY_MIN_COS: f32 = 0.5;

@@ -1,20 +1,34 @@
-//! Sleep and waking.
+//! Parameters of sleeping and waking: rest time, sleep speed, supported forces and stalled drives.
 
-/// Time for which all bodies of an island are at rest before it sleeps. Unit: s. Box2D 3 (E. Catto, `B2_TIME_TO_SLEEP`).
+/// Time for which all bodies of an island must be at rest before the island sleeps. Unit: s. Source: Box2D 3 (E. Catto,
+/// `B2_TIME_TO_SLEEP`).
 pub(in crate::precise) const TIME_TO_SLEEP: f32 = 0.5;
 
-/// Part of that time after which an island that only waits for a slow drive is tested again. Unit: dimensionless, at most 1.
-pub(in crate::precise) const SLEEP_RETEST_PART: f32 = 0.8;
+/// Rest time to which an island is set back that is at rest but not ready to sleep, as a fraction of [`TIME_TO_SLEEP`]. Unit:
+/// dimensionless, at most 1.
+///
+/// The island is then tested again after a fifth of the time to sleep, not in every step. Value chosen; its sensitivity is not
+/// measured.
+pub(in crate::precise) const SLEEP_RETEST_FRACTION: f32 = 0.8;
 
-/// Sleep threshold as a fraction of the speed of a fall over one length unit. Unit: dimensionless.
+/// Speed below which a body is at rest, as a fraction of the speed after a fall over one length unit. Unit: dimensionless, > 0.
+///
+/// A limit that follows gravity and the size of bodies suits all units. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const SLEEP_SPEED_PER_FALL: f32 = 0.01;
 
-/// Sleep threshold without gravity. Unit: length units/s.
+/// Smallest value of the speed below which a body is at rest; it applies without gravity. Unit: length units/s. Value chosen;
+/// its sensitivity is not measured.
 pub(in crate::precise) const SLEEP_SPEED_WEIGHTLESS: f32 = 1e-3;
 
-/// Relative change of the supported force that does not wake a body once it is at rest. Unit: dimensionless.
-pub(in crate::precise) const WAKING_FORCE_CHANGE: f32 = 0.25;
+/// Largest relative change of the force on a body in the step after it fell asleep for which the body sleeps on: the new force
+/// replaces the supported one. Unit: dimensionless, >= 0.
+///
+/// A damped spring exerts another force once the velocity of the body is set to 0; that must not wake the body. Value chosen;
+/// its sensitivity is not measured.
+pub(in crate::precise) const REMEASURED_FORCE_MAX_CHANGE: f32 = 0.25;
 
-/// Fraction of a drive's speed below which its body is stalled. Unit: dimensionless. A drive of constant effort that takes
-/// longer than the 0.5 s after which bodies sleep to reach this fraction is stalled: it would take 50 s to reach its speed.
-pub(in crate::precise) const STALLED_DRIVE_SPEED: f32 = 0.01;
+/// Fraction of a drive's speed below which the driven body counts as stalled and may sleep. Unit: dimensionless, at most 1.
+///
+/// With a constant force, a drive that reaches this fraction only after [`TIME_TO_SLEEP`] would need 50 s to reach its full
+/// speed. So a slower one counts as stalled.
+pub(in crate::precise) const STALLED_DRIVE_SPEED_FRACTION: f32 = 0.01;

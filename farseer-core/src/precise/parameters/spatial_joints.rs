@@ -1,61 +1,97 @@
-//! Joints in three axes: groups of bodies that distances tie.
+//! Parameters of joints in three axes: groups of bodies that distance joints connect.
+//!
+//! A group without contacts divides the substeps of the solver further, into *parts*.
 
-/// Compliance of a joint that closes a loop, as a fraction of its inverse effective mass: constraints that contradict each other, as those
-/// of a rope that is taut between two posts, get finite impulses. Unit: dimensionless.
+/// Compliance of rows that close a loop, and of motors, as a fraction of their inverse effective mass. Unit: dimensionless.
+///
+/// It keeps impulses finite where rows contradict each other, as those of a taut rope between two posts. Value chosen; its
+/// sensitivity is not measured.
 pub(in crate::precise) const LOOP_COMPLIANCE: f64 = 1e-1;
 
-/// Velocity iterations of a group without loops. Unit: dimensionless, a count.
-pub(in crate::precise) const TREE_VELOCITY_ITERATIONS: usize = 2;
+/// Smallest number of velocity iterations per solve of a group of joints in three axes without loops. Unit: dimensionless, a
+/// count. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const TREE_MIN_VELOCITY_ITERATIONS: usize = 2;
 
-/// Velocity iterations of a group with loops. Unit: dimensionless, a count.
-pub(in crate::precise) const LOOP_VELOCITY_ITERATIONS: usize = 3;
+/// Smallest number of velocity iterations per solve of a group of joints in three axes with loops. Unit: dimensionless, a
+/// count. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const LOOP_MIN_VELOCITY_ITERATIONS: usize = 3;
 
-/// Most velocity iterations of a group while its active set changes. Unit: dimensionless, a count.
-pub(in crate::precise) const ACTIVE_SET_ITERATIONS: usize = 16;
+/// Largest number of velocity iterations per solve of a group of joints in three axes, while its active set changes. Unit:
+/// dimensionless, a count.
+///
+/// No row joins the active set in the second half of the iterations, so that the set cannot cycle. Value chosen; its
+/// sensitivity is not measured.
+pub(in crate::precise) const ACTIVE_SET_MAX_ITERATIONS: usize = 16;
 
-/// Gauss-Seidel sweeps over a group that is too large for a factorisation. Unit: dimensionless, a count.
-pub(in crate::precise) const GROUP_SWEEPS: usize = 20;
+/// Gauss-Seidel sweeps over a group of joints in three axes that is too large for a factorisation. Unit: dimensionless, a
+/// count. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const GROUP_GAUSS_SEIDEL_SWEEPS: usize = 20;
 
-/// Greatest lateral stiffness that the pull of a loop gives its links in a substep, as a fraction of their inertia. Unit: dimensionless.
-pub(in crate::precise) const LOOP_STIFFNESS: f64 = 0.5;
+/// Largest lateral stiffness that the tension of a loop of distance joints may give a joint in a substep, as a fraction of the
+/// inertia of its bodies. Unit: dimensionless.
+///
+/// An explicit stiffness is unstable from 4 on. A loop that cannot close has no other bound on its tension. Value chosen; its
+/// sensitivity is not measured.
+pub(in crate::precise) const LOOP_MAX_LATERAL_STIFFNESS: f64 = 0.5;
 
-/// Error that counts as zero. Unit: length units.
+/// Position error that the velocity errors of a group in three axes cause in a substep, below which they count as zero. Unit:
+/// length units. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const GROUP_ERROR_FLOOR: f64 = 1e-9;
 
-/// Error at which an iteration has converged, whatever it was before. Unit: length units.
+/// Position error that the velocity errors of a group in three axes cause in a substep, below which its solve counts as
+/// converged. Unit: length units. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const GROUP_ERROR_CONVERGED: f64 = 1e-3;
 
-/// Greatest position error that is corrected by the motion of a substep instead of a separate correction. Unit: length units, and
-/// radians. Ten times the rounding of positions a thousand length units away; none of its speed is left by the velocity pass.
-pub(in crate::precise) const POSITION_ERROR_IN_MOTION: f64 = 1e-5;
+/// Largest position error that the first solve of a substep corrects together with the motion. Unit: length units, in angular
+/// rows radians.
+///
+/// Larger errors get a second solve, whose correction speed the relaxation removes. The value is ten times the spacing of `f32`
+/// positions ten length units from the origin of the world.
+pub(in crate::precise) const MERGED_CORRECTION_MAX_ERROR: f64 = 1e-5;
 
-/// Stiffness that a part of a substep integrates stably, where 4 is the limit at which 4 T h^2 / (l m) overshoots: pull T of the
-/// links of a rope, their length l and mass m. Unit: dimensionless.
-pub(in crate::precise) const ROPE_STABLE_STIFFNESS: f64 = 0.1;
+/// Lateral stiffness of a rope of distance joints in a part of a substep, as a fraction of the stable limit. Unit:
+/// dimensionless, at most 1.
+///
+/// It determines the number of parts. With tension T, joint length l, body mass m and part h (seconds), the stiffness is 4 T
+/// h^2 / (l m); an explicit step overshoots from 4 on. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const ROPE_STABLE_LIMIT_FRACTION: f64 = 0.1;
 
-/// Pull that is provided for, as a multiple of the present one. Unit: dimensionless. A pendulum released from the level pulls three times
-/// its weight at its lowest point: m g + m v^2 / l with v^2 = 2 g l.
-pub(in crate::precise) const ROPE_PULL_AHEAD: f64 = 3.0;
+/// Largest tension of a rope for which the parts of a substep are short enough, as a multiple of the tension in the last step.
+/// Unit: dimensionless, >= 1.
+///
+/// A pendulum that is released from the level has three times its weight as tension at its lowest point: m g + m v^2 / l with
+/// v^2 = 2 g l.
+pub(in crate::precise) const ROPE_TENSION_MARGIN: f64 = 3.0;
 
-/// Most parts that a substep of a free group is divided into. Unit: dimensionless, a count.
-pub(in crate::precise) const ROPE_SUBSTEP_PARTS: f64 = 24.0;
+/// Largest number of parts into which a group of joints without contacts divides a substep. Unit: dimensionless, a count. It
+/// bounds the cost. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const ROPE_MAX_SUBSTEP_PARTS: f64 = 24.0;
 
-/// Most products of the factors that all parts of a substep take: a large net gets fewer parts. Unit: dimensionless, a count.
-pub(in crate::precise) const ROPE_SUBSTEP_PRODUCTS: f64 = 1e6;
+/// Largest number of products in the factorisations for all parts of a substep. Unit: dimensionless, a count.
+///
+/// It bounds the cost of large nets, which get fewer parts per substep. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const ROPE_MAX_SUBSTEP_PRODUCTS: f64 = 1e6;
 
-/// Multiple of parts with which a step that gained energy is repeated. Unit: dimensionless.
-pub(in crate::precise) const ROPE_RETRY_PARTS: u32 = 3;
+/// Factor by which the number of parts per substep grows when the step of a group without contacts is repeated. Unit:
+/// dimensionless, > 1. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const ROPE_RETRY_FACTOR: u32 = 3;
 
-/// Greatest energy that joints may add to a group in a part of a substep, as a fraction of its kinetic energy. Unit: dimensionless.
-/// Joints do no work but for the error of the method.
-pub(in crate::precise) const ROPE_ENERGY_GAIN: f64 = 0.01;
+/// Largest energy that joints in three axes may add in a part of a substep, as a fraction of the kinetic energy. Unit:
+/// dimensionless, >= 0.
+///
+/// Joints do no work, so that a gain is an error of the integration. A greater gain repeats the step with more parts. Value
+/// chosen; its sensitivity is not measured.
+pub(in crate::precise) const ROPE_MAX_ENERGY_GAIN: f64 = 0.01;
 
-/// Part of a position error that a substep corrects where a joint closes a loop or a limit is passed (Baumgarte). Unit: dimensionless,
-/// at most 1.
+/// Fraction of a position error that a substep corrects at limits and in loops of joints in three axes (Baumgarte
+/// stabilisation). Unit: dimensionless, at most 1. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const LOOP_BAUMGARTE_FACTOR: f64 = 0.2;
 
-/// Greatest position error that is corrected at once. Unit: length units, and radians.
-pub(in crate::precise) const POSITION_CORRECTION_LIMIT: f64 = 0.5;
+/// Largest position error of a joint in three axes that a substep corrects at once. Unit: length units, in angular rows
+/// radians. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const MAX_POSITION_CORRECTION: f64 = 0.5;
 
-/// Most products of a factorisation; a larger group is solved by Gauss-Seidel sweeps. Unit: dimensionless, a count.
-pub(in crate::precise) const GROUP_FACTOR_PRODUCTS: usize = 2_000_000;
+/// Largest number of products in the factorisation of a group of joints in three axes. Unit: dimensionless, a count.
+///
+/// Larger groups use Gauss-Seidel sweeps, whose cost is linear. Value chosen; its sensitivity is not measured.
+pub(in crate::precise) const GROUP_MAX_FACTOR_PRODUCTS: usize = 2_000_000;

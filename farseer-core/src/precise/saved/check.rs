@@ -1,90 +1,122 @@
-//! Whether what was loaded can be used.
+//! Validation of a loaded snapshot.
 
-use super::{Known, Saved, SavedContacts, SavedPair, SavedProxy, SavedRow, Sleeper};
+use super::{ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
 use crate::methods::Methods;
 use crate::precise::Precise;
-use crate::precise::rows::COLOURS;
-use crate::precise::tuning::Tuning;
+use crate::precise::constraint_graph::COLOR_COUNT;
+use crate::precise::scaled_parameters::Parameters;
 
 impl Precise {
-    /// Whether what was loaded can be used, and is of these methods.
+    /// Returns whether a loaded state is valid and was saved by the precise set with the length unit of `methods`.
     pub(crate) fn is_valid(&self, methods: Methods) -> bool {
-        matches!(methods, Methods::Precise { length_unit } if length_unit == self.tuning.unit)
+        matches!(methods, Methods::Precise { length_unit } if length_unit == self.parameters.length_unit)
             && self
                 .loaded
                 .as_ref()
-                .is_none_or(|saved| saved.is_valid() && saved.is_in_space == self.space.is_some())
+                .is_none_or(|saved| saved.is_valid() && saved.is_in_space == self.depth.is_some())
     }
 }
 
 impl Saved {
-    /// Whether everything is finite and names what is there: false only after loading garbage.
+    /// Returns whether all numbers are finite and all indices in range. It is false only if the snapshot is corrupt.
     fn is_valid(&self) -> bool {
-        let Tuning { unit, .. } = self.tuning;
-        unit.is_finite()
-            && unit > 0.0
-            && self.tuning == Tuning::new(unit)
+        let Parameters { length_unit, .. } = self.tuning;
+        length_unit.is_finite()
+            && length_unit > 0.0
+            && self.tuning == Parameters::new(length_unit)
             && finite(&[self.h, self.dt])
             && self.proxies.iter().all(SavedProxy::is_valid)
             && self.pairs.iter().all(|pair| pair.is_valid(self.proxies.len()))
             && finite(&self.gravity)
-            && self.ways.iter().all(|(_, way)| finite(way))
-            && self.rest.iter().all(|&(_, rest)| rest.is_finite())
-            && self.wear.iter().all(|(_, wear)| wear.effort.is_finite() && wear.budget.is_finite())
-            && self.sleepers.iter().all(|sleeper| sleeper.is_valid(self.sleepers.len()))
+            && self.delta_poses.iter().all(|(_, way)| finite(way))
+            && self.rest_times.iter().all(|&(_, rest)| rest.is_finite())
+            && self
+                .solver_history
+                .iter()
+                .all(|(_, wear)| wear.average_newton_steps.is_finite() && wear.budget.is_finite())
+            && self.sleeping_bodies.iter().all(|sleeper| sleeper.is_valid(self.sleeping_bodies.len()))
     }
 }
 
 impl SavedProxy {
     fn is_valid(&self) -> bool {
-        let SavedProxy { bounds, depths, known: Known { place, contacts, one_way, .. }, .. } = self;
-        finite(&[depths.low, depths.high])
-            && finite(bounds)
-            && finite(place)
-            && finite(contacts)
+        let SavedProxy {
+            fat_aabb,
+            depth_interval,
+            imported: ImportedState { pose, contact_properties, one_way, .. },
+            ..
+        } = self;
+        finite(&[depth_interval.low, depth_interval.high])
+            && finite(fat_aabb)
+            && finite(pose)
+            && finite(contact_properties)
             && finite(&one_way.unwrap_or_default())
     }
 }
 
 impl SavedPair {
-    /// Of so many proxies.
+    /// Returns whether all numbers of the saved pair are finite and all indices in range. `proxies`: number of saved proxies.
     fn is_valid(&self, proxies: usize) -> bool {
-        let SavedContacts { turns, relative, normal, count, anchors, separations, lead, space, .. } =
-            &self.frozen;
+        let SavedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            arm_lead_angle,
+            depth,
+            ..
+        } = &self.manifold;
         self.proxies.iter().all(|&proxy| (proxy as usize) < proxies)
             && *count <= 2
-            && finite(turns)
-            && finite(relative)
+            && finite(rotations)
+            && finite(relative_pose)
             && finite(normal)
-            && finite(&[space.normal_z, space.apart, space.spread])
-            && finite(&space.depths)
+            && finite(&[depth.normal_z, depth.z_offset, depth.patch_radius])
+            && finite(&depth.points_z)
             && finite(separations)
-            && lead.abs() <= 1.0
+            && arm_lead_angle.abs() <= 1.0
             && anchors.iter().all(|anchor| finite(anchor))
-            && self.row.as_ref().is_none_or(|row| *count > 0 && row.is_valid())
+            && self.constraint.as_ref().is_none_or(|row| *count > 0 && row.is_valid())
     }
 }
 
-impl SavedRow {
+impl SavedConstraint {
     fn is_valid(&self) -> bool {
-        let SavedRow { tangent_impulse, space, impulses, held, separations, asleep, direct, kept, .. } = self;
-        (self.colour as usize) < COLOURS
-            && finite(&[*tangent_impulse, asleep.unwrap_or(0.0)])
+        let SavedConstraint {
+            tangent_impulse,
+            depth_impulses,
+            impulses,
+            load_offsets,
+            separations,
+            sleeping_h,
+            direct,
+            sleeping_surface,
+            ..
+        } = self;
+        (self.colour as usize) < COLOR_COUNT
+            && finite(&[*tangent_impulse, sleeping_h.unwrap_or(0.0)])
             && direct.is_none_or(|(h, exact)| h.is_finite() && exact.iter().all(|x| x.is_finite()))
-            && finite(&kept.unwrap_or_default())
-            && finite(space)
-            && [impulses, held, separations].into_iter().all(|numbers| finite(numbers))
+            && finite(&sleeping_surface.unwrap_or_default())
+            && finite(depth_impulses)
+            && [impulses, load_offsets, separations].into_iter().all(|numbers| finite(numbers))
     }
 }
 
-impl Sleeper {
-    /// Of so many.
-    fn is_valid(&self, sleepers: usize) -> bool {
-        let is_there = (self.first as usize) < sleepers;
-        is_there && finite(&self.place) && finite(&self.borne) && finite(&self.nature)
+impl SavedSleepingBody {
+    /// Returns whether all numbers of the saved body are finite and its index is in range. `count`: number of saved sleeping
+    /// bodies.
+    fn is_valid(&self, count: usize) -> bool {
+        let is_there = (self.first as usize) < count;
+        is_there
+            && finite(&self.pose)
+            && finite(&self.supported_acceleration)
+            && finite(&self.mass_and_gravity)
     }
 }
 
+/// Returns whether all `numbers` are finite.
 fn finite(numbers: &[f32]) -> bool {
     numbers.iter().all(|number| number.is_finite())
 }

@@ -1,5 +1,13 @@
-//! What is saved of the precise set, and taken over when everything is listed anew: everything that a later bit depends on.
-//! What follows from that and from the objects is not.
+//! Snapshot of the precise set: all state that influences later bits.
+//!
+//! Data that follows from this state and from the simulator's objects is not saved. A rebuild of the lists uses this state,
+//! too: it saves, lists everything anew and restores.
+//!
+//! | module | task |
+//! |---|---|
+//! | `save` | writes the state to [`Saved`] |
+//! | `check` | validates a loaded [`Saved`] |
+//! | `restore` | applies a [`Saved`] to rebuilt lists |
 
 mod check;
 mod restore;
@@ -8,153 +16,246 @@ mod save;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::Precise;
-use super::direct::{Timing, Wear};
-use super::one_way::Passage;
-use super::pairs::FrozenInSpace;
-use super::proxies::{Mobility, Proxy};
-use super::sleep::KnownJoint;
-use super::space::Held;
-use super::space::parts::Depths;
-use super::touch::Change;
-use super::tuning::Tuning;
+use super::depth::FeatureGate;
+use super::depth::interface::DepthInterval;
+use super::direct_solver::{IslandHistory, ReselectionTimer};
+use super::narrow_phase::TouchEvent;
+use super::scaled_parameters::Parameters;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::math::plane::Vector;
 use crate::objects::Objects;
+use crate::precise::broad_phase::pairs::CachedManifoldZ;
+use crate::precise::broad_phase::proxies::{BodyType, Proxy};
+use crate::precise::island::sleep::SleepingJoint;
+use crate::precise::narrow_phase::one_way::OneWayState;
 
-/// The state of the precise set.
+/// Saved state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Saved {
-    tuning: Tuning,
+    tuning: Parameters,
+    /// Length of the substep in which the saved contact impulses act, seconds.
     h: f32,
+    /// Length of the last step, seconds.
     dt: f32,
+    /// Whether a collision handler has disabled or changed a contact for the last step.
     has_handled: bool,
     friction: FrictionType,
+    /// Greatest number of contact points of a pair of convex pieces, 0..=2.
     most_contacts: u32,
     proxies: Vec<SavedProxy>,
-    /// First those that may change: so many.
+    /// All pairs: first the awake pairs, then the pairs of sleeping bodies.
     pairs: Vec<SavedPair>,
-    awake: u32,
-    /// The gravity that things sleep under, how long others have been at rest, and what sleeps.
+    /// Number of awake pairs, which come first in `pairs`.
+    #[serde(rename = "awake")]
+    awake_pair_count: u32,
+    /// Gravity in the last step: x, y in length units/s^2. Another gravity wakes the sleeping bodies.
     gravity: [f32; 2],
-    rest: Vec<(BodyId, f32)>,
-    sleepers: Vec<Sleeper>,
-    joints: Vec<KnownJoint>,
-    /// Whether there is a depth axis.
+    /// Times for which awake bodies have been at rest, seconds.
+    #[serde(rename = "rest")]
+    rest_times: Vec<(BodyId, f32)>,
+    /// All sleeping bodies.
+    #[serde(rename = "sleepers")]
+    sleeping_bodies: Vec<SavedSleepingBody>,
+    /// Joints of sleeping bodies, as they were when the bodies fell asleep. A change wakes the bodies.
+    joints: Vec<SleepingJoint>,
+    /// Whether the saved state has a depth axis.
     is_in_space: bool,
-    /// How islands have fared that were solved as a whole, and when islands are asked for next.
-    wear: Vec<(BodyId, Wear)>,
-    timing: Timing,
-    /// The ways of the last step, if something is one-way.
-    ways: Vec<(BodyId, [f32; 4])>,
-    /// Bodies that the game woke since the last update.
+    /// History of the solver selection, by body; histories with default values are left out.
+    #[serde(rename = "wear")]
+    solver_history: Vec<(BodyId, IslandHistory)>,
+    /// Timer of the next solver selection.
+    #[serde(rename = "timing")]
+    reselection_timer: ReselectionTimer,
+    /// Displacements of bodies in the last step, if there are one-way geoms: x, y (length units), rotation (radians), z (length
+    /// units).
+    #[serde(rename = "ways")]
+    delta_poses: Vec<(BodyId, [f32; 4])>,
+    /// Ids of bodies that the game has woken since the last update.
     woken: Vec<BodyId>,
-    /// Pairs that began or ceased to touch since the game was told last, by creation numbers.
-    changes: Vec<Change>,
+    /// Touch events that the game has not received yet.
+    #[serde(rename = "changes")]
+    touch_events: Vec<TouchEvent>,
 }
 
-/// A body that sleeps.
+/// Saved form of a sleeping body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Sleeper {
+struct SavedSleepingBody {
+    /// Id of the body, or the id that stands for a hinged box.
     body: BodyId,
-    /// The place in this list of the first one of those that fell asleep together.
+    /// Index into `Saved::sleeping_bodies` of the first body of the sleeping island.
     first: u32,
-    place: [f32; 4],
-    borne: [f32; 4],
-    /// Reciprocals of mass and inertia, and what part of gravity acts.
-    nature: [f32; 3],
-    /// It has just fallen asleep, and does not know yet what it bears.
-    is_fresh: bool,
+    /// Pose of the body in the world frame: x, y (length units), rotation (radians), z (length units).
+    #[serde(rename = "place")]
+    pose: [f32; 4],
+    /// Acceleration by applied forces with which the body fell asleep: x, y (length units/s^2), angular (radians/s^2), z
+    /// (length units/s^2).
+    #[serde(rename = "borne")]
+    supported_acceleration: [f32; 4],
+    /// Reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of the body, and its gravity
+    /// scale (dimensionless).
+    #[serde(rename = "nature")]
+    mass_and_gravity: [f32; 3],
+    /// Whether the body has just fallen asleep, so that the supported acceleration is not known yet.
+    #[serde(rename = "is_fresh")]
+    is_newly_asleep: bool,
 }
 
+/// Saved form of a proxy of the broad phase.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedProxy {
     geom: GeomId,
-    /// Creation number of the geom, which may be gone by the time this is restored.
+    /// Creation number of the geom, which is known even if the geom has been removed when the proxy is restored.
     number: u32,
+    /// Index of the convex piece among the pieces of the geom.
     piece: u32,
-    mobility: Mobility,
-    bounds: [f32; 4],
-    /// Along the depth axis.
-    depths: Depths,
-    motion: u32,
-    has_escaped: bool,
-    known: Known,
+    #[serde(rename = "mobility")]
+    body_type: BodyType,
+    /// Fat AABB of the proxy: low x, low y, high x, high y in length units, world frame.
+    #[serde(rename = "bounds")]
+    fat_aabb: [f32; 4],
+    /// Fat interval of the proxy along the depth axis, length units.
+    #[serde(rename = "depths")]
+    depth_interval: DepthInterval,
+    /// Upper bound of the path length of every point of the proxy since it was added, in 2^-26 length units, wrapping.
+    #[serde(rename = "motion")]
+    travel: u32,
+    /// Whether the proxy has got a new fat AABB, so that the broad phase is to search its pairs.
+    #[serde(rename = "has_escaped")]
+    is_refitted: bool,
+    /// Properties of the proxy and its body at the last import, by which edits are detected.
+    #[serde(rename = "known")]
+    imported: ImportedState,
 }
 
-/// What was known of a proxy and its body when contacts were looked for: what is otherwise was edited since.
+/// Properties of a proxy and its body at the last import. If one of them differs from the current property, it was edited
+/// since.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Known {
-    place: [f32; 4],
-    /// Reciprocals of mass and inertia, velocity of the surface, friction and restitution.
-    contacts: [f32; 8],
-    /// Whom it may meet, and whether it pushes.
+struct ImportedState {
+    /// Pose of the body in the world frame: x, y (length units), rotation (radians), z (length units).
+    #[serde(rename = "place")]
+    pose: [f32; 4],
+    /// Reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of the body. Then its surface
+    /// velocity: x, y (length units/s), angular (radians/s), z (length units/s). Then friction and restitution coefficient
+    /// (dimensionless).
+    #[serde(rename = "contacts")]
+    contact_properties: [f32; 8],
+    /// Collision filter: masks of the own and of the colliding categories, group, whether collision is enabled, number of
+    /// changes of the ignored geoms, and whether contacts respond (flags: 0 or 1).
     filter: [i32; 6],
-    /// The direction against which it holds.
+    /// Outward direction of the solid side of a one-way geom, a unit vector in the frame of its body; else `None`.
     one_way: Option<Vector>,
-    /// [Fingerprint](crate::precise::fingerprint) of its shape.
+    /// [Fingerprint](crate::precise::fingerprint) of the shape of the proxy, a hash.
     fingerprint: u64,
 }
 
+/// Saved form of a pair of proxies.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedPair {
-    /// Places in the list of saved proxies.
+    /// Indices of both proxies into `Saved::proxies`.
     proxies: [u32; 2],
-    since: u32,
-    tolerance: u32,
-    is_told: bool,
+    /// Sum of the travels of both proxies at the last update of the pair, in 2^-26 length units, wrapping.
+    #[serde(rename = "since")]
+    motion_at_check: u32,
+    /// Growth of the summed travels that triggers an update of the pair, in 2^-26 length units. For a pair of circles that
+    /// touch: `UPDATED_BY_SOLVER`.
+    #[serde(rename = "tolerance")]
+    motion_tolerance: u32,
+    /// Whether the pair touched according to its last touch event.
+    #[serde(rename = "is_told")]
+    is_touching: bool,
+    /// Whether a collision handler has disabled the pair or removed contact points in this update.
     is_vetoed: bool,
+    /// Whether a collision handler disabled the pair or removed contact points in the update before.
     was_vetoed: bool,
-    passage: Passage,
-    frozen: SavedContacts,
-    row: Option<SavedRow>,
+    /// State of a pair with a one-way geom: whether the one-way geom lets the other geom pass.
+    #[serde(rename = "passage")]
+    one_way_state: OneWayState,
+    /// Contact points as the last narrow phase found them.
+    #[serde(rename = "frozen")]
+    manifold: SavedManifold,
+    /// Contact constraint; `None` if the pair has none.
+    #[serde(rename = "row")]
+    constraint: Option<SavedConstraint>,
 }
 
+/// Contact points as the narrow phase found them, for contact recycling: see
+/// [`CachedManifold`](crate::precise::broad_phase::pairs::CachedManifold).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct SavedContacts {
-    turns: [f32; 4],
-    relative: [f32; 4],
+struct SavedManifold {
+    /// Cosine and sine of the rotation of A, then of B, when the manifold was computed. Dimensionless.
+    #[serde(rename = "turns")]
+    rotations: [f32; 4],
+    /// Pose of B in the frame of A when the manifold was computed: x and y in length units, cosine and sine.
+    #[serde(rename = "relative")]
+    relative_pose: [f32; 4],
+    /// Contact normal from A to B, a unit vector in world axes. Dimensionless.
     normal: [f32; 2],
+    /// Number of contact points, 0..=2.
     count: u32,
+    /// Vectors from the origins of A and B to each point, in world axes when the manifold was computed: [ax, ay, bx, by] in
+    /// length units.
     anchors: [[f32; 4]; 2],
+    /// Separations at both points, negative for penetration. Unit: length units.
     separations: [f32; 2],
+    /// Feature ids of both points, for the warm start.
     features: [u32; 2],
-    lead: f32,
-    space: FrozenInSpace,
+    /// Angle by which the arms at B's vertices are rotated ahead, to the middle of the step. Unit: radians.
+    #[serde(rename = "lead")]
+    arm_lead_angle: f32,
+    /// Additional data of contacts in three axes.
+    #[serde(rename = "space")]
+    depth: CachedManifoldZ,
 }
 
+/// Saved impulses and surface properties of a contact constraint.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct SavedRow {
+struct SavedConstraint {
+    /// Index of the graph colour of the constraint.
     colour: u32,
-    /// Its place among the rows of the last colour, whose order matters; else 0.
+    /// Index of the slot in the overflow colour, whose order influences the bits; 0 in all other colours.
     slot: u32,
-    /// Seconds of the substeps that its impulses are of, if it sleeps.
-    asleep: Option<f32>,
-    /// The same if it is solved with its island, and its impulses with all their digits.
+    /// Length of the substep in which the impulses act, seconds, if the constraint is parked because its bodies sleep; else
+    /// `None`.
+    #[serde(rename = "asleep")]
+    sleeping_h: Option<f32>,
+    /// If the constraint is in the direct solver: length of the substep in which the impulses act (seconds), and the impulses
+    /// in double precision (mass units * length units/s) of both points and of friction. Else `None`.
     direct: Option<(f32, [f64; 3])>,
+    /// Friction impulse along the tangent. Unit: mass units * length units/s.
     tangent_impulse: f32,
-    /// Of the second tangent, of twisting, and of the whole step: in three axes.
-    space: [f32; 6],
+    /// Impulses in three axes: friction along the second tangent, friction about Z (twist), and totals of the step for both
+    /// points and both tangents. Units: mass units * length units/s; twist: mass units * length units^2/s.
+    #[serde(rename = "space")]
+    depth_impulses: [f32; 6],
+    /// Normal impulses of both points. Unit: mass units * length units/s.
     impulses: [f32; 2],
-    held: [f32; 2],
-    /// A handler has taken the point off the list.
-    are_dropped: [bool; 2],
+    /// Rest impulses of both points, which load adaptation has set. Unit: mass units * length units/s.
+    #[serde(rename = "held")]
+    load_offsets: [f32; 2],
+    /// Whether each point has effective mass 0: a handler has removed it, or it does not exist.
+    #[serde(rename = "are_dropped")]
+    are_disabled: [bool; 2],
+    /// Separations at both points, negative for penetration. Unit: length units.
     separations: [f32; 2],
-    /// Friction, restitution and tangent speed, if a handler has set them: of a row that sleeps.
-    kept: Option<[f32; 3]>,
-    /// The same of one that is awake. For the rest of the step alone: the next one begins with those of the geoms.
+    /// Friction and restitution coefficient (dimensionless) and tangent speed (length units/s) of a sleeping constraint, if a
+    /// handler has overridden them; else `None`.
+    #[serde(rename = "kept")]
+    sleeping_surface: Option<[f32; 3]>,
+    /// Friction and restitution coefficient (dimensionless) and tangent speed (length units/s) of an awake constraint, if a
+    /// handler has overridden them; else `None`. Not serialised: the next step begins with the values of the geoms.
     #[serde(skip)]
-    surface: Option<[f32; 3]>,
+    awake_surface: Option<[f32; 3]>,
 }
 
-/// What becomes of edits since what is known, when everything is listed.
+/// When edits that were made since the saved state take effect, if the lists are rebuilt from that state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Edits {
-    /// They count.
-    Taken,
-    /// Those that decide what touches wait for the next update.
-    Awaited,
+pub(super) enum EditPolicy {
+    /// Applies all edits with the rebuild.
+    Apply,
+    /// Defers edits of collision filters and body types to the next update, and applies all others with the rebuild.
+    Defer,
 }
 
 impl Serialize for Precise {
@@ -166,93 +267,98 @@ impl Serialize for Precise {
 impl From<Saved> for Precise {
     fn from(saved: Saved) -> Self {
         Precise {
-            h: saved.h,
+            impulse_substep: saved.h,
             dt: saved.dt,
             friction: saved.friction,
-            most_contacts: saved.most_contacts,
-            space: saved.is_in_space.then(Held::new).flatten(),
+            max_contacts: saved.most_contacts,
+            depth: saved.is_in_space.then(FeatureGate::new).flatten(),
             loaded: Some(saved.clone()),
-            ..Precise::new(saved.tuning.unit)
+            ..Precise::new(saved.tuning.length_unit)
         }
     }
 }
 
 impl Saved {
-    /// The bodies that are of another kind by now, or have been disabled: as they were.
-    fn as_they_were(&self, objects: &Objects) -> Vec<(BodyId, Body)> {
-        let mut others: Vec<(BodyId, Body)> = Vec::new();
+    /// Returns copies of the bodies that were disabled or have changed their type since the save, enabled and with the saved
+    /// type.
+    fn bodies_of_other_type(&self, objects: &Objects) -> Vec<(BodyId, Body)> {
+        let mut bodies: Vec<(BodyId, Body)> = Vec::new();
         for proxy in &self.proxies {
             let Some(id) = objects.geoms.get(proxy.geom).map(|geom| geom.body) else { continue };
             let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { continue };
-            let is_known = || others.iter().any(|&(other, _)| other == id);
-            if kind_of(body) != Some(proxy.mobility) && !is_known() {
-                others.push((id, of_kind(body.clone(), proxy.mobility)));
+            let is_known = || bodies.iter().any(|&(other, _)| other == id);
+            if body_type_of(body) != Some(proxy.body_type) && !is_known() {
+                bodies.push((id, with_body_type(body.clone(), proxy.body_type)));
             }
         }
-        others
+        bodies
     }
 }
 
-/// What a body is listed as, if it is.
-fn kind_of(body: &Body) -> Option<Mobility> {
+/// Returns the body type with which a body is listed; `None` if the body is disabled.
+fn body_type_of(body: &Body) -> Option<BodyType> {
     let kind = match (body.is_integrated(), body.is_kinematic()) {
-        (false, _) => Mobility::Fixed,
-        (true, true) => Mobility::Kinematic,
-        (true, false) => Mobility::Dynamic,
+        (false, _) => BodyType::Fixed,
+        (true, true) => BodyType::Kinematic,
+        (true, false) => BodyType::Dynamic,
     };
     body.enabled().then_some(kind)
 }
 
-/// The same body, to be listed so.
-fn of_kind(mut body: Body, kind: Mobility) -> Body {
+/// Returns the body with the body type `kind`, and enabled.
+fn with_body_type(mut body: Body, kind: BodyType) -> Body {
     body.set_enabled(true);
-    body.set_is_kinematic(kind == Mobility::Kinematic);
-    body.set_is_static(kind == Mobility::Fixed);
+    body.set_is_kinematic(kind == BodyType::Kinematic);
+    body.set_is_static(kind == BodyType::Fixed);
     body
 }
 
-/// These bodies change places with those that there are, and what was disposed is there again, or is not any more.
-fn go_back(others: &mut [(BodyId, Body)], objects: &mut Objects, is_back: bool) {
-    for (id, other) in others {
+/// Swaps the states of `bodies` with those of the simulator's bodies, and makes disposed objects visible to look-ups or hides
+/// them.
+fn swap_states(bodies: &mut [(BodyId, Body)], objects: &mut Objects, shows_disposed: bool) {
+    for (id, other) in bodies {
         if let Some(entry) = objects.bodies.get_mut(*id) {
             std::mem::swap(&mut entry.body, other);
         }
     }
-    objects.bodies.show_disposed(is_back);
-    objects.geoms.show_disposed(is_back);
+    objects.bodies.set_disposed_visible(shows_disposed);
+    objects.geoms.set_disposed_visible(shows_disposed);
 }
 
 impl Precise {
-    /// Lists what was loaded, for those who ask what touches before the next update. What was edited before the save counts
-    /// from that update on, which then lists everything once more: who has been disabled or disposed since the last one, or is of
-    /// another kind, is listed as it was in it.
-    pub(crate) fn list_loaded(&mut self, objects: &mut Objects) {
+    /// Rebuilds the lists from the loaded state, for contact queries before the next update.
+    ///
+    /// Edits made before the save take effect in the next update, which rebuilds everything once more. Bodies that were
+    /// disabled, disposed or changed in type since the last update are therefore listed as they were.
+    pub(crate) fn rebuild_from_loaded(&mut self, objects: &mut Objects) {
         let Some(saved) = self.loaded.take() else { return };
-        let mut others = saved.as_they_were(objects);
-        go_back(&mut others, objects, true);
-        self.list(objects, &saved, Edits::Awaited);
-        go_back(&mut others, objects, false);
+        let mut others = saved.bodies_of_other_type(objects);
+        swap_states(&mut others, objects, true);
+        self.rebuild(objects, &saved, EditPolicy::Defer);
+        swap_states(&mut others, objects, false);
         self.edited_bodies.extend(others.into_iter().map(|(id, _)| id));
-        // Of the depth axis all is told again.
-        if self.is_in_space() || self.save() != saved {
-            self.is_stale = true;
+        // The engine above sends all data of the depth axis again.
+        if self.has_depth() || self.save() != saved {
+            self.needs_rebuild = true;
             self.loaded = Some(saved);
         }
     }
 
-    /// Reciprocals of mass and inertia of a body, and what part of gravity acts on it.
-    fn nature_of(&self, number: usize) -> [f32; 3] {
-        let [mass, inertia] = self.bodies.inverses[number];
-        [mass, inertia, self.bodies.gravity_parts[number]]
+    /// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, and
+    /// its gravity scale (dimensionless).
+    fn mass_and_gravity_of(&self, number: usize) -> [f32; 3] {
+        let [mass, inertia] = self.bodies.inverse_mass_inertia[number];
+        [mass, inertia, self.bodies.gravity_scales[number]]
     }
 
-    /// Position and rotation, and where it is along the depth axis.
-    fn place_of(&self, number: usize) -> [f32; 4] {
+    /// Returns the pose of a body in the world frame: x, y (length units), rotation (radians), z (length units).
+    fn pose_of(&self, number: usize) -> [f32; 4] {
         let ([x, y, ..], rotation) = (self.bodies.poses[number], self.bodies.rotations[number]);
-        [x, y, rotation, self.space.as_ref().map_or(0.0, |space| space.places[number])]
+        [x, y, rotation, self.depth.as_ref().map_or(0.0, |space| space.z_positions[number])]
     }
 
-    fn known_of(&self, proxy: usize) -> Known {
+    /// Returns the properties of a proxy and its body by which a later edit is detected.
+    fn imported_state_of(&self, proxy: usize) -> ImportedState {
         let Proxy {
             body,
             friction,
@@ -264,11 +370,12 @@ impl Precise {
             fingerprint,
             ..
         } = self.proxies.all[proxy];
-        let ([mass, inertia], [vx, vy, spin, vz]) = (self.bodies.inverses[body as usize], surface_velocity);
+        let ([mass, inertia], [vx, vy, spin, vz]) =
+            (self.bodies.inverse_mass_inertia[body as usize], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
-        Known {
-            place: self.place_of(body as usize),
-            contacts: [mass, inertia, vx, vy, spin, vz, friction, restitution],
+        ImportedState {
+            pose: self.pose_of(body as usize),
+            contact_properties: [mass, inertia, vx, vy, spin, vz, friction, restitution],
             filter: [is, with, group, enabled, ignores, i32::from(responds)],
             one_way,
             fingerprint,

@@ -1,285 +1,331 @@
-//! What was saved is taken over. Pairs of what has gone are taken out in the order in which
-//! [`members`](crate::precise::members) does.
+//! Restores a saved state into rebuilt lists.
+//!
+//! Pairs of removed bodies and geoms are removed in the same order as in [`add_remove`](crate::precise::add_remove), so that
+//! both paths give the same bits.
 
-use super::{Edits, Saved, SavedContacts, SavedPair, SavedProxy, SavedRow, Sleeper};
+use super::{EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
-use crate::precise::one_way::Passage;
-use crate::precise::pairs::{BY_ROW, Frozen};
-use crate::precise::touch::Change;
+use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
+use crate::precise::narrow_phase::TouchEvent;
+use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::order::sort_by_number;
 
 impl Precise {
-    /// Takes over what is known of the proxies and pairs that are still there.
-    pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: Edits) {
-        self.has_handled =
+    /// Restores the state of all proxies and pairs that still exist. `edits`: when edits made since the save take effect.
+    pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy) {
+        self.has_handler_changes =
             saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed || pair.was_vetoed);
         self.grid.reset(self.proxies.all.len());
         self.pairs.reset(self.proxies.all.len());
-        self.rows.clear();
-        self.palette.reset(&self.bodies.inverses[..self.bodies.hot.len()]);
-        self.note_swings();
-        self.restore_wear(saved);
-        self.restore_ways(saved);
-        let (places, edited) = self.restore_proxies(saved, edits);
+        self.constraints.clear();
+        self.color_usage.reset(&self.bodies.inverse_mass_inertia[..self.bodies.states.len()]);
+        self.mark_hinged_boxes();
+        self.restore_solver_history(saved);
+        self.restore_delta_poses(saved);
+        let (current_proxies, edited_proxies) = self.restore_proxies(saved, edits);
         self.restore_sleep(saved, objects);
-        let stays = |pair: &SavedPair| {
-            let now = pair.proxies.map(|proxy| places[proxy as usize]);
-            now[0].zip(now[1]).map(|(a, b)| [a, b]).filter(|&now| {
+        let remaining = |pair: &SavedPair| {
+            let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
+            current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
                 let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
-                self.ordered(now) == Some(now)
-                    && (edits == Edits::Awaited || self.may_stay((one, other), objects))
+                self.order_pair(now) == Some(now)
+                    && (edits == EditPolicy::Defer || self.may_keep_pair((one, other), objects))
             })
         };
-        let stays: Vec<_> = saved.pairs.iter().map(stays).collect();
-        self.end_touches(saved, |at| stays[at].is_none());
-        for (pair, _) in
-            saved.pairs.iter().zip(&stays).filter(|(pair, stays)| stays.is_none() && pair.row.is_some())
+        let stays: Vec<_> = saved.pairs.iter().map(remaining).collect();
+        self.restore_touch_events(saved, |at| stays[at].is_none());
+        for (pair, _) in saved
+            .pairs
+            .iter()
+            .zip(&stays)
+            .filter(|(pair, stays)| stays.is_none() && pair.constraint.is_some())
         {
-            self.lose_row(pair, &places);
+            self.record_lost_constraint(pair, &current_proxies);
         }
-        let mut rows = Vec::new();
-        for at in saved.order_without(|at| stays[at].is_none()) {
+        let mut constraints = Vec::new();
+        for at in saved.pair_order_without(|at| stays[at].is_none()) {
             let (pair, Some(now)) = (&saved.pairs[at], stays[at]) else { continue };
             let row = self.restore_pair(now, pair);
-            let was_direct = pair.row.is_some_and(|row| row.direct.is_some());
-            self.direct.timing.is_due |= was_direct && row.is_none();
-            rows.extend(row);
+            let was_direct = pair.constraint.is_some_and(|row| row.direct.is_some());
+            self.direct_solver.timer.is_due |= was_direct && row.is_none();
+            constraints.extend(row);
         }
-        self.renew_turned(saved, &places);
-        edited.into_iter().for_each(|proxy| self.look_again(proxy));
-        self.restore_rows(rows);
-        self.lay_pairs_down();
-        self.woken.clear();
-        self.woken.extend_from_slice(&saved.woken);
-        self.wake_woken();
+        self.reset_changed_one_way(saved, &current_proxies);
+        edited_proxies.into_iter().for_each(|proxy| self.invalidate_pairs(proxy));
+        self.restore_constraints(constraints);
+        self.sleep_pairs();
+        self.wake_requests.clear();
+        self.wake_requests.extend_from_slice(&saved.woken);
+        self.wake_requested_by_game();
     }
 
-    /// Changes that the game has not been told yet, and touches that have ended because their pair is lost: by categories or a
-    /// group, because a side was disabled or is gone, or has other pieces now.
-    fn end_touches(&mut self, saved: &Saved, is_lost: impl Fn(usize) -> bool) {
-        self.changes.clear();
-        self.changes.extend_from_slice(&saved.changes);
-        let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_told && is_lost(at));
-        self.changes.extend(ended.map(|(_, pair)| {
+    /// Restores touch events that the game has not received, and adds an end event for each touching pair that no longer
+    /// exists. Causes are a changed filter, a disabled or removed geom, or other convex pieces.
+    fn restore_touch_events(&mut self, saved: &Saved, is_lost: impl Fn(usize) -> bool) {
+        self.touch_events.clear();
+        self.touch_events.extend_from_slice(&saved.touch_events);
+        let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_touching && is_lost(at));
+        self.touch_events.extend(ended.map(|(_, pair)| {
             let sides = pair.proxies.map(|proxy| &saved.proxies[proxy as usize]);
-            Change::new(sides.map(|proxy| (proxy.number, proxy.geom)), false)
+            TouchEvent::new(sides.map(|proxy| (proxy.number, proxy.geom)), false)
         }));
     }
 
-    /// The rows of pairs, as they were saved.
-    fn restore_rows(&mut self, mut rows: Vec<(usize, SavedRow)>) {
-        // Only the order of rows in the last colour matters.
-        sort_by_number(&mut rows, |(_, row): &(usize, SavedRow)| row.slot.into());
-        for (pair, row) in rows {
-            let surface = row.kept.or(row.surface);
+    /// Restores contact constraints, each given by its pair index and saved form.
+    fn restore_constraints(&mut self, mut constraints: Vec<(usize, SavedConstraint)>) {
+        // Only in the overflow colour the order of constraints influences the bits.
+        sort_by_number(&mut constraints, |(_, row): &(usize, SavedConstraint)| row.slot.into());
+        for (pair, row) in constraints {
+            let surface = row.sleeping_surface.or(row.awake_surface);
             if let Some([_, restitution, _]) = surface {
-                self.pairs.all[pair].is_set = true;
-                self.bounces |= restitution > 0.0;
+                self.pairs.all[pair].has_surface_override = true;
+                self.has_restitution |= restitution > 0.0;
             }
-            let aside = row.asleep.map(|h| (h, None)).or(row.direct.map(|(h, exact)| (h, Some(exact))));
-            self.touch().restore_row(pair, row.colour, aside, |lane| {
+            let aside = row.sleeping_h.map(|h| (h, None)).or(row.direct.map(|(h, exact)| (h, Some(exact))));
+            self.narrow_phase().restore_constraint(pair, row.colour, aside, |lane| {
                 if let Some(surface) = surface {
                     [lane.friction, lane.restitution, lane.tangent_speed] = surface;
                 }
                 lane.tangent_impulse = row.tangent_impulse;
-                let [across, twist, totals @ ..] = row.space;
-                (lane.space.across_impulse, lane.space.twist_impulse) = (across, twist);
-                lane.space.totals = totals;
+                let [across, twist, totals @ ..] = row.depth_impulses;
+                (lane.depth.across_impulse, lane.depth.twist_impulse) = (across, twist);
+                lane.depth.totals = totals;
                 for (at, point) in lane.points.iter_mut().enumerate() {
-                    point.impulse = row.impulses[at];
-                    point.held = row.held[at];
+                    point.normal_impulse = row.impulses[at];
+                    point.rest_impulse = row.load_offsets[at];
                     point.separation = row.separations[at];
-                    if row.are_dropped[at] {
-                        point.mass = 0.0;
+                    if row.are_disabled[at] {
+                        point.normal_mass = 0.0;
                     }
                 }
             });
         }
     }
 
-    /// What a row's bodies rested on has gone, with the row.
-    fn lose_row(&mut self, pair: &SavedPair, places: &[Option<u32>]) {
-        let was_direct = pair.row.is_some_and(|row| row.direct.is_some());
-        self.direct.timing.is_due |= was_direct;
-        self.direct.timing.may_be_due |= self.space.is_none();
-        for proxy in pair.proxies.iter().filter_map(|&proxy| places[proxy as usize]) {
-            self.sleep.note_loss(self.proxies.all[proxy as usize].body as usize);
+    /// Requests that the bodies of a removed pair wake, since its contact constraint no longer supports them, and that solvers
+    /// may be selected anew.
+    fn record_lost_constraint(&mut self, pair: &SavedPair, current_proxies: &[Option<u32>]) {
+        let was_direct = pair.constraint.is_some_and(|row| row.direct.is_some());
+        self.direct_solver.timer.is_due |= was_direct;
+        self.direct_solver.timer.may_be_due |= self.depth.is_none();
+        for proxy in pair.proxies.iter().filter_map(|&proxy| current_proxies[proxy as usize]) {
+            self.sleep.support_removed(self.proxies.all[proxy as usize].body as usize);
         }
     }
 
-    /// Of the bodies that move now.
-    fn restore_ways(&mut self, saved: &Saved) {
-        for &(body, way) in &saved.ways {
-            if let Some(number) = self.number_of(body).filter(|&number| number <= self.bodies.count) {
-                self.bodies.path[number] = way;
+    /// Restores the displacements in the last step of dynamic and kinematic bodies.
+    fn restore_delta_poses(&mut self, saved: &Saved) {
+        for &(body, delta_pose) in &saved.delta_poses {
+            if let Some(number) = self.body_index(body).filter(|&number| number <= self.bodies.last_movable) {
+                self.bodies.delta_pose[number] = delta_pose;
             }
         }
     }
 
-    /// Those proxies whose direction is another one.
-    fn renew_turned(&mut self, saved: &Saved, places: &[Option<u32>]) {
-        for (proxy, place) in saved.proxies.iter().zip(places) {
+    /// Resets the one-way states of the pairs of each proxy whose one-way direction has changed since the save.
+    fn reset_changed_one_way(&mut self, saved: &Saved, current_proxies: &[Option<u32>]) {
+        for (proxy, place) in saved.proxies.iter().zip(current_proxies) {
             if let Some(place) =
-                place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.known.one_way)
+                place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.imported.one_way)
             {
-                self.renew_passages(place);
+                self.reset_one_way_states(place);
             }
         }
     }
 
-    fn restore_wear(&mut self, saved: &Saved) {
-        self.direct.timing = saved.timing;
-        for &(body, wear) in &saved.wear {
-            match self.number_of(body).filter(|&number| self.is_dynamic(number)) {
-                Some(number) => self.direct.wear[number] = wear,
-                None => self.direct.timing.is_due |= wear.is_direct,
+    /// Restores the timer of the solver selection and the history of each dynamic body.
+    fn restore_solver_history(&mut self, saved: &Saved) {
+        self.direct_solver.timer = saved.reselection_timer;
+        for &(body, history) in &saved.solver_history {
+            match self.body_index(body).filter(|&number| self.is_dynamic(number)) {
+                Some(number) => self.direct_solver.history[number] = history,
+                None => self.direct_solver.timer.is_due |= history.is_direct,
             }
         }
     }
 
-    /// Who slept, and still may, does; a body that was edited since wakes the others of its island.
+    /// Restores rest times, sleeping joints, and the sleeping bodies that may go on sleeping. An edited body wakes the other
+    /// bodies of its island.
     fn restore_sleep(&mut self, saved: &Saved, objects: &Objects) {
         self.sleep.gravity = saved.gravity;
-        // What wakes before the next step begins asks what lies on what.
-        self.fall = saved.gravity.map(|part| part * saved.dt);
-        for &(body, rest) in &saved.rest {
-            if let Some(number) = self.number_named(body).filter(|&number| number <= self.bodies.count) {
-                self.sleep.rest[number] = rest;
+        // Bodies that wake before the next step need the velocity change by gravity, to find which bodies support others.
+        self.gravity_delta = saved.gravity.map(|part| part * saved.dt);
+        for &(body, rest_time) in &saved.rest_times {
+            if let Some(number) =
+                self.body_of_saved_id(body).filter(|&number| number <= self.bodies.last_movable)
+            {
+                self.sleep.rest_time[number] = rest_time;
             }
         }
-        // By the first of each island: one of it that sleeps again.
-        let mut again = vec![None; saved.sleepers.len()];
-        for &Sleeper { body, first, place, borne, nature, is_fresh } in &saved.sleepers {
+        // By index of the first body of an island: the last of its bodies that sleeps again.
+        let mut ring_member = vec![None; saved.sleeping_bodies.len()];
+        for &SavedSleepingBody {
+            body,
+            first,
+            pose,
+            supported_acceleration,
+            mass_and_gravity,
+            is_newly_asleep,
+        } in &saved.sleeping_bodies
+        {
             let may_sleep = |&number: &usize| {
-                (self.is_dynamic(number) || self.swings(number)) && !self.sleep.is_asleep(number)
+                (self.is_dynamic(number) || self.is_hinged(number)) && !self.sleep.is_asleep(number)
             };
-            let Some(number) = self.number_named(body).filter(may_sleep) else { continue };
-            self.bodies.rest(number, 1.0);
-            self.sleep.lay_down(number, again[first as usize], borne);
-            again[first as usize] = Some(number);
-            self.sleep.fresh.extend(is_fresh.then_some(number as u32));
-            // Forces may have been applied since.
-            self.sleep.note_push(number);
-            if self.place_of(number) != place
-                || self.nature_of(number) != nature
-                || !(self.is_at_rest(body, objects) || self.is_swing_at_rest(number))
+            let Some(number) = self.body_of_saved_id(body).filter(may_sleep) else { continue };
+            self.bodies.put_to_rest(number, 1.0);
+            self.sleep.sleep_body(number, ring_member[first as usize], supported_acceleration);
+            ring_member[first as usize] = Some(number);
+            self.sleep.newly_asleep.extend(is_newly_asleep.then_some(number as u32));
+            // Forces may have been applied since the save.
+            self.sleep.record_force(number);
+            if self.pose_of(number) != pose
+                || self.mass_and_gravity_of(number) != mass_and_gravity
+                || !(self.is_at_rest(body, objects) || self.may_hinge_stay_asleep(number))
             {
-                self.sleep.note_waking(number);
-                self.take_swing(number);
-                // Contacts are looked at with the velocity that it was given.
-                // What swings has the name of no body.
+                self.sleep.request_wake(number);
+                self.import_hinge_velocity(number);
+                // The narrow phase uses the velocity that the body was given. A hinged box has no body with this id.
                 if let Some(entry) = objects.bodies.get(body) {
                     self.bodies.set_velocity(number, &entry.body);
-                    self.take_body_in_space(number, body);
+                    self.import_body_z(number, body);
                 }
-                self.steady_if_upright(number);
+                self.fix_rotation_if_vertical(number);
             }
         }
-        self.sleep.joints = saved.joints.iter().filter(|joint| self.lies(joint)).copied().collect();
-        self.sleep.renew_runs(&self.proxies);
+        self.sleep.joints =
+            saved.joints.iter().filter(|joint| self.holds_sleeping_body(joint)).copied().collect();
+        self.sleep.update_runs(&self.proxies);
     }
 
-    /// Answers where each saved proxy is now, and whose contacts are to be looked at again. One that is moved by
-    /// something else now than before is another one.
-    fn restore_proxies(&mut self, saved: &Saved, edits: Edits) -> (Vec<Option<u32>>, Vec<u32>) {
+    /// Restores all proxies. Returns the current index of each saved proxy (`None` if it no longer exists), and the indices of
+    /// the proxies whose contacts must be computed anew.
+    ///
+    /// A proxy whose body has changed its type counts as a new proxy.
+    fn restore_proxies(&mut self, saved: &Saved, edits: EditPolicy) -> (Vec<Option<u32>>, Vec<u32>) {
         let mut is_known = vec![false; self.proxies.all.len()];
-        let mut places = Vec::with_capacity(saved.proxies.len());
+        let mut current_proxies = Vec::with_capacity(saved.proxies.len());
         let mut edited = Vec::new();
         for proxy in &saved.proxies {
-            let place = self
+            let proxy_index = self
                 .proxy_of(proxy.geom, proxy.piece)
-                .filter(|&place| self.proxies.all[place as usize].mobility == proxy.mobility)
+                .filter(|&place| self.proxies.all[place as usize].body_type == proxy.body_type)
                 .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
-            if let Some(place) = place {
+            if let Some(place) = proxy_index {
                 edited.extend(self.restore_proxy(place, proxy, edits).then_some(place));
             }
-            places.push(place);
+            current_proxies.push(proxy_index);
         }
         for at in (0..self.proxies.all.len()).filter(|&at| !is_known[at]) {
             if !self.proxies.all[at].is_empty() {
-                self.enter(at as u32);
-                // What has come may be an island that is to be solved as a whole from the beginning.
-                self.direct.timing.is_due = true;
+                self.insert_proxy(at as u32);
+                // A new body may form an island for the direct solver.
+                self.direct_solver.timer.is_due = true;
             }
         }
-        (places, edited)
+        (current_proxies, edited)
     }
 
-    /// Answers whether something has changed that its contacts depend on.
-    fn restore_proxy(&mut self, place: u32, saved: &SavedProxy, edits: Edits) -> bool {
-        let (then, mut now) = (saved.known, self.known_of(place as usize));
-        if edits == Edits::Awaited && then.filter != now.filter {
+    /// Restores travel and fat AABB of a proxy. Returns whether a property that its contacts depend on has changed since the
+    /// save.
+    fn restore_proxy(&mut self, proxy_index: u32, saved: &SavedProxy, edits: EditPolicy) -> bool {
+        let (then, mut now) = (saved.imported, self.imported_state_of(proxy_index as usize));
+        if edits == EditPolicy::Defer && then.filter != now.filter {
             let [filter @ .., responds] = then.filter;
-            let proxy = &mut self.proxies.all[place as usize];
+            let proxy = &mut self.proxies.all[proxy_index as usize];
             (proxy.filter, proxy.responds) = (filter, responds != 0);
             self.edited_geoms.push(proxy.geom);
             now.filter = then.filter;
         }
-        self.proxies.motion[place as usize] = saved.motion;
-        self.enter_with(place, saved.bounds, saved.depths);
-        let has_moved = then.place != now.place;
-        // Bounds and manifolds are those of the shape that the proxy had.
+        self.proxies.travel[proxy_index as usize] = saved.travel;
+        self.insert_proxy_with_aabb(proxy_index, saved.fat_aabb, saved.depth_interval);
+        let has_moved = then.pose != now.pose;
+        // The saved AABB and manifolds belong to the former shape.
         let is_reshaped = then.fingerprint != now.fingerprint;
         if has_moved {
-            self.bodies.forget_way(self.proxies.all[place as usize].body as usize);
+            self.bodies.clear_delta_pose(self.proxies.all[proxy_index as usize].body as usize);
         }
         if has_moved || is_reshaped {
-            self.jump(place);
+            self.teleport_proxy(proxy_index);
         }
-        if saved.has_escaped || has_moved || is_reshaped || then.filter != now.filter {
-            self.proxies.escaped.push(place);
+        if saved.is_refitted || has_moved || is_reshaped || then.filter != now.filter {
+            self.proxies.refitted.push(proxy_index);
         }
         has_moved
             || is_reshaped
-            || then.contacts != now.contacts
+            || then.contact_properties != now.contact_properties
             || then.filter != now.filter
             || then.one_way != now.one_way
     }
 
-    /// Answers the pair and its row. A pair whose contacts push now and did not before, or the other way round, is looked at
-    /// anew.
-    fn restore_pair(&mut self, proxies: [u32; 2], saved: &SavedPair) -> Option<(usize, SavedRow)> {
+    /// Restores a pair with its manifold. Returns the pair index and the saved constraint; `None` if the pair has no constraint
+    /// or is restored already.
+    ///
+    /// A pair that responds now and did not before, or the reverse, is updated in the next step.
+    fn restore_pair(&mut self, proxies: [u32; 2], saved: &SavedPair) -> Option<(usize, SavedConstraint)> {
         if self.pairs.contains(proxies) {
             return None;
         }
         let pair = self.add_pair(proxies);
         let responds = self.pairs.all[pair].responds;
-        let SavedContacts { turns, relative, normal, count, anchors, separations, features, lead, space } =
-            saved.frozen;
-        self.pairs.frozen[pair] =
-            Frozen { turns, relative, normal, count, anchors, separations, features, lead, space };
-        let watch = &mut self.pairs.watched[pair];
-        (watch.since, watch.tolerance) = (saved.since, saved.tolerance);
+        let SavedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            features,
+            arm_lead_angle,
+            depth,
+        } = saved.manifold;
+        self.pairs.manifolds[pair] = CachedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            features,
+            arm_lead_angle,
+            depth,
+        };
+        let trigger = &mut self.pairs.triggers[pair];
+        (trigger.motion_at_check, trigger.motion_tolerance) = (saved.motion_at_check, saved.motion_tolerance);
         self.pairs.all[pair].is_vetoed = saved.is_vetoed;
         self.pairs.all[pair].was_vetoed = saved.was_vetoed;
-        if self.pairs.all[pair].passage != Passage::Closed && saved.passage != Passage::Closed {
-            self.pairs.all[pair].passage = saved.passage;
+        if self.pairs.all[pair].one_way_state != OneWayState::Closed
+            && saved.one_way_state != OneWayState::Closed
+        {
+            self.pairs.all[pair].one_way_state = saved.one_way_state;
         }
-        self.pairs.set_told(pair, saved.is_told);
-        let row = saved.row.filter(|_| responds);
-        // What was refused is looked at again in the next step in any case.
-        let has_row = row.is_some() || saved.is_vetoed;
-        if saved.tolerance == BY_ROW && !(has_row && self.touch().are_two_circles(pair)) {
-            self.pairs.watched[pair].tolerance = 0;
+        self.pairs.set_touching(pair, saved.is_touching);
+        let constraint = saved.constraint.filter(|_| responds);
+        // A disabled pair is updated in the next step in any case.
+        let has_constraint = constraint.is_some() || saved.is_vetoed;
+        if saved.motion_tolerance == UPDATED_BY_SOLVER
+            && !(has_constraint && self.narrow_phase().is_circle_pair(pair))
+        {
+            self.pairs.triggers[pair].motion_tolerance = 0;
         }
-        row.map(|row| (pair, row))
+        constraint.map(|row| (pair, row))
     }
 }
 
 impl Saved {
-    /// A body wakes once all is listed, if it sleeps.
+    /// Adds a sleeping body to the bodies that wake after the rebuild. Has no effect on an awake body.
     pub(in crate::precise) fn wake(&mut self, body: BodyId) {
-        if self.sleepers.iter().any(|sleeper| sleeper.body == body) && !self.woken.contains(&body) {
+        if self.sleeping_bodies.iter().any(|sleeper| sleeper.body == body) && !self.woken.contains(&body) {
             self.woken.push(body);
         }
     }
 
-    /// The pairs without those that are lost, in the order in which they are once these were taken out, from the last one on.
-    fn order_without(&self, is_lost: impl Fn(usize) -> bool) -> Vec<usize> {
+    /// Returns the indices of the remaining pairs in the order that results if the lost pairs are removed one by one, the last
+    /// first.
+    fn pair_order_without(&self, is_lost: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.pairs.len()).collect();
-        let mut awake = (self.awake as usize).min(order.len());
+        let mut awake = (self.awake_pair_count as usize).min(order.len());
         for lost in (0..self.pairs.len()).rev().filter(|&at| is_lost(at)) {
             if lost < awake {
                 awake -= 1;

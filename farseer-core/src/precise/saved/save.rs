@@ -1,163 +1,199 @@
-//! The state to save.
+//! Writes the state of the precise set to [`Saved`].
 
-use super::{Saved, SavedContacts, SavedPair, SavedProxy, SavedRow, Sleeper};
+use super::{Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
-use crate::precise::direct::Wear;
-use crate::precise::pairs::Frozen;
-use crate::precise::rows::{Home, Kind, Lane, SpaceLane};
-use crate::precise::space::parts::Depths;
-use crate::precise::touch::Change;
+use crate::precise::broad_phase::pairs::CachedManifold;
+use crate::precise::constraint_graph::{
+    ConstraintHandle, ConstraintKind, ContactConstraint, ContactConstraintZ,
+};
+use crate::precise::depth::interface::DepthInterval;
+use crate::precise::direct_solver::IslandHistory;
+use crate::precise::narrow_phase::TouchEvent;
 use crate::storage::order::sort_by_number;
 
 impl Precise {
-    /// The state to save.
+    /// Returns the state to save: the current state or, between loading and the next rebuild, the loaded one.
     pub(in crate::precise) fn save(&self) -> Saved {
         if let Some(loaded) = &self.loaded {
             return loaded.clone();
         }
         let mut has_escaped = vec![false; self.proxies.all.len()];
-        self.proxies.escaped.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
-        let mut places = Vec::with_capacity(self.proxies.all.len());
+        self.proxies.refitted.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
+        let mut saved_indices = Vec::with_capacity(self.proxies.all.len());
         let mut count = 0;
         for proxy in &self.proxies.all {
-            places.push(count);
+            saved_indices.push(count);
             count += u32::from(!proxy.is_empty());
         }
         let listed = self.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
         let proxies = listed.map(|(at, proxy)| SavedProxy {
             geom: proxy.geom,
-            number: proxy.number,
+            number: proxy.creation_number,
             piece: proxy.piece,
-            mobility: proxy.mobility,
-            bounds: self.proxies.bounds[at],
-            depths: self.space.as_ref().map_or(Depths::default(), |space| space.depths(at)),
-            motion: self.proxies.motion[at],
-            has_escaped: has_escaped[at],
-            known: self.known_of(at),
+            body_type: proxy.body_type,
+            fat_aabb: self.proxies.fat_aabbs[at],
+            depth_interval: self.depth.as_ref().map_or(DepthInterval::default(), |space| space.interval(at)),
+            travel: self.proxies.travel[at],
+            is_refitted: has_escaped[at],
+            imported: self.imported_state_of(at),
         });
         Saved {
-            tuning: self.tuning,
-            h: self.h,
+            tuning: self.parameters,
+            h: self.impulse_substep,
             dt: self.dt,
-            has_handled: self.has_handled,
+            has_handled: self.has_handler_changes,
             friction: self.friction,
-            most_contacts: self.most_contacts,
+            most_contacts: self.max_contacts,
             proxies: proxies.collect(),
-            pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair, &places)).collect(),
-            awake: self.pairs.awake as u32,
+            pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
+            awake_pair_count: self.pairs.awake_count as u32,
             gravity: self.sleep.gravity,
-            rest: self.save_rest().collect(),
-            sleepers: self.save_sleepers(),
+            rest_times: self.save_rest_times().collect(),
+            sleeping_bodies: self.save_sleeping_bodies(),
             joints: self.sleep.joints.clone(),
-            wear: self.save_wear().collect(),
-            timing: self.direct.timing,
-            is_in_space: self.space.is_some(),
-            ways: self.save_ways().collect(),
-            woken: self.woken.clone(),
-            changes: self.save_changes(),
+            solver_history: self.save_solver_history().collect(),
+            reselection_timer: self.direct_solver.timer,
+            is_in_space: self.depth.is_some(),
+            delta_poses: self.save_delta_poses().collect(),
+            woken: self.wake_requests.clone(),
+            touch_events: self.save_touch_events(),
         }
     }
 
-    /// Their order depends on whether pairs were taken out one by one or with all the others.
-    fn save_changes(&self) -> Vec<Change> {
-        let mut changes = self.changes.clone();
-        sort_by_number(&mut changes, Change::order);
+    /// Returns the touch events in the order of creation numbers. The order of the events in memory depends on how pairs were
+    /// removed.
+    fn save_touch_events(&self) -> Vec<TouchEvent> {
+        let mut changes = self.touch_events.clone();
+        sort_by_number(&mut changes, TouchEvent::sort_key);
         changes
     }
 
-    /// Of what has geoms: only those know whether they were moved since.
-    fn save_ways(&self) -> impl Iterator<Item = (BodyId, [f32; 4])> + '_ {
-        let count = if self.proxies.one_way > 0 { self.bodies.count } else { 0 };
-        let ways = (1..=count).map(|number| (number, self.bodies.path[number]));
-        let ways = ways.filter(|&(number, way)| way != [0.0; 4] && self.proxies.of(number).next().is_some());
+    /// Returns the displacements in the last step of bodies with geoms, if there are one-way geoms: x, y (length units),
+    /// rotation (radians), z (length units). Bodies without geoms are left out, since an edit of such a body's pose would not
+    /// be detected.
+    fn save_delta_poses(&self) -> impl Iterator<Item = (BodyId, [f32; 4])> + '_ {
+        let count = if self.proxies.one_way_count > 0 { self.bodies.last_movable } else { 0 };
+        let delta_poses = (1..=count).map(|number| (number, self.bodies.delta_pose[number]));
+        let ways = delta_poses.filter(|&(number, delta_pose)| {
+            delta_pose != [0.0; 4] && self.proxies.proxies_of(number).next().is_some()
+        });
         ways.filter_map(|(number, way)| Some((self.bodies.ids[number]?, way)))
     }
 
-    fn save_rest(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
-        let at_rest = self.sleep.awake(self.bodies.count).filter(|&number| self.sleep.rest[number] > 0.0);
-        at_rest.filter_map(|number| Some((self.name_of(number)?, self.sleep.rest[number])))
+    /// Returns the times for which awake bodies have been at rest, in seconds; zeros are left out.
+    fn save_rest_times(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
+        let at_rest = self
+            .sleep
+            .awake_bodies(self.bodies.last_movable)
+            .filter(|&number| self.sleep.rest_time[number] > 0.0);
+        at_rest.filter_map(|number| Some((self.saved_body_id(number)?, self.sleep.rest_time[number])))
     }
 
-    fn save_wear(&self) -> impl Iterator<Item = (BodyId, Wear)> + '_ {
-        let worn = (1..=self.bodies.count).map(|number| (number, self.direct.wear[number]));
-        let worn = worn.filter(|&(_, wear)| wear != Wear::default());
+    /// Returns the histories of the solver selection that differ from the default, by body.
+    fn save_solver_history(&self) -> impl Iterator<Item = (BodyId, IslandHistory)> + '_ {
+        let histories =
+            (1..=self.bodies.last_movable).map(|number| (number, self.direct_solver.history[number]));
+        let worn = histories.filter(|&(_, history)| history != IslandHistory::default());
         worn.filter_map(|(number, wear)| Some((self.bodies.ids[number]?, wear)))
     }
 
-    fn save_sleepers(&self) -> Vec<Sleeper> {
+    /// Returns all sleeping bodies, in the order of their indices.
+    fn save_sleeping_bodies(&self) -> Vec<SavedSleepingBody> {
         let mut sleepers = Vec::with_capacity(self.sleep.count);
-        let mut places = vec![0; self.bodies.count + 1];
-        let mut are_fresh = vec![false; self.bodies.count + 1];
-        self.sleep.fresh.iter().for_each(|&body| are_fresh[body as usize] = true);
-        for number in (1..=self.bodies.count).filter(|&number| self.sleep.is_asleep(number)) {
-            let Some(body) = self.name_of(number) else { continue };
+        let mut places = vec![0; self.bodies.last_movable + 1];
+        let mut are_fresh = vec![false; self.bodies.last_movable + 1];
+        self.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body as usize] = true);
+        for number in (1..=self.bodies.last_movable).filter(|&number| self.sleep.is_asleep(number)) {
+            let Some(body) = self.saved_body_id(number) else { continue };
             places[number] = sleepers.len() as u32;
-            let first = places[self.sleep.first_with(number)];
-            sleepers.push(Sleeper {
+            let first = places[self.sleep.first_of_ring(number)];
+            sleepers.push(SavedSleepingBody {
                 body,
                 first,
-                place: self.place_of(number),
-                borne: self.sleep.borne[number],
-                nature: self.nature_of(number),
-                is_fresh: are_fresh[number],
+                pose: self.pose_of(number),
+                supported_acceleration: self.sleep.supported_acceleration[number],
+                mass_and_gravity: self.mass_and_gravity_of(number),
+                is_newly_asleep: are_fresh[number],
             });
         }
         sleepers
     }
 
-    fn save_pair(&self, pair: usize, places: &[u32]) -> SavedPair {
-        let (watch, state) = (self.pairs.watched[pair], self.pairs.all[pair]);
-        let Frozen { turns, relative, normal, count, anchors, separations, features, lead, space } =
-            self.pairs.frozen[pair];
+    /// Returns the saved form of a pair. `saved_indices`: index of each proxy into `Saved::proxies`.
+    fn save_pair(&self, pair: usize, saved_indices: &[u32]) -> SavedPair {
+        let (watch, state) = (self.pairs.triggers[pair], self.pairs.all[pair]);
+        let CachedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            features,
+            arm_lead_angle,
+            depth,
+        } = self.pairs.manifolds[pair];
         SavedPair {
-            proxies: watch.proxies.map(|proxy| places[proxy as usize]),
-            since: watch.since,
-            tolerance: watch.tolerance,
-            is_told: state.is_told,
+            proxies: watch.proxies.map(|proxy| saved_indices[proxy as usize]),
+            motion_at_check: watch.motion_at_check,
+            motion_tolerance: watch.motion_tolerance,
+            is_touching: state.is_touching,
             is_vetoed: state.is_vetoed,
             was_vetoed: state.was_vetoed,
-            passage: state.passage,
-            frozen: SavedContacts {
-                turns,
-                relative,
+            one_way_state: state.one_way_state,
+            manifold: SavedManifold {
+                rotations,
+                relative_pose,
                 normal,
                 count,
                 anchors,
                 separations,
                 features,
-                lead,
-                space,
+                arm_lead_angle,
+                depth,
             },
-            row: state.home.map(|home| self.save_row(state.kind, home, state.is_set)),
+            constraint: state
+                .constraint
+                .map(|home| self.save_constraint(state.kind, home, state.has_surface_override)),
         }
     }
 
-    fn save_row(&self, kind: Kind, home: Home, is_set: bool) -> SavedRow {
-        let Lane { tangent_impulse, points, friction, restitution, tangent_speed, space, .. } =
-            self.rows.lane(kind, home);
-        let (sleeping, aside) = (self.rows.asleep(home), self.rows.aside(home));
+    /// Returns the saved form of a contact constraint. `is_set`: whether a handler has overridden its surface properties.
+    fn save_constraint(
+        &self,
+        kind: ConstraintKind,
+        handle: ConstraintHandle,
+        is_set: bool,
+    ) -> SavedConstraint {
+        let ContactConstraint {
+            tangent_impulse, points, friction, restitution, tangent_speed, depth, ..
+        } = self.constraints.get(kind, handle);
+        let (sleeping, parked) =
+            (self.constraints.sleeping_constraint(handle), self.constraints.parked(handle));
         let surface = is_set.then_some([friction, restitution, tangent_speed]);
-        SavedRow {
-            colour: aside.map_or(home.colour, |row| row.colour),
-            slot: if home.is_in_order() { home.slot } else { 0 },
-            asleep: sleeping.map(|row| row.h),
-            direct: aside.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact)),
+        SavedConstraint {
+            colour: parked.map_or(handle.color, |row| row.color),
+            slot: if handle.is_overflow() { handle.slot } else { 0 },
+            sleeping_h: sleeping.map(|row| row.h),
+            direct: parked.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact_impulses)),
             tangent_impulse,
-            space: saved_of(space),
-            impulses: points.map(|point| point.impulse),
-            held: points.map(|point| point.held),
-            are_dropped: points.map(|point| point.mass == 0.0),
-            // What spins beyond all measure leaves a contact by more than there are numbers.
+            depth_impulses: depth_impulses_of(depth),
+            impulses: points.map(|point| point.normal_impulse),
+            load_offsets: points.map(|point| point.rest_impulse),
+            are_disabled: points.map(|point| point.normal_mass == 0.0),
+            // The separation at a body with an extreme spin may overflow.
             separations: points.map(|point| nearest_finite(point.separation)),
-            kept: surface.filter(|_| sleeping.is_some()),
-            surface: surface.filter(|_| sleeping.is_none()),
+            sleeping_surface: surface.filter(|_| sleeping.is_some()),
+            awake_surface: surface.filter(|_| sleeping.is_none()),
         }
     }
 }
 
-fn saved_of(space: SpaceLane) -> [f32; 6] {
-    let [one, other, along, across] = space.totals;
-    [space.across_impulse, space.twist_impulse, one, other, along, across]
+/// Returns the impulses of a constraint in three axes. Friction along the second tangent; friction about Z (mass units * length
+/// units^2/s); totals of the step for both points and both tangents (all others: mass units * length units/s).
+fn depth_impulses_of(depth: ContactConstraintZ) -> [f32; 6] {
+    let [one, other, along, across] = depth.totals;
+    [depth.across_impulse, depth.twist_impulse, one, other, along, across]
 }

@@ -1,5 +1,4 @@
-//! Tries what must hold with many seeds, for as long as one likes. What it reports is repeated with the arguments that
-//! it prints.
+//! Tests properties with many seeds, for any duration. A report is reproduced with the arguments that it prints.
 
 use std::process::ExitCode;
 use std::time::Duration;
@@ -12,7 +11,7 @@ use fuzz::subjects::{SUBJECTS, Subject};
 #[derive(Parser)]
 #[command(about = "Tries what must hold with many seeds; exit code 1 if something does not.")]
 struct Arguments {
-    /// What to try, one or more.
+    /// Properties to test, one or more.
     #[arg(required = true, value_parser = subject_names())]
     subjects: Vec<String>,
     /// First seed.

@@ -1,22 +1,22 @@
-//! Plays varied scenes and prints hashes of them, to be compared between platforms and builds.
+//! Plays varied scenes and prints hashes of their states, which can be compared between platforms and builds.
 //!
-//! A line per scene: its name, then hashes of motion, events and snapshots over all of its updates; the last line is of
-//! all scenes.
+//! Each scene has a line: its name, and hashes of motion, events and snapshots over all of its updates. The last line has the
+//! hashes of all scenes.
 
 use fuzz::churn::{Churn, DepthChurn};
 use fuzz::game::{Game, Outcome, play};
-use fuzz::recording::Moment;
+use fuzz::recording::StateHashes;
 use fuzz::{Depth, Engine, Plane, Tied, Upright, scenes};
 
-/// Updates of a scene that is no game.
+/// Number of updates of a scene that is not a random game.
 const UPDATES: usize = 150;
-/// Seeds of random games, from 0.
+/// Number of random games of the 2D engine. Their seeds start at 0.
 const PLANE_GAMES: u64 = 60;
 const DEPTH_GAMES: u64 = 60;
-/// Of games with joints, ropes and fields, and of games with what stands upright and platforms that turn.
+/// Number of games with joints, ropes and fields, and number of games with vertical shapes and rotating platforms.
 const TIED_GAMES: u64 = 15;
 const UPRIGHT_GAMES: u64 = 15;
-/// Seeds of scenes in which things of all kinds come and go, with depth.
+/// Number of 2.5D scenes in which objects of all kinds are added and removed, one for each seed.
 const CHURNS: u64 = 6;
 
 fn main() {
@@ -40,47 +40,47 @@ fn main() {
     (0..TIED_GAMES).for_each(|seed| say(&mut all, &format!("tied-game-{seed}"), played::<Tied>(seed)));
     (0..UPRIGHT_GAMES)
         .for_each(|seed| say(&mut all, &format!("upright-game-{seed}"), played::<Upright>(seed)));
-    println!("{}", line("all", Moment::all(&all)));
+    println!("{}", line("all", StateHashes::all(&all)));
 }
 
-fn say(all: &mut Vec<Moment>, name: &str, scene: Moment) {
+fn say(all: &mut Vec<StateHashes>, name: &str, scene: StateHashes) {
     println!("{}", line(name, scene));
     all.push(scene);
 }
 
-fn line(name: &str, Moment { motion, events, snapshot }: Moment) -> String {
+fn line(name: &str, StateHashes { motion, events, snapshot }: StateHashes) -> String {
     let [motion, events, snapshot] = [motion, events, snapshot].map(|hash| hash.value());
     format!("{name:15} {motion:016x} {events:016x} {snapshot:016x}")
 }
 
-fn stepped<E: Engine>(mut simulator: E, step: impl Fn(&mut E)) -> Moment {
+fn stepped<E: Engine>(mut simulator: E, step: impl Fn(&mut E)) -> StateHashes {
     let mut moment = || {
         step(&mut simulator);
-        Moment::of(&simulator)
+        StateHashes::of(&simulator)
     };
-    Moment::all(&(0..UPDATES).map(|_| moment()).collect::<Vec<_>>())
+    StateHashes::all(&(0..UPDATES).map(|_| moment()).collect::<Vec<_>>())
 }
 
-fn churned(mut churn: impl Churn) -> Moment {
+fn churned(mut churn: impl Churn) -> StateHashes {
     let mut moment = |update| {
         churn.go_on(update).expect("it takes what comes");
-        Moment::of(churn.simulator())
+        StateHashes::of(churn.simulator())
     };
-    Moment::all(&(0..UPDATES).map(&mut moment).collect::<Vec<_>>())
+    StateHashes::all(&(0..UPDATES).map(&mut moment).collect::<Vec<_>>())
 }
 
-fn played<G: Game>(seed: u64) -> Moment {
+fn played<G: Game>(seed: u64) -> StateHashes {
     let mut moments = Vec::new();
     let played = play::<G>(
         seed,
         |_| (),
         |game, outcome| {
             if outcome == Outcome::Updated {
-                moments.push(Moment::of(game.simulator()));
+                moments.push(StateHashes::of(game.simulator()));
             }
             Ok(())
         },
     );
     played.expect("nothing was checked");
-    Moment::all(&moments)
+    StateHashes::all(&moments)
 }

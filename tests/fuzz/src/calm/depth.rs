@@ -1,4 +1,4 @@
-//! Of the 2.5D engine.
+//! Calm games of the 2.5D engine, in which bodies come to rest between calls.
 
 use farseer_core::{BodyId, CollisionCategory};
 use twohalf::{
@@ -6,26 +6,28 @@ use twohalf::{
 };
 
 use super::{any_call, mass, rest};
-use crate::around::Around;
+use crate::around::GameWrapper;
 use crate::game::{Call, Game, Outcome};
 use crate::random::Random;
 use crate::upright::swing;
 
-/// Figures that walk at the same time.
+/// Greatest number of figures that walk at the same time.
 const MOST_WALKERS: usize = 4;
 
-/// A game in which bodies ride platforms that turn and move, walk, are slow or stand still, are watched for being crushed, and
-/// meet bodies of any mass, amid the calls of another game.
+/// A game of bodies that ride on platforms which rotate and move. Bodies also walk, and a time scale slows or stops them.
+///
+/// They meet bodies of any mass, and the game watches whether they are crushed. `G` is the inner game, whose calls are made in
+/// between.
 #[derive(Debug)]
 pub struct CalmDepth<G> {
     game: G,
     walkers: Vec<(BodyId, CharacterController, MoveInput)>,
 }
 
-impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> Around for CalmDepth<G> {
+impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> GameWrapper for CalmDepth<G> {
     type Inner = G;
 
-    fn around(game: G) -> Self {
+    fn wrap(game: G) -> Self {
         CalmDepth { game, walkers: vec![] }
     }
     fn calls() -> &'static [Call<Self>] {
@@ -52,13 +54,13 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
     fn move_platform(&mut self) -> Outcome {
         let all: Vec<PlatformId> = self.simulator().platforms().collect();
         if all.is_empty() {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         let (id, edit) = (self.random().pick(&all), self.random().below(8));
         let (turn, way) = (self.random().number(-2.0, 2.0), self.random().vector3(60.0));
         let middle = self.simulator().platform(id).map_or(Vector3::zeros(), |platform| platform.position3d());
         let swing = swing(middle, self.random());
-        let Some(mut platform) = self.simulator_mut().platform_mut(id) else { return Outcome::Looked };
+        let Some(mut platform) = self.simulator_mut().platform_mut(id) else { return Outcome::Queried };
         Outcome::of(match edit {
             0 => platform.set_angular_velocity(turn),
             1 => platform.turn_to(turn),
@@ -74,11 +76,11 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
         })
     }
 
-    /// A body walks from now on, or otherwise than before.
+    /// Makes a random body walk from now on, or changes how it walks.
     fn let_walk(&mut self) -> Outcome {
         let all: Vec<BodyId> = self.simulator().core().bodies().collect();
         if all.is_empty() {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         let random = self.random();
         let wish = MoveInput {
@@ -92,18 +94,18 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
         let known = self.walkers.iter().position(|(body, ..)| *body == walker.0);
         if self.walkers.len() < MOST_WALKERS && known.is_none() {
             self.walkers.push(walker);
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         let place = known.unwrap_or_else(|| self.random().below(MOST_WALKERS));
         self.walkers[place] = walker;
-        Outcome::Looked
+        Outcome::Queried
     }
 
     fn rest(&mut self) -> Outcome {
         let mut walkers = std::mem::take(&mut self.walkers);
         let outcome = rest(self, |simulator, dt| {
             for (body, walker, wish) in &mut walkers {
-                // Some have gone, or have no object geom.
+                // A body that was removed, or that has no object geom, cannot walk.
                 simulator.walk(*body, walker, *wish, dt).ok();
             }
             simulator.update(dt);
@@ -115,7 +117,7 @@ impl<G: Game<Simulator = TwoHalfPhysicsSimulator> + 'static> CalmDepth<G> {
     fn edit_body(&mut self) -> Outcome {
         let all: Vec<BodyId> = self.simulator().core().bodies().collect();
         if all.is_empty() {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         let id = self.random().pick(&all);
         let mut random = self.random().split();

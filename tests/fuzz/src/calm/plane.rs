@@ -1,32 +1,32 @@
-//! Of the 2D engine.
+//! Calm games of the 2D engine, in which bodies come to rest between calls.
 
 use farseer_core::math::Vector2;
-use farseer_core::{BodyId, IslandChoice, JointFactory, JointId, Methods, PhysicsSimulator, Result};
+use farseer_core::{BodyId, JointFactory, JointId, Methods, PhysicsSimulator, Result, SolverChoice};
 
 use super::{any_call, mass, rest};
-use crate::around::Around;
+use crate::around::GameWrapper;
 use crate::engine::Engine;
 use crate::game::{Call, Game, Outcome};
 use crate::plane::OneWayPlane;
 use crate::random::Random;
 
-/// A game of the precise set, with one-way geoms, bullets, joints and all methods for islands.
+/// A game of the precise set, with one-way geoms, bullets, joints and all solvers of islands.
 #[derive(Debug)]
 pub struct CalmPlane(OneWayPlane);
 
 const CALLS: &[Call<CalmPlane>] = &[
     Call { name: "create a thing", weight: 3, make: create_thing },
     Call { name: "play as ever", weight: 3, make: |game| any_call(&mut game.0) },
-    Call { name: "tie", weight: 2, make: tie },
+    Call { name: "tie", weight: 2, make: add_link },
     Call { name: "shoot", weight: 2, make: shoot },
     Call { name: "change a setting", weight: 2, make: change_setting },
     Call { name: "rest", weight: 20, make: |game| rest(game, |simulator, dt| simulator.update(dt)) },
 ];
 
-impl Around for CalmPlane {
+impl GameWrapper for CalmPlane {
     type Inner = OneWayPlane;
 
-    fn around(game: OneWayPlane) -> Self {
+    fn wrap(game: OneWayPlane) -> Self {
         CalmPlane(game)
     }
     fn calls() -> &'static [Call<Self>] {
@@ -48,7 +48,7 @@ impl CalmPlane {
     }
 }
 
-/// A thing of any mass.
+/// Makes an object of a random mass.
 fn create_thing(game: &mut CalmPlane) -> Outcome {
     let before = Engine::geoms(game.simulator());
     let outcome = game.0.create_thing();
@@ -62,9 +62,9 @@ fn create_thing(game: &mut CalmPlane) -> Outcome {
     outcome
 }
 
-type Tie = fn(&mut PhysicsSimulator, [BodyId; 2], &mut Random) -> Result<JointId>;
+type AddLink = fn(&mut PhysicsSimulator, [BodyId; 2], &mut Random) -> Result<JointId>;
 
-const TIES: &[Tie] = &[
+const LINKS: &[AddLink] = &[
     |simulator, [a, b], _| {
         let middle = (simulator[a].position() + simulator[b].position()) * 0.5;
         JointFactory::create_revolute_joint_in(simulator, a, b, middle)
@@ -88,19 +88,19 @@ const TIES: &[Tie] = &[
     },
 ];
 
-fn tie(game: &mut CalmPlane) -> Outcome {
-    let (Some(a), Some(b)) = (game.body(), game.body()) else { return Outcome::Looked };
+fn add_link(game: &mut CalmPlane) -> Outcome {
+    let (Some(a), Some(b)) = (game.body(), game.body()) else { return Outcome::Queried };
     let mut random = game.random().split();
-    // What was made is there, also if it may not be added.
-    drop(random.pick(TIES)(game.simulator_mut(), [a, b], &mut random));
+    // A created object exists even if the simulator refuses to add it.
+    drop(random.pick(LINKS)(game.simulator_mut(), [a, b], &mut random));
     Outcome::Changed
 }
 
-/// A bullet goes somewhere, fast.
+/// A fast bullet in a random direction.
 fn shoot(game: &mut CalmPlane) -> Outcome {
-    let (Some(id), velocity) = (game.body(), game.random().vector(5000.0)) else { return Outcome::Looked };
+    let (Some(id), velocity) = (game.body(), game.random().vector(5000.0)) else { return Outcome::Queried };
     let is_bullet = game.random().chance(70);
-    let Some(body) = game.simulator_mut().body_mut(id) else { return Outcome::Looked };
+    let Some(body) = game.simulator_mut().body_mut(id) else { return Outcome::Queried };
     body.set_is_bullet(is_bullet);
     body.set_linear_velocity(velocity);
     Outcome::Changed
@@ -108,11 +108,11 @@ fn shoot(game: &mut CalmPlane) -> Outcome {
 
 const SETTINGS: &[fn(&mut PhysicsSimulator, &mut Random)] = &[
     |simulator, random| {
-        let all = [IslandChoice::ByItself, IslandChoice::Passes, IslandChoice::Whole];
-        simulator.set_island_choice(random.pick(&all));
+        let all = [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct];
+        simulator.set_solver_choice(random.pick(&all));
     },
     |simulator, random| simulator.set_sleep_enabled(random.chance(85)),
-    // What geoms are one-way is refused to the faithful set.
+    // The faithful set refuses one-way geoms.
     |simulator, random| {
         let methods = if random.chance(30) { Methods::default() } else { Methods::PRECISE };
         simulator.set_methods(methods).ok();

@@ -1,4 +1,4 @@
-//! Things that come and go in 2.5D, with all that the precise set has.
+//! Scenes of the 2.5D engine in which objects are added and removed, with all features of the precise set.
 
 use std::collections::VecDeque;
 
@@ -12,28 +12,28 @@ use crate::random::Random;
 use crate::tied::links::{JOINTS, SPRINGS};
 
 const THINGS: usize = 16;
-/// Size of a platform, px.
+/// Size of a platform along X, Y and Z, px.
 const SIZE: [f32; 3] = [60.0, 12.0, 50.0];
 
-/// Balls, crates, what stands upright and ropes, which fall on platforms that move, turn or slope, and into water, with joints and
-/// springs of all kinds between them.
+/// A scene of balls, crates, vertical shapes and ropes, which joints and springs of all kinds connect. They fall into water and
+/// on platforms that move, rotate or slope.
 #[derive(Debug)]
 pub struct DepthChurn {
     simulator: TwoHalfPhysicsSimulator,
     random: Random,
-    /// The bodies of every thing.
+    /// Bodies of each object in the scene, oldest object first.
     living: VecDeque<Vec<BodyId>>,
     platforms: VecDeque<PlatformId>,
-    /// How many things and platforms there have been.
+    /// Number of objects that were made so far. `laid` is the number of platforms.
     made: usize,
     laid: usize,
 }
 
 impl DepthChurn {
-    /// The scene of a seed.
+    /// Returns the scene of a seed.
     ///
     /// # Errors
-    /// None of these arguments is refused.
+    /// Never: the simulator accepts all arguments that are used here.
     pub fn new(seed: u64) -> Result<Self> {
         let gravity = Vector2::new(0.0, 300.0);
         let mut churn = DepthChurn {
@@ -63,7 +63,7 @@ impl DepthChurn {
         Ok(())
     }
 
-    /// A lift, a belt, a table that turns, a slope to the back and one to the side, in turn.
+    /// Adds a platform. Its kind goes round: a lift, a belt, a rotating table, a slope to the back, a slope to the side.
     fn add_platform(&mut self) -> Result<()> {
         let place = self.place(0.0, 40.0);
         let [width, height, depth] = SIZE;
@@ -82,13 +82,14 @@ impl DepthChurn {
         Ok(())
     }
 
-    /// X, Y and Z of something new.
+    /// Returns random X, Y and Z of a new object, px. Y lies between `low` and `high`.
     fn place(&mut self, low: f32, high: f32) -> [f32; 3] {
         let random = &mut self.random;
         [random.between(-150.0, 150.0), random.between(low, high), random.between(0.0, 120.0)]
     }
 
-    /// A ball, a crate, a cylinder, a capsule, a wedge on end and a ball on a rope, in turn.
+    /// Adds an object and returns its body. Its kind goes round: a ball, a crate, a cylinder, a capsule, a wedge on end, a ball
+    /// on a rope.
     fn add_thing(&mut self) -> Result<BodyId> {
         let (place, size) = (self.place(20.0, 80.0), self.random.between(5.0, 12.0));
         let kind = self.made % 6;
@@ -112,8 +113,8 @@ impl DepthChurn {
         Ok(body)
     }
 
-    /// A joint or a spring, as long as the two are apart.
-    fn tie(&mut self, bodies: [BodyId; 2]) -> Result<()> {
+    /// Adds a joint or a spring between two bodies. It keeps the present distance of the bodies.
+    fn add_link(&mut self, bodies: [BodyId; 2]) -> Result<()> {
         let (joint, spring) = (self.random.pick(JOINTS), self.random.pick(SPRINGS));
         let random = &mut self.random;
         let link: ObjectId = self.simulator.edit_objects(|objects| {
@@ -124,7 +125,7 @@ impl DepthChurn {
             };
             objects.add(link).map(|()| link)
         })?;
-        // What keeps an angle has no length, and a slider may be shorter than it can become.
+        // The call may fail: an angle joint has no length, and the distance may be less than the lower limit of a slider.
         let _ = self.simulator.take_length(link);
         Ok(())
     }
@@ -136,7 +137,7 @@ impl DepthChurn {
     }
 }
 
-/// Three corners, X and Z.
+/// Returns the three corners of a wedge, X and Z in px.
 fn wedge(size: f32) -> [Vector2; 3] {
     [[-size, -size], [size, -size], [0.0, size]].map(Vector2::from)
 }
@@ -150,7 +151,7 @@ impl Churn for DepthChurn {
         let other = self.living[self.random.below(self.living.len())][0];
         let body = self.add_thing()?;
         if is_tied {
-            self.tie([body, other])?;
+            self.add_link([body, other])?;
             self.replace_a_platform()?;
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! Scenes in which things come and go.
+//! Scenes in which objects are added and removed.
 
 mod depth;
 mod plane;
@@ -10,42 +10,42 @@ use crate::engine::Engine;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-/// A thing is replaced after every so many updates.
+/// Number of updates after which an object is replaced.
 const LIFE: usize = 5;
-/// Every so many of them are tied to another.
-const TIES: usize = 3;
-/// Seconds of an update.
+/// Number of replaced objects after which one is joined to an older object.
+const LINK_INTERVAL: usize = 3;
+/// Length of an update, s.
 const DT: f32 = 0.01;
 
-/// A scene in which things come and go, with joints and springs between them.
+/// A scene in which objects are added and removed, with joints and springs between them.
 pub trait Churn {
-    /// What simulates it.
+    /// Type of the simulator.
     type Simulator: Engine;
 
-    /// The oldest thing is disposed, another one comes; some are tied to an older one.
+    /// Disposes the oldest object and creates a new one. If `is_tied`, joins the new object to an older one.
     ///
     /// # Errors
-    /// If the simulator refuses what it should take.
+    /// If the simulator refuses a valid call.
     fn replace_one(&mut self, is_tied: bool) -> Result<()>;
-    /// The simulator.
+    /// Returns the simulator of the scene.
     fn simulator(&self) -> &Self::Simulator;
-    /// The simulator, to let time pass.
+    /// Returns the simulator of the scene, for updates.
     fn simulator_mut(&mut self) -> &mut Self::Simulator;
 
-    /// The update of a number: some replace a thing.
+    /// Makes the update with index `update`. After some updates it replaces an object.
     ///
     /// # Errors
-    /// If the simulator refuses what it should take.
+    /// If the simulator refuses a valid call.
     fn go_on(&mut self, update: usize) -> Result<()> {
         if update.is_multiple_of(LIFE) {
-            self.replace_one(update.is_multiple_of(LIFE * TIES))?;
+            self.replace_one(update.is_multiple_of(LIFE * LINK_INTERVAL))?;
         }
         self.simulator_mut().update(DT);
         Ok(())
     }
 }
 
-/// Whether the next update replaces a thing, so that all that lives has had some time.
+/// Returns whether the next update replaces an object. All objects have lived for some updates then.
 pub(crate) fn is_before_a_replacement(update: usize) -> bool {
     update % LIFE == LIFE - 1
 }

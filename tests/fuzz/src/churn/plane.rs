@@ -1,4 +1,4 @@
-//! Things that come and go in 2D.
+//! Scenes of the 2D engine in which objects are added and removed.
 
 use std::collections::VecDeque;
 
@@ -9,7 +9,7 @@ use super::{Churn, Result};
 use crate::plane::{create_floor, create_thing};
 use crate::random::Random;
 
-/// Boxes and circles above a floor, some of which a pin and a spring tie together.
+/// A scene of boxes and circles above a floor. Pin joints and springs connect some of them.
 #[derive(Debug)]
 pub struct PlaneChurn {
     simulator: PhysicsSimulator,
@@ -18,10 +18,10 @@ pub struct PlaneChurn {
 }
 
 impl PlaneChurn {
-    /// Twelve things above a floor.
+    /// Returns a scene of twelve objects above a floor.
     ///
     /// # Errors
-    /// None of these arguments is refused.
+    /// Never: the simulator accepts all arguments that are used here.
     pub fn new(methods: Methods) -> Result<Self> {
         let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 100.0))?;
         simulator.set_methods(methods)?;

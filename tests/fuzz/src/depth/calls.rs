@@ -1,21 +1,21 @@
-//! The table of calls.
+//! Table of the calls that a 2.5D game makes.
 
 use twohalf::{DepthProfile, DepthScheme, Result, TwoHalfPhysicsSimulator};
 
 use super::create::{BODIES, GEOMS, Make, PLATFORMS};
 use super::edits::{PLATFORM_EDITS, edit_body};
-use super::handler::Meddler;
-use super::queries::ask;
+use super::handler::EditingHandler;
+use super::queries::random_query;
 use super::{Depth, create_thing, place};
 use crate::game::{Call, Outcome};
 use crate::plane::GEOM_EDITS;
 use crate::random::Random;
 use crate::shapes::{outline, step};
 
-/// Objects of a kind beyond which no more are made.
+/// Number of geoms in the simulator at which the game makes no more.
 const MOST_GEOMS: usize = 40;
 const MOST_PLATFORMS: usize = 12;
-/// More passes per update than this take long.
+/// Greatest number of iterations per update. More would take too long.
 const MOST_ITERATIONS: i32 = 1000;
 
 const fn call(name: &'static str, weight: usize, make: fn(&mut Depth) -> Outcome) -> Call<Depth> {
@@ -25,7 +25,7 @@ const fn call(name: &'static str, weight: usize, make: fn(&mut Depth) -> Outcome
 pub(super) const CALLS: &[Call<Depth>] = &[
     call("create a thing", 2, |game| {
         if game.is_crowded() {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         let Ok((body, geom)) = create_thing(&mut game.simulator, &mut game.random) else {
             return Outcome::Changed;
@@ -49,21 +49,21 @@ pub(super) const CALLS: &[Call<Depth>] = &[
     call("edit a body", 5, |game| {
         let id = game.body();
         for _ in 0..1 + game.random.below(3) {
-            let Some(body) = game.simulator.body_mut(id) else { return Outcome::Looked };
+            let Some(body) = game.simulator.body_mut(id) else { return Outcome::Queried };
             edit_body(body, &game.pools, &mut game.random);
         }
         Outcome::Changed
     }),
     call("edit a geom", 1, |game| {
         let id = game.geom();
-        let Some(geom) = game.simulator.geom_mut(id) else { return Outcome::Looked };
+        let Some(geom) = game.simulator.geom_mut(id) else { return Outcome::Queried };
         game.random.pick(GEOM_EDITS)(geom, &mut game.random);
         Outcome::Changed
     }),
     call("edit a platform", 1, edit_platform),
     call("remove_platform", 1, |game| {
         if !game.random.chance(30) {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         let platform = game.random.pick(&game.pools.platforms);
         Outcome::of(game.simulator.remove_platform(platform))
@@ -89,7 +89,7 @@ pub(super) const CALLS: &[Call<Depth>] = &[
         match game.random.below(4) {
             0 => Outcome::of(game.simulator.dispose(body)),
             1 => Outcome::of(game.simulator.dispose(geom)),
-            _ => Outcome::Looked,
+            _ => Outcome::Queried,
         }
     }),
     call("set_body", 1, |game| {
@@ -116,13 +116,13 @@ pub(super) const CALLS: &[Call<Depth>] = &[
         Outcome::of(game.random.pick(SETTINGS)(&mut game.simulator, &mut game.random))
     }),
     call("ask", 3, |game| {
-        ask(&game.simulator, &game.pools, &mut game.random);
-        Outcome::Looked
+        random_query(&game.simulator, &game.pools, &mut game.random);
+        Outcome::Queried
     }),
     call("update", 18, |game| {
         let dt = step(&mut game.random);
         if game.random.chance(45) {
-            let mut meddler = Meddler::new(game.random.split(), &game.pools);
+            let mut meddler = EditingHandler::new(game.random.split(), &game.pools);
             game.simulator.update_with(dt, &mut meddler);
         } else {
             game.simulator.update(dt);
@@ -168,7 +168,7 @@ impl Depth {
     }
 }
 
-/// Makes an object and keeps its id.
+/// Makes an object and adds its id to the pool.
 fn made<I>(
     game: &mut Depth,
     crowded: bool,
@@ -176,7 +176,7 @@ fn made<I>(
     pool: fn(&mut Depth) -> &mut Vec<I>,
 ) -> Outcome {
     if crowded {
-        return Outcome::Looked;
+        return Outcome::Queried;
     }
     let made = game.random.pick(makers)(game);
     Outcome::of(made.map(|id| pool(game).push(id)))
@@ -184,7 +184,7 @@ fn made<I>(
 
 fn edit_platform(game: &mut Depth) -> Outcome {
     let id = game.random.pick(&game.pools.platforms);
-    let Some(mut platform) = game.simulator.platform_mut(id) else { return Outcome::Looked };
+    let Some(mut platform) = game.simulator.platform_mut(id) else { return Outcome::Queried };
     match game.random.below(6) {
         0 => Outcome::of(platform.set_position3d(place(&mut game.random))),
         1 => Outcome::of(platform.set_rotation(game.random.number(-1.5, 1.5))),

@@ -1,4 +1,4 @@
-//! Calls that make objects, kind by kind.
+//! Calls that make objects, one for each kind.
 
 use farseer_core::{Body, BodyId, GeomId};
 use twohalf::{DepthProfile, Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
@@ -8,7 +8,7 @@ use super::{Depth, place};
 use crate::random::Random;
 use crate::shapes::{edges, outline, placement};
 
-/// Makes an object of some kind.
+/// A function that makes an object of some kind and returns its id.
 pub(super) type Make<I> = fn(&mut Depth) -> Result<I>;
 
 pub(super) const BODIES: &[Make<BodyId>] = &[
@@ -112,10 +112,10 @@ impl Depth {
     }
 }
 
-/// A moving body with a geom above the ground, a ball or a prism; both are in the simulator already.
+/// Makes a moving body above the ground with a geom, which is a ball or a prism, and adds both to the simulator.
 ///
 /// # Errors
-/// An outline that is refused; the body stays.
+/// If the outline of the geom is refused. The body stays in the simulator then.
 pub(crate) fn create_thing(
     simulator: &mut TwoHalfPhysicsSimulator,
     random: &mut Random,

@@ -1,4 +1,4 @@
-//! Setters of bodies, through a simulator or the context of a callback, and of platforms.
+//! Calls that set properties of bodies and platforms. Bodies are edited through a simulator or the context of a callback.
 
 use farseer_core::{Body, CollisionCategory};
 use twohalf::{AccessMut, PlatformMut, TextureId, TwoHalfBody};
@@ -8,10 +8,10 @@ use super::pools::Pools;
 use crate::plane::BODY_EDITS;
 use crate::random::Random;
 
-/// Changes something of a body.
+/// A function that changes a property of a body at random.
 type Edit<A> = fn(&mut TwoHalfBody<A>, &Pools, &mut Random);
 
-/// Changes something of a body.
+/// Makes a random edit of a body.
 pub(super) fn edit_body<A: AccessMut>(mut body: TwoHalfBody<A>, pools: &Pools, random: &mut Random) {
     let edit = random.pick(&edits::<A>());
     edit(&mut body, pools, random);
@@ -64,7 +64,7 @@ fn edits<A: AccessMut>() -> [Edit<A>; 34] {
     ]
 }
 
-/// Changes how a platform collides.
+/// A function that changes at random how a platform collides.
 type EditPlatform = fn(&mut PlatformMut<'_>, &mut Random);
 
 pub(super) const PLATFORM_EDITS: &[EditPlatform] = &[

@@ -1,4 +1,4 @@
-//! Callbacks that meddle.
+//! Event handler that changes the simulator in its callbacks.
 
 use std::hint::black_box;
 
@@ -10,11 +10,11 @@ use super::pools::Pools;
 use crate::plane::GEOM_EDITS;
 use crate::random::Random;
 
-/// Most calls that a handler makes back, so that an update ends.
-const PATIENCE: u32 = 60;
+/// Greatest number of calls that a handler makes into the simulator, so that an update ends.
+const MAX_CALLS: u32 = 60;
 
-/// Edits, adds, removes, disposes and refuses, in every callback there is.
-pub(super) struct Meddler<'a> {
+/// Event handler that edits, adds, removes and disposes objects and refuses contacts, in every callback.
+pub(super) struct EditingHandler<'a> {
     random: Random,
     pools: &'a Pools,
     patience: u32,
@@ -68,9 +68,9 @@ fn look(context: &mut Context<'_>, pools: &Pools, random: &mut Random) {
     black_box(context.platform(random.pick(&pools.platforms)).map(|platform| platform.corners()));
 }
 
-impl<'a> Meddler<'a> {
+impl<'a> EditingHandler<'a> {
     pub(super) fn new(mut random: Random, pools: &'a Pools) -> Self {
-        Meddler { hears_broad_phase: random.chance(10), random, pools, patience: PATIENCE }
+        EditingHandler { hears_broad_phase: random.chance(10), random, pools, patience: MAX_CALLS }
     }
 
     fn meddle(&mut self, context: &mut Context<'_>) {
@@ -81,7 +81,7 @@ impl<'a> Meddler<'a> {
     }
 }
 
-impl EventHandler for Meddler<'_> {
+impl EventHandler for EditingHandler<'_> {
     fn on_collision(&mut self, context: &mut Context<'_>, collision: &Collision) -> bool {
         let mut numbers = collision.normal.iter().chain(collision.position.iter());
         let impulse = collision.normal_impulse;

@@ -21,7 +21,7 @@ use crate::random::Random;
 use crate::scenes;
 use pools::Pools;
 
-/// A simulator and ids to call it with.
+/// A game of the 2.5D engine: its simulator, and ids with which to call it.
 #[derive(Debug)]
 pub struct Depth {
     random: Random,
@@ -74,14 +74,14 @@ impl Depth {
         Depth::with(simulator, random)
     }
 
-    /// A game of the precise scheme. There are no geoms yet that it could be refused for.
+    /// Returns a game of the precise scheme. The simulator has no geoms yet, so it cannot refuse the scheme.
     pub(crate) fn precise(random: Random) -> Self {
         let mut depth = Depth::new(random);
         depth.simulator.set_depth_scheme(DepthScheme::Precise).expect("it is empty");
         depth
     }
 
-    /// What is called, and where numbers come from.
+    /// Returns the simulator and the source of random numbers, both for changes.
     pub(crate) fn parts(&mut self) -> (&mut TwoHalfPhysicsSimulator, &mut Random) {
         (&mut self.simulator, &mut self.random)
     }
@@ -94,7 +94,7 @@ impl Depth {
     }
 }
 
-/// A place above the ground, or a wild one.
+/// Returns a random position above the ground in px, or one with wild numbers.
 fn place(random: &mut Random) -> Vector3 {
     Vector3::new(random.number(-120.0, 120.0), random.number(0.0, 200.0), random.number(0.0, 120.0))
 }

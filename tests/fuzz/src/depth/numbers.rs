@@ -1,4 +1,4 @@
-//! Every number that a simulator shows.
+//! Checks that all readable numbers of a 2.5D simulator are finite.
 
 use farseer_core::{BodyId, GeomId};
 use twohalf::{TwoHalfContact, TwoHalfPhysicsSimulator, Vector3};
@@ -6,7 +6,7 @@ use twohalf::{TwoHalfContact, TwoHalfPhysicsSimulator, Vector3};
 use crate::finite::finite;
 use crate::plane;
 
-/// Whether all of them are finite, those of the 2D engine below included.
+/// Checks that every readable number is finite, including those of the 2D engine below. The error names the first that is not.
 pub(crate) fn check_numbers(simulator: &TwoHalfPhysicsSimulator) -> Result<(), String> {
     plane::check_numbers(simulator.core())?;
     simulator.core().bodies().try_for_each(|body| check_body(simulator, body))?;

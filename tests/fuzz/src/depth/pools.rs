@@ -1,13 +1,13 @@
-//! Ids to call a simulator with: living, stale and foreign ones.
+//! Ids with which a game calls its simulator: of living objects, of removed objects, and of another simulator.
 
 use farseer_core::{BodyId, GeomId};
 use twohalf::{Platform, PlatformId, Result, TwoHalfPhysicsSimulator, Vector3};
 use twohalf_factories::{TwoHalfBodyFactory, TwoHalfGeomFactory};
 
-/// How many things the simulator has whose ids are foreign.
+/// Number of objects in the other simulator whose ids are in the pools.
 const FOREIGN: usize = 40;
 
-/// Never empty.
+/// Ids by kind. No pool is empty.
 #[derive(Debug, Clone)]
 pub(super) struct Pools {
     pub(super) bodies: Vec<BodyId>,
@@ -16,7 +16,7 @@ pub(super) struct Pools {
 }
 
 impl Pools {
-    /// Ids of another simulator, low and high.
+    /// Returns pools with ids of another simulator, with low and high slots.
     pub(super) fn foreign() -> Result<Self> {
         let mut other = TwoHalfPhysicsSimulator::new(500)?;
         let mut pools = Pools { bodies: vec![], geoms: vec![], platforms: vec![] };
@@ -32,7 +32,7 @@ impl Pools {
         Ok(pools)
     }
 
-    /// All that is in a simulator.
+    /// Adds the ids of all objects of a simulator to the pools.
     pub(super) fn take_all(&mut self, simulator: &TwoHalfPhysicsSimulator) {
         self.bodies.extend(simulator.core().bodies());
         self.geoms.extend(simulator.core().geoms());

@@ -1,20 +1,20 @@
-//! A panic is a failure like any other.
+//! Turns a panic into a failure of a check.
 
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
 thread_local! {
-    /// Text and place of the last panic, while panics of this thread are caught.
+    /// Text and source location of the last panic. `None` while this thread does not catch panics.
     static CAUGHT: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
 static HOOK: Once = Once::new();
 
-/// What `check` answers, or text and place of its panic.
+/// Returns the result of `check`. If `check` panics, returns the text and source location of the panic as an error.
 ///
 /// # Errors
-/// That of `check`, or that text.
+/// The error of `check`, or the text of its panic.
 pub fn caught(check: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
     HOOK.call_once(keep_texts);
     CAUGHT.set(Some(String::new()));
@@ -23,7 +23,7 @@ pub fn caught(check: impl FnOnce() -> Result<(), String>) -> Result<(), String> 
     result.unwrap_or(Err(text))
 }
 
-/// Panics of threads that catch theirs are not printed.
+/// Installs a panic hook that stores the text for threads that catch panics, instead of printing it.
 fn keep_texts() {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {

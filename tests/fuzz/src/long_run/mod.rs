@@ -1,4 +1,4 @@
-//! Many seeds one after the other, with limits of time and memory for each.
+//! Tests many seeds one after the other, with limits of time and memory for each.
 
 mod caught;
 mod memory;
@@ -10,51 +10,51 @@ pub use memory::is_known as memory_is_known;
 use std::time::{Duration, Instant};
 
 use crate::subjects::Subject;
-use memory::Memory;
+use memory::PeakMemory;
 use watchdog::Watchdog;
 
-/// Which seeds to try, and what one of them may take.
+/// Seeds to test, and limits of the cost of each.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
     /// First seed.
     pub from: u64,
     /// Number of seeds.
     pub count: u64,
-    /// Longest time of a seed. One that takes ten times as long is taken for endless, and ends the program.
+    /// Longest allowed time of a seed. A seed that takes ten times as long counts as endless: the program ends.
     pub time: Duration,
-    /// Most memory in megabytes by which a seed may raise what the program holds; known on Linux only.
+    /// Greatest allowed growth of the program's peak memory by one seed, in megabytes. Measured on Linux only.
     pub megabytes: u64,
 }
 
-/// What became of the seeds of a subject.
+/// Outcome of all tested seeds of a subject.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Summary {
-    /// Seeds that were tried.
+    /// Number of seeds that were tested.
     pub tried: u64,
-    /// Those for which something did not hold, or panicked.
+    /// Number of seeds with a violated property or a panic.
     pub failed: u64,
-    /// Those that took too long.
+    /// Number of seeds that took longer than allowed.
     pub slow: u64,
-    /// Those that took too much memory.
+    /// Number of seeds that took more memory than allowed.
     pub large: u64,
-    /// The longest time, and its seed.
+    /// Longest time of a seed, and that seed.
     pub longest: (Duration, u64),
 }
 
 impl Summary {
-    /// Whether all was well.
+    /// Returns whether no seed failed, took too long, or took too much memory.
     pub fn is_clean(&self) -> bool {
         (self.failed, self.slow, self.large) == (0, 0, 0)
     }
 }
 
-/// Tries a subject with all seeds; `say` is told a line for everything that is not well.
+/// Tests a subject with all seeds. Calls `say` with a line of text for every failure.
 pub fn run(subject: &Subject, limits: Limits, mut say: impl FnMut(&str)) -> Summary {
     let watchdog = Watchdog::start(limits.time * 10);
     let mut summary = Summary::default();
     for seed in limits.from..limits.from + limits.count {
         watchdog.watch(subject.name, seed);
-        let memory = Memory::now();
+        let memory = PeakMemory::now();
         let start = Instant::now();
         let result = caught(|| (subject.check)(seed));
         let (time, megabytes) = (start.elapsed(), memory.growth_in_megabytes());
@@ -77,7 +77,7 @@ pub fn run(subject: &Subject, limits: Limits, mut say: impl FnMut(&str)) -> Summ
     summary
 }
 
-/// For tests: what was wrong with these seeds, one line each.
+/// Returns the failures of these seeds, one line each. Tests call it; it has no limits of time and memory.
 pub fn failures(
     seeds: impl IntoIterator<Item = u64>,
     check: impl Fn(u64) -> Result<(), String>,

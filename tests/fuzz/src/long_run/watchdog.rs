@@ -1,23 +1,23 @@
-//! Ends the program when a seed does not end.
+//! Ends the program if a seed takes too long.
 
 use std::process;
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What is watched, and since when.
-type Watched = Arc<Mutex<Option<(String, Instant)>>>;
+/// The seed that is tested now, with its subject as text, and its start.
+type CurrentSeed = Arc<Mutex<Option<(String, Instant)>>>;
 
-/// Watches until it is dropped.
+/// A thread that watches the tested seed until this value is dropped.
 pub(super) struct Watchdog {
-    watched: Watched,
+    watched: CurrentSeed,
 }
 
 impl Watchdog {
-    /// Whatever takes longer than `patience` is reported, and ends the program with exit code 1: a thread cannot be
-    /// ended from outside.
+    /// Starts the watchdog. If a seed takes longer than `patience` it reports the seed and ends the program with exit code 1,
+    /// because a thread cannot be ended from outside.
     pub(super) fn start(patience: Duration) -> Self {
-        let watched: Watched = Arc::default();
+        let watched: CurrentSeed = Arc::default();
         let seen = Arc::downgrade(&watched);
         thread::spawn(move || {
             while let Some(watched) = seen.upgrade() {
@@ -34,7 +34,7 @@ impl Watchdog {
         Watchdog { watched }
     }
 
-    /// A seed begins.
+    /// Tells the watchdog that the test of a seed begins.
     pub(super) fn watch(&self, subject: &str, seed: u64) {
         let case = format!("{subject} --from {seed} --count 1");
         *self.watched.lock().expect("nobody panics while it is held") = Some((case, Instant::now()));

@@ -1,4 +1,4 @@
-//! The table of calls.
+//! Table of the calls that a 2D game makes.
 
 use farseer_core::math::Matrix;
 use farseer_core::{FrictionType, Methods, NarrowPhaseCollider, PhysicsSimulator, Result};
@@ -6,19 +6,19 @@ use farseer_core::{FrictionType, Methods, NarrowPhaseCollider, PhysicsSimulator,
 use super::controllers::{CONTROLLER_EDITS, edit_kind};
 use super::create::{BODIES, CONTROLLERS, GEOMS, JOINTS, Make, SPRINGS};
 use super::edits::{BODY_EDITS, GEOM_EDITS, JOINT_EDITS, JOINT_KIND_EDITS, SPRING_EDITS, SPRING_KIND_EDITS};
-use super::handler::Meddler;
+use super::handler::EditingHandler;
 use super::paths::{create_chain, edit_path};
-use super::queries::ask;
+use super::queries::random_query;
 use super::{Plane, broad_phase, create_thing};
 use crate::game::{Call, Outcome};
 use crate::random::Random;
 use crate::shapes::{outline, step};
 
-/// Objects of a kind beyond which no more are made.
+/// Number of geoms in the simulator at which the game makes no more.
 const MOST_GEOMS: usize = 40;
 const MOST_LINKS: usize = 40;
 const MOST_CONTROLLERS: usize = 12;
-/// More passes per update than this take long.
+/// Greatest number of iterations per update. More would take too long.
 const MOST_ITERATIONS: i32 = 1000;
 
 const fn call(name: &'static str, weight: usize, make: fn(&mut Plane) -> Outcome) -> Call<Plane> {
@@ -28,7 +28,7 @@ const fn call(name: &'static str, weight: usize, make: fn(&mut Plane) -> Outcome
 pub(super) const CALLS: &[Call<Plane>] = &[
     call("create a thing", 1, |game| {
         if game.is_crowded() {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         let Ok((body, geom)) = create_thing(&mut game.simulator, &mut game.random) else {
             return Outcome::Changed;
@@ -46,7 +46,7 @@ pub(super) const CALLS: &[Call<Plane>] = &[
         made(game, crowded, GEOMS, |game| &mut game.pools.geoms)
     }),
     call("create pieces", 1, |game| {
-        if game.is_crowded() { Outcome::Looked } else { Outcome::of(game.create_pieces()) }
+        if game.is_crowded() { Outcome::Queried } else { Outcome::of(game.create_pieces()) }
     }),
     call("create a joint", 1, |game| {
         let crowded = game.simulator.joint_list().len() > MOST_LINKS;
@@ -61,7 +61,7 @@ pub(super) const CALLS: &[Call<Plane>] = &[
     call("edit a path", 1, edit_path),
     call("edit a body", 4, |game| {
         let id = game.body();
-        let Some(body) = game.simulator.body_mut(id) else { return Outcome::Looked };
+        let Some(body) = game.simulator.body_mut(id) else { return Outcome::Queried };
         for _ in 0..1 + game.random.below(3) {
             game.random.pick(BODY_EDITS)(body, &mut game.random);
         }
@@ -69,27 +69,27 @@ pub(super) const CALLS: &[Call<Plane>] = &[
     }),
     call("edit a geom", 1, |game| {
         let id = game.geom();
-        let Some(geom) = game.simulator.geom_mut(id) else { return Outcome::Looked };
+        let Some(geom) = game.simulator.geom_mut(id) else { return Outcome::Queried };
         game.random.pick(GEOM_EDITS)(geom, &mut game.random);
         Outcome::Changed
     }),
     call("edit a joint", 1, |game| {
         let id = game.random.pick(&game.pools.joints);
-        let Some(joint) = game.simulator.joint_mut(id) else { return Outcome::Looked };
+        let Some(joint) = game.simulator.joint_mut(id) else { return Outcome::Queried };
         game.random.pick(JOINT_EDITS)(joint, &mut game.random);
         JOINT_KIND_EDITS.iter().for_each(|edit| drop(edit(&mut game.simulator, id, &mut game.random)));
         Outcome::Changed
     }),
     call("edit a spring", 1, |game| {
         let id = game.random.pick(&game.pools.springs);
-        let Some(spring) = game.simulator.spring_mut(id) else { return Outcome::Looked };
+        let Some(spring) = game.simulator.spring_mut(id) else { return Outcome::Queried };
         game.random.pick(SPRING_EDITS)(spring, &mut game.random);
         SPRING_KIND_EDITS.iter().for_each(|edit| drop(edit(&mut game.simulator, id, &mut game.random)));
         Outcome::Changed
     }),
     call("edit a controller", 1, |game| {
         let id = game.random.pick(&game.pools.controllers);
-        let Some(controller) = game.simulator.controller_mut(id) else { return Outcome::Looked };
+        let Some(controller) = game.simulator.controller_mut(id) else { return Outcome::Queried };
         game.random.pick(CONTROLLER_EDITS)(controller, &mut game.random);
         edit_kind(&mut game.simulator, id, &game.pools, &mut game.random);
         Outcome::Changed
@@ -141,7 +141,7 @@ pub(super) const CALLS: &[Call<Plane>] = &[
     }),
     call("dispose", 1, |game| {
         let object = game.pools.object(&mut game.random);
-        if game.random.toss() { Outcome::of(game.simulator.dispose(object)) } else { Outcome::Looked }
+        if game.random.toss() { Outcome::of(game.simulator.dispose(object)) } else { Outcome::Queried }
     }),
     call("change a setting", 1, |game| {
         Outcome::of(game.random.pick(SETTINGS)(&mut game.simulator, &mut game.random))
@@ -159,14 +159,14 @@ pub(super) const CALLS: &[Call<Plane>] = &[
     }),
     call("clear", 1, |game| {
         if !game.random.chance(8) {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
         game.simulator.clear();
         Outcome::Changed
     }),
     call("ask", 3, |game| {
-        ask(&game.simulator, &game.pools, &mut game.random);
-        Outcome::Looked
+        random_query(&game.simulator, &game.pools, &mut game.random);
+        Outcome::Queried
     }),
     call("pick with the mouse", 1, use_picker),
     call("interpolate", 1, |game| {
@@ -175,7 +175,7 @@ pub(super) const CALLS: &[Call<Plane>] = &[
         if let Some(pose) = game.interpolation.pose(body, fraction) {
             assert!(pose.position.x.is_finite() && pose.rotation.is_finite(), "{pose:?}");
         }
-        Outcome::Looked
+        Outcome::Queried
     }),
     call("update", 24, |game| {
         let dt = step(&mut game.random);
@@ -226,7 +226,7 @@ impl Plane {
     }
 }
 
-/// Makes an object and keeps its id.
+/// Makes an object and adds its id to the pool.
 fn made<I>(
     game: &mut Plane,
     crowded: bool,
@@ -234,7 +234,7 @@ fn made<I>(
     pool: fn(&mut Plane) -> &mut Vec<I>,
 ) -> Outcome {
     if crowded {
-        return Outcome::Looked;
+        return Outcome::Queried;
     }
     let made = game.random.pick(makers)(game);
     Outcome::of(made.map(|id| pool(game).push(id)))
@@ -242,7 +242,7 @@ fn made<I>(
 
 fn create_controller(game: &mut Plane) -> Outcome {
     if game.simulator.controller_list().len() > MOST_CONTROLLERS {
-        return Outcome::Looked;
+        return Outcome::Queried;
     }
     let Ok(controller) = game.random.pick(CONTROLLERS)(game) else { return Outcome::Failed };
     Outcome::of(game.simulator.create_controller(controller).map(|id| {
@@ -287,7 +287,7 @@ fn use_picker(game: &mut Plane) -> Outcome {
 
 fn update_meddled(game: &mut Plane, dt: f32) {
     let random = game.random.split();
-    let mut meddler = Meddler::new(random, &game.pools, game.simulator.geom_list().len());
+    let mut meddler = EditingHandler::new(random, &game.pools, game.simulator.geom_list().len());
     if game.random.toss() {
         game.simulator.update_with(dt, &mut meddler);
     } else {

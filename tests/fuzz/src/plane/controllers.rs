@@ -1,4 +1,4 @@
-//! Setters of controllers.
+//! Calls that set properties of controllers.
 
 use farseer_core::{
     Aabb, AabbFluidContainer, Controller, ControllerId, FluidContainerRef, FluidDragController,
@@ -11,7 +11,7 @@ use super::pools::Pools;
 use crate::random::Random;
 use crate::shapes::step;
 
-/// Changes something for which other objects are needed.
+/// A function that changes an object at random, and that needs ids of other objects.
 type EditWith<T> = fn(&mut T, &Pools, &mut Random);
 
 pub(crate) const CONTROLLER_EDITS: &[Edit<Controller>] = &[
@@ -82,7 +82,7 @@ const SCALING_EDITS: &[Edit<ScalingController>] = &[
     |scaling, random| scaling.update(step(random), step(random)),
 ];
 
-/// Changes what its kind has, if it has a kind.
+/// Changes a property that only this kind of controllers has.
 pub(super) fn edit_kind(
     simulator: &mut PhysicsSimulator,
     id: ControllerId,
@@ -102,7 +102,7 @@ pub(super) fn edit_kind(
     }
 }
 
-/// A fluid of any kind.
+/// Returns a random fluid container of any kind.
 pub(super) fn container(pools: &Pools, random: &mut Random) -> FluidContainerRef {
     match random.below(3) {
         0 => AabbFluidContainer::new(Aabb { min: random.vector(200.0), max: random.vector(400.0) })

@@ -1,4 +1,4 @@
-//! Calls that make objects, kind by kind.
+//! Calls that make objects, one for each kind.
 
 use farseer_core::{
     Body, BodyFactory, BodyId, Controller, FluidDragController, GeomFactory, GeomId, GravityController,
@@ -10,7 +10,7 @@ use super::Plane;
 use super::controllers::container;
 use crate::shapes::{chain, edges, outline, placement};
 
-/// Makes an object of some kind.
+/// A function that makes an object of some kind and returns its id.
 pub(super) type Make<I> = fn(&mut Plane) -> Result<I>;
 
 pub(super) const BODIES: &[Make<BodyId>] = &[
@@ -216,7 +216,7 @@ impl Plane {
         self.random.pick(&self.pools.bodies)
     }
 
-    /// A static one, if there is any: chains are refused to others.
+    /// Returns a static body if there is any, because other bodies cannot have chains. Otherwise returns another body.
     fn static_body(&mut self) -> BodyId {
         let is_static = |&body: &BodyId| self.simulator.body(body).is_some_and(Body::is_static);
         let bodies: Vec<BodyId> = self.pools.bodies.iter().copied().filter(is_static).collect();
@@ -231,7 +231,7 @@ impl Plane {
         self.random.number(0.5, 10.0)
     }
 
-    /// A concave outline in convex pieces, for which the narrow phase must be the other one.
+    /// Makes geoms from a concave outline that is cut into convex pieces. Needs the narrow phase with separating axes.
     pub(super) fn create_pieces(&mut self) -> Result<()> {
         let (outline, body, most) =
             (outline(&mut self.random), self.body(), self.random.count(1, 40).min(40));

@@ -1,4 +1,4 @@
-//! Setters of bodies, geoms, joints and springs.
+//! Calls that set properties of bodies, geoms, joints and springs.
 
 use farseer_core::{
     AngleJoint, AngleLimitJoint, AngleSpring, Body, CollisionCategory, FixedAngleJoint, FixedAngleLimitJoint,
@@ -8,9 +8,10 @@ use farseer_core::{
 
 use crate::random::Random;
 
-/// Changes something; a refusal is found by the checks around it.
+/// A function that changes an object at random. If the call is refused, the checks of the game find out whether it changed the
+/// object.
 pub(crate) type Edit<T> = fn(&mut T, &mut Random);
-/// Changes something, unless it is of another kind.
+/// A function that changes one kind of joints or springs at random. It has no effect on other kinds.
 type EditKind<I> = fn(&mut PhysicsSimulator, I, &mut Random) -> Result<()>;
 
 pub(crate) const BODY_EDITS: &[Edit<Body>] = &[
@@ -80,7 +81,7 @@ pub(crate) const SPRING_EDITS: &[Edit<Spring>] = &[
     |spring, random| spring.set_tag(random.bits()),
 ];
 
-/// One for every kind; all of them are tried.
+/// Edits of joints, one for every kind. All of them are tried on each joint.
 pub(super) const JOINT_KIND_EDITS: &[EditKind<JointId>] = &[
     |simulator, id, random| {
         let joint = simulator.joint_as_mut::<AngleJoint>(id)?;
@@ -121,7 +122,7 @@ pub(super) const JOINT_KIND_EDITS: &[EditKind<JointId>] = &[
     },
 ];
 
-/// One for every kind; all of them are tried.
+/// Edits of springs, one for every kind. All of them are tried on each spring.
 pub(super) const SPRING_KIND_EDITS: &[EditKind<SpringId>] = &[
     |simulator, id, random| {
         let spring = simulator.spring_as_mut::<AngleSpring>(id)?;

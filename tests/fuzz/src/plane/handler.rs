@@ -1,4 +1,4 @@
-//! Callbacks that meddle.
+//! Event handler that changes the simulator in its callbacks.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -9,18 +9,18 @@ use farseer_core::{
 use super::controllers::CONTROLLER_EDITS;
 use super::edits::{BODY_EDITS, GEOM_EDITS, JOINT_EDITS, SPRING_EDITS};
 use super::pools::Pools;
-use super::queries::ask;
+use super::queries::random_query;
 use crate::random::Random;
 
-/// Most calls that a handler makes back, so that an update ends.
-const PATIENCE: u32 = 60;
-/// The same for controllers of the game's own.
-const OWN_PATIENCE: u32 = 20;
-/// Geoms beyond which the broad phase is not heard of.
+/// Greatest number of calls that a handler makes into the simulator, so that an update ends.
+const MAX_CALLS: u32 = 60;
+/// Greatest number of edits that the game's own controllers make.
+const MAX_CONTROLLER_CALLS: u32 = 20;
+/// Number of geoms at which the broad-phase callbacks are switched off.
 const CROWD: usize = 100;
 
-/// Edits, adds, removes, disposes and refuses, in every callback there is.
-pub(super) struct Meddler<'a> {
+/// Event handler that edits, adds, removes and disposes objects and refuses contacts, in every callback.
+pub(super) struct EditingHandler<'a> {
     random: Random,
     pools: &'a Pools,
     patience: u32,
@@ -72,7 +72,7 @@ const MEDDLINGS: &[Meddling] = &[
     |context, pools, random| {
         drop(context.restore_collision_with(random.pick(&pools.geoms), random.pick(&pools.geoms)));
     },
-    |context, pools, random| ask(context.simulator(), pools, random),
+    |context, pools, random| random_query(context.simulator(), pools, random),
 ];
 
 fn edit_body(context: &mut Context<'_>, pools: &Pools, random: &mut Random) {
@@ -99,23 +99,28 @@ const CONTACT_EDITS: &[fn(&mut Vec<Contact>, &mut Random)] = &[
     |contacts, _| contacts.extend(contacts.first().copied()),
 ];
 
-/// What holds between two that touch, for the update in which they are asked.
+/// Edits of the contact of a pair. They apply only to the update in which the callback runs.
 const SURFACE_EDITS: &[fn(&mut Context<'_>, &mut Random) -> Result<()>] = &[
     |context, random| context.set_contact_friction(random.number(0.0, 2.0)),
     |context, random| context.set_contact_restitution(random.number(0.0, 1.0)),
     |context, random| context.set_contact_tangent_speed(random.number(-100.0, 100.0)),
 ];
 
-impl<'a> Meddler<'a> {
+impl<'a> EditingHandler<'a> {
     pub(super) fn new(mut random: Random, pools: &'a Pools, geoms: usize) -> Self {
-        Meddler {
+        EditingHandler {
             pools,
-            patience: PATIENCE,
+            patience: MAX_CALLS,
             hears_broad_phase: random.chance(15) && geoms < CROWD,
             filters_pairs: random.chance(15),
             hears_joints: random.chance(30),
             hears_springs: random.chance(30),
-            own: Own { patience: OWN_PATIENCE, pools, contains: random.toss(), random: random.split() },
+            own: Own {
+                patience: MAX_CONTROLLER_CALLS,
+                pools,
+                contains: random.toss(),
+                random: random.split(),
+            },
             random,
         }
     }
@@ -128,7 +133,7 @@ impl<'a> Meddler<'a> {
     }
 }
 
-impl EventHandler for Meddler<'_> {
+impl EventHandler for EditingHandler<'_> {
     fn on_collision(
         &mut self,
         context: &mut Context<'_>,
@@ -197,7 +202,7 @@ impl EventHandler for Meddler<'_> {
     }
 }
 
-/// A controller and fluid of the game's own.
+/// A controller and a fluid that the game itself implements.
 struct Own<'a> {
     random: Random,
     pools: &'a Pools,

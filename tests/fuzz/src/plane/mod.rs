@@ -30,11 +30,12 @@ use crate::random::Random;
 use crate::scenes;
 use pools::Pools;
 
-/// Twins are loaded again and again, and make their distance grids each time: these are small.
+/// Limits of the cost of a 2D simulator. They are small, because twins are loaded again and again and compute their distance
+/// grids each time.
 pub(crate) const LIMITS: Limits =
     Limits { grid_work: 1 << 22, total_grid_work: 1 << 23, iterations: 1 << 16 };
 
-/// A simulator, ids to call it with, and what lives beside it.
+/// A game of the 2D engine: its simulator, ids with which to call it, and objects outside of the simulator.
 #[derive(Debug)]
 pub struct Plane {
     pub(crate) random: Random,
@@ -116,10 +117,10 @@ impl Plane {
     }
 }
 
-/// An immovable floor, 400 wide, whose upper edge is at y = 110.
+/// Makes a static floor, 400 length units wide, whose surface is at y = 110. Returns its body and geom.
 ///
 /// # Errors
-/// None with these arguments.
+/// Never: the simulator accepts all arguments that are used here.
 pub(crate) fn create_floor(simulator: &mut PhysicsSimulator) -> Result<(BodyId, GeomId)> {
     let body = BodyFactory::create_rectangle_body_in(simulator, 400.0, 20.0, 1.0)?;
     simulator[body].set_is_static(true);
@@ -128,7 +129,7 @@ pub(crate) fn create_floor(simulator: &mut PhysicsSimulator) -> Result<(BodyId, 
     Ok((body, geom))
 }
 
-/// Any broad phase.
+/// Returns one of the broad phases at random.
 pub(crate) fn broad_phase(random: &mut Random) -> BroadPhaseCollider {
     match random.below(5) {
         0 => BroadPhaseCollider::SelectiveSweep,

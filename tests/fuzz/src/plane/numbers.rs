@@ -1,4 +1,4 @@
-//! Every number that a simulator shows.
+//! Checks that all readable numbers of a 2D simulator are finite.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -7,7 +7,7 @@ use farseer_core::{
 
 use crate::finite::finite;
 
-/// Whether all of them are finite.
+/// Checks that every readable number is finite. The error names the first that is not.
 pub(crate) fn check_numbers(simulator: &PhysicsSimulator) -> Result<(), String> {
     simulator.bodies().filter_map(|id| simulator.body(id)).try_for_each(check_body)?;
     simulator.geoms().filter_map(|id| simulator.geom(id)).try_for_each(check_geom)?;

@@ -1,4 +1,4 @@
-//! Chains, tracks, and what can be done with a path.
+//! Calls that make chains and tracks, and that edit paths.
 
 use farseer_core::math::Vector2;
 use farseer_core::{CollisionCategory, ComplexFactory, LinkType, Path, Result};
@@ -10,9 +10,9 @@ use crate::random::Random;
 
 const LINKS: [LinkType; 4] =
     [LinkType::RevoluteJoint, LinkType::PinJoint, LinkType::SliderJoint, LinkType::LinearSpring];
-/// Links in a chain.
+/// Number of links of the longest chain.
 const MOST_LINKS: f32 = 20.0;
-/// Bodies beyond which no chains are made.
+/// Number of bodies in the simulator at which the game makes no more chains.
 const CROWD: usize = 40;
 
 const CHAINS: &[Make<Path>] = &[
@@ -75,12 +75,12 @@ const PATH_EDITS: &[fn(&mut Plane, &mut Path)] = &[
     |game, path| path.remove_from_physics_simulator(&mut game.simulator),
 ];
 
-/// A chain or track, with or without geoms, added to the simulator.
+/// Makes a chain or track, with or without geoms, and adds it to the simulator.
 pub(super) fn create_chain(game: &mut Plane) -> Outcome {
     if game.simulator.bodies().count() > CROWD {
-        return Outcome::Looked;
+        return Outcome::Queried;
     }
-    // What a factory that fails has made already stays.
+    // If a factory fails, the objects that it has made before stay.
     let Ok(mut path) = game.random.pick(CHAINS)(game) else { return Outcome::Changed };
     if game.random.toss() {
         drop(game.give_geoms(&mut path));
@@ -91,10 +91,10 @@ pub(super) fn create_chain(game: &mut Plane) -> Outcome {
     Outcome::Changed
 }
 
-/// Edits the last path; makes one if there is none.
+/// Edits the path that was made last. If there is none, makes one.
 pub(super) fn edit_path(game: &mut Plane) -> Outcome {
     if game.simulator.bodies().count() > CROWD {
-        return Outcome::Looked;
+        return Outcome::Queried;
     }
     if let Some(mut path) = game.path.take() {
         game.random.pick(PATH_EDITS)(game, &mut path);
@@ -133,7 +133,8 @@ impl Plane {
         (factory, [start, end], self.link())
     }
 
-    /// Width, height and mass of a link; so wide that not too many fit between two points.
+    /// Returns width, height (length units) and mass of a link. Links are so wide that not too many fit between `start` and
+    /// `end`.
     fn link_size(&mut self, start: Vector2, end: Vector2) -> (f32, f32, f32) {
         let random = &mut self.random;
         let least = (end - start).norm() / MOST_LINKS;

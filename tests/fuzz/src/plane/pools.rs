@@ -1,4 +1,4 @@
-//! Ids to call a simulator with: living, stale and foreign ones.
+//! Ids with which a game calls its simulator: of living objects, of removed objects, and of another simulator.
 
 use farseer_core::{
     BodyFactory, BodyId, ControllerId, GeomFactory, GeomId, GeomPlacement, InactivityController,
@@ -7,11 +7,11 @@ use farseer_core::{
 
 use crate::random::Random;
 
-/// How many things the simulator has whose ids are foreign: their slots and creation numbers are above those of most
+/// Number of objects in the other simulator whose ids are in the pools. Slots and creation numbers are above those of most
 /// games.
 const FOREIGN: usize = 40;
 
-/// Never empty.
+/// Ids by kind. No pool is empty.
 #[derive(Debug, Clone)]
 pub(crate) struct Pools {
     pub(crate) bodies: Vec<BodyId>,
@@ -22,7 +22,7 @@ pub(crate) struct Pools {
 }
 
 impl Pools {
-    /// Ids of another simulator, low and high.
+    /// Returns pools with ids of another simulator, with low and high slots.
     pub(crate) fn foreign() -> Result<Self> {
         let mut other = PhysicsSimulator::default();
         for _ in 0..FOREIGN {
@@ -40,7 +40,7 @@ impl Pools {
         })
     }
 
-    /// All that is in a simulator.
+    /// Adds the ids of all objects of a simulator to the pools.
     pub(super) fn take_all(&mut self, simulator: &PhysicsSimulator) {
         self.bodies.extend(simulator.bodies());
         self.geoms.extend(simulator.geoms());
@@ -49,7 +49,7 @@ impl Pools {
         self.controllers.extend(simulator.controller_list());
     }
 
-    /// An id of any kind.
+    /// Returns a random id of any kind.
     pub(crate) fn object(&self, random: &mut Random) -> ObjectId {
         match random.below(5) {
             0 => random.pick(&self.bodies).into(),
@@ -60,7 +60,7 @@ impl Pools {
         }
     }
 
-    /// Some of what a path has made.
+    /// Adds some ids of a path's objects to the pools.
     pub(crate) fn take_from(&mut self, path: &Path) {
         const SOME: usize = 6;
         self.bodies.extend(path.bodies().iter().take(SOME));

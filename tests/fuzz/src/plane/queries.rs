@@ -1,4 +1,4 @@
-//! Calls that only look.
+//! Calls that query a 2D simulator and change nothing.
 
 use std::hint::black_box;
 
@@ -10,21 +10,21 @@ use crate::random::Random;
 type Query = fn(&PhysicsSimulator, &Pools, &mut Random);
 
 const QUERIES: &[Query] = &[
-    |simulator, _, random| look(simulator.collide(random.vector(100.0))),
-    |simulator, _, random| look(simulator.collide_all(random.vector(100.0))),
+    |simulator, _, random| evaluate(simulator.collide(random.vector(100.0))),
+    |simulator, _, random| evaluate(simulator.collide_all(random.vector(100.0))),
     |simulator, pools, random| {
-        look(simulator.geom_collides_with_point(random.pick(&pools.geoms), random.vector(100.0)));
+        evaluate(simulator.geom_collides_with_point(random.pick(&pools.geoms), random.vector(100.0)));
     },
     |simulator, pools, random| {
-        look(simulator.geom_collides_with_geom(random.pick(&pools.geoms), random.pick(&pools.geoms)));
+        evaluate(simulator.geom_collides_with_geom(random.pick(&pools.geoms), random.pick(&pools.geoms)));
     },
     |simulator, _, random| {
         let (start, end) = (random.vector(100.0), random.vector(100.0));
-        look(simulator.line_segment_all_geoms_intersect(start, end, random.toss()));
+        evaluate(simulator.line_segment_all_geoms_intersect(start, end, random.toss()));
     },
     |simulator, pools, random| {
         let (start, end, geom) = (random.vector(100.0), random.vector(100.0), random.pick(&pools.geoms));
-        look(simulator.line_segment_geom_intersect(start, end, geom, random.toss()));
+        evaluate(simulator.line_segment_geom_intersect(start, end, geom, random.toss()));
     },
     |simulator, _, random| {
         for hit in simulator.ray_cast_all(random.vector(200.0), random.vector(200.0)) {
@@ -32,44 +32,44 @@ const QUERIES: &[Query] = &[
             assert!(numbers.iter().all(|number| number.is_finite()), "a ray hit {hit:?}");
         }
     },
-    |simulator, _, random| look(simulator.ray_cast(random.vector(200.0), random.vector(200.0))),
+    |simulator, _, random| evaluate(simulator.ray_cast(random.vector(200.0), random.vector(200.0))),
     |simulator, _, random| {
         let aabb = Aabb { min: random.vector(100.0), max: random.vector(100.0) };
-        look(simulator.query_aabb(&aabb));
+        evaluate(simulator.query_aabb(&aabb));
     },
-    |simulator, pools, random| look(simulator.overlaps(random.pick(&pools.geoms))),
-    look_at_body,
-    look_at_geom,
+    |simulator, pools, random| evaluate(simulator.overlaps(random.pick(&pools.geoms))),
+    query_body,
+    query_geom,
 ];
 
-/// Has an answer computed.
-fn look<T>(answer: T) {
+/// Uses the result of a query, so that the compiler does not remove the query.
+fn evaluate<T>(answer: T) {
     black_box(answer);
 }
 
-/// Asks something.
-pub(super) fn ask(simulator: &PhysicsSimulator, pools: &Pools, random: &mut Random) {
+/// Makes a random query with ids of the pools.
+pub(super) fn random_query(simulator: &PhysicsSimulator, pools: &Pools, random: &mut Random) {
     random.pick(QUERIES)(simulator, pools, random);
 }
 
-fn look_at_body(simulator: &PhysicsSimulator, pools: &Pools, random: &mut Random) {
+fn query_body(simulator: &PhysicsSimulator, pools: &Pools, random: &mut Random) {
     let id = random.pick(&pools.bodies);
     let point = random.vector(50.0);
     if let Some(body) = simulator.body(id) {
-        look((body.get_body_matrix(), body.x_vector_in_world_coordinates(), body.moves()));
-        look((body.get_world_position(point), body.get_local_position(point)));
-        look((body.get_velocity_at_local_point(point), body.get_velocity_at_world_point(point)));
+        evaluate((body.get_body_matrix(), body.x_vector_in_world_coordinates(), body.moves()));
+        evaluate((body.get_world_position(point), body.get_local_position(point)));
+        evaluate((body.get_velocity_at_local_point(point), body.get_velocity_at_world_point(point)));
     }
     for &geom in simulator.geoms_of(id) {
-        look(simulator.geom(geom).map(|geom| geom.get_nearest_distance(point)));
+        evaluate(simulator.geom(geom).map(|geom| geom.get_nearest_distance(point)));
     }
 }
 
-fn look_at_geom(simulator: &PhysicsSimulator, pools: &Pools, random: &mut Random) {
+fn query_geom(simulator: &PhysicsSimulator, pools: &Pools, random: &mut Random) {
     let point = random.vector(20.0);
     if let Some(geom) = simulator.geom(random.pick(&pools.geoms)) {
-        look((geom.matrix_inverse(), geom.get_world_position(point)));
-        look((geom.transform_to_local_coordinates(point), geom.transform_normal_to_world(point)));
-        look(geom.get_nearest_feature(point, 0));
+        evaluate((geom.matrix_inverse(), geom.get_world_position(point)));
+        evaluate((geom.transform_to_local_coordinates(point), geom.transform_normal_to_world(point)));
+        evaluate(geom.get_nearest_feature(point, 0));
     }
 }

@@ -1,12 +1,12 @@
-//! The stages of an update in any order, as an engine with mistakes might call them.
+//! Games that call the stages of an update in any order, as an engine with mistakes might do.
 
 use super::Plane;
-use crate::around::Around;
+use crate::around::GameWrapper;
 use crate::game::{Call, Outcome, draw};
 use crate::shapes::step;
 
-/// A game that calls stages in between. What stages leave to later stages of the same update is no part of a save, so
-/// it has no twins.
+/// A game that calls single stages between updates. It has no twins: saves do not include the state that a stage leaves to
+/// later stages of the same update.
 #[derive(Debug)]
 pub struct StagedPlane(Plane);
 
@@ -41,10 +41,10 @@ const STAGES: &[fn(&mut Plane)] = &[
     },
 ];
 
-impl Around for StagedPlane {
+impl GameWrapper for StagedPlane {
     type Inner = Plane;
 
-    fn around(plane: Plane) -> Self {
+    fn wrap(plane: Plane) -> Self {
         StagedPlane(plane)
     }
     fn calls() -> &'static [Call<Self>] {
@@ -68,7 +68,7 @@ impl Around for StagedPlane {
     }
 }
 
-/// One of the calls of the 2D engine.
+/// Makes one of the calls of a 2D game.
 pub(super) fn any_call(game: &mut Plane) -> Outcome {
     (draw::<Plane>(&mut game.random).make)(game)
 }

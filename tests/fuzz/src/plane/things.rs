@@ -1,14 +1,14 @@
-//! Bodies with a geom.
+//! Makes bodies with a geom.
 
 use farseer_core::math::Vector2;
 use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, PhysicsSimulator, Result};
 
 use crate::random::Random;
 
-/// A box or a circle somewhere above the floor; both are in the simulator already.
+/// Makes a box or a circle somewhere above the floor, and adds body and geom to the simulator.
 ///
 /// # Errors
-/// If there is no room for more.
+/// If the id space is exhausted.
 pub(crate) fn create_thing(
     simulator: &mut PhysicsSimulator,
     random: &mut Random,

@@ -1,11 +1,11 @@
-//! Snapshots, byte by byte.
+//! Alters the bytes of snapshots.
 
 use crate::random::Random;
 
-/// Magic, version, checksum and length (see the module `snapshot` of the 2D engine).
+/// Length of the header of a snapshot in bytes: magic, version, checksum and length (module `snapshot` of the 2D engine).
 const HEADER: usize = 24;
 
-/// Alters some bytes of the content; some are taken from another snapshot.
+/// Alters some bytes after the header. Some alterations copy bytes from another snapshot.
 pub(super) fn alter(bytes: &mut Vec<u8>, other: &[u8], random: &mut Random) {
     for _ in 0..1 + random.below(4) {
         if bytes.len() > HEADER {
@@ -18,7 +18,8 @@ pub(super) fn alter(bytes: &mut Vec<u8>, other: &[u8], random: &mut Random) {
     }
 }
 
-/// Alters bytes from a place on.
+/// A function that alters the bytes of a snapshot from a position on. Arguments: bytes, position, another snapshot, random
+/// numbers.
 type Alteration = fn(&mut Vec<u8>, usize, &[u8], &mut Random);
 
 const ALTERATIONS: &[Alteration] = &[
@@ -43,7 +44,7 @@ const ALTERATIONS: &[Alteration] = &[
         overwrite(bytes, at, piece(other, from, random.below(300)));
     },
     |bytes, at, _, random| overwrite(bytes, at, &random.wild_number().to_le_bytes()),
-    // The greatest number of 32 bits, as the format writes it.
+    // Writes the greatest number of 32 bits in the format of snapshots.
     |bytes, at, _, _| overwrite(bytes, at, &[0xff, 0xff, 0xff, 0xff, 0x0f]),
 ];
 
@@ -56,7 +57,7 @@ fn overwrite(bytes: &mut [u8], at: usize, piece: &[u8]) {
     bytes[at..at + length].copy_from_slice(&piece[..length]);
 }
 
-/// Writes length and checksum as they should be.
+/// Corrects the length and the checksum in the header, so that they match the altered bytes.
 pub(super) fn mend(bytes: &mut [u8]) {
     let length = (bytes.len() - HEADER) as u64;
     bytes[16..HEADER].copy_from_slice(&length.to_le_bytes());

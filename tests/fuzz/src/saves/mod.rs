@@ -1,4 +1,4 @@
-//! Saves that were altered: they are refused, or what was loaded can be used like any other simulator.
+//! Loads altered saves. They must be rejected, or the loaded simulator must be as usable as any other.
 
 mod bytes;
 pub(crate) mod trees;
@@ -8,29 +8,30 @@ use crate::game::{Game, Outcome, draw};
 use crate::random::Random;
 use crate::twins::{restored, through_json};
 
-/// Updates for which a simulator that was loaded is used.
+/// Number of updates in which a loaded simulator is used.
 const UPDATES: usize = 100;
-/// Calls between them, at most.
-const CALLS: usize = 1000;
-/// Numbers are looked at after every so many updates.
-const EVERY: usize = 10;
-/// Passes per update are the game's own affair, and may be many.
+/// Greatest number of calls that are made with a loaded simulator.
+const MAX_CALLS: usize = 1000;
+/// Number of updates after which all numbers of the simulator are checked.
+const CHECK_INTERVAL: usize = 10;
+/// Greatest number of iterations per update of a loaded simulator. The number is part of a save, so an altered save may have a
+/// large one.
 const MOST_ITERATIONS: i32 = 50;
 
-/// What became of an altered save.
+/// Outcome of loading an altered save.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fate {
-    /// It was refused.
+pub enum SaveOutcome {
+    /// The simulator refused the save.
     Refused,
-    /// It was loaded and used.
+    /// The simulator loaded the save and was used.
     Used,
 }
 
-/// Alters the bytes of a snapshot and mends its checksum, most of the time.
+/// Alters the bytes of a snapshot, in most cases corrects its checksum, and restores a simulator from it.
 ///
 /// # Errors
-/// What goes wrong with what was loaded, or a refusal that changed something.
-pub fn altered_snapshot<G: Game>(seed: u64) -> Result<Fate, String> {
+/// If the loaded simulator fails a check, or if a rejected save has changed the simulator.
+pub fn altered_snapshot<G: Game>(seed: u64) -> Result<SaveOutcome, String> {
     let mut random = Random::new(seed.wrapping_mul(7919));
     let (mut snapshot, other) = (base::<G>(&mut random).snapshot(), base::<G>(&mut random).snapshot());
     bytes::alter(&mut snapshot, &other, &mut random);
@@ -40,29 +41,29 @@ pub fn altered_snapshot<G: Game>(seed: u64) -> Result<Fate, String> {
     let mut simulator = base::<G>(&mut random);
     let before = simulator.snapshot();
     match simulator.restore(&snapshot) {
-        Ok(()) => use_loaded::<G>(simulator, random).map(|()| Fate::Used),
-        Err(_) if simulator.snapshot() == before => Ok(Fate::Refused),
+        Ok(()) => use_loaded::<G>(simulator, random).map(|()| SaveOutcome::Used),
+        Err(_) if simulator.snapshot() == before => Ok(SaveOutcome::Refused),
         Err(_) => Err("what was refused changed something".into()),
     }
 }
 
-/// Alters the JSON of a simulator.
+/// Alters the JSON of a simulator and loads a simulator from it.
 ///
 /// # Errors
-/// What goes wrong with what was loaded.
-pub fn altered_json<G: Game>(seed: u64) -> Result<Fate, String> {
+/// If the loaded simulator fails a check.
+pub fn altered_json<G: Game>(seed: u64) -> Result<SaveOutcome, String> {
     let mut random = Random::new(seed.wrapping_mul(7919));
     let mut tree = serde_json::to_value(base::<G>(&mut random)).map_err(|error| error.to_string())?;
     for _ in 0..1 + random.below(3) {
         trees::alter(&mut tree, &mut random);
     }
     match serde_json::from_str(&tree.to_string()) {
-        Ok(simulator) => use_loaded::<G>(simulator, random).map(|()| Fate::Used),
-        Err(_) => Ok(Fate::Refused),
+        Ok(simulator) => use_loaded::<G>(simulator, random).map(|()| SaveOutcome::Used),
+        Err(_) => Ok(SaveOutcome::Refused),
     }
 }
 
-/// A scene in the middle of its run.
+/// Returns a simulator in the middle of a scene.
 fn base<G: Game>(random: &mut Random) -> G::Simulator {
     let mut simulator = G::scene(random.below(G::SCENES));
     for _ in 0..20 + random.below(40) {
@@ -77,11 +78,11 @@ fn use_loaded<G: Game>(mut simulator: G::Simulator, random: Random) -> Result<()
     save_and_load(&simulator).map_err(|what| format!("once loaded {what}"))?;
     let mut game = G::of(simulator, random);
     let mut updates = 0;
-    for _ in 0..CALLS {
+    for _ in 0..MAX_CALLS {
         let call = draw::<G>(game.random());
         if (call.make)(&mut game) == Outcome::Updated {
             updates += 1;
-            if updates % EVERY == 0 {
+            if updates % CHECK_INTERVAL == 0 {
                 let numbers = game.simulator().check_numbers();
                 numbers.map_err(|what| format!("after {updates} updates {what}"))?;
             }

@@ -1,13 +1,14 @@
-//! JSON, node by node.
+//! Alters the nodes of JSON.
 
 use serde_json::{Value, json};
 
 use crate::random::Random;
 
-/// Fields above this depth are what every simulator has; without one of them nothing is loaded.
+/// Number of outer nesting levels in which no field is removed: every simulator has these fields, and loading fails without
+/// one.
 const SHALLOW: usize = 3;
 
-/// Alters a leaf, a list or a field somewhere.
+/// Alters a random value, list or field of a tree.
 pub(crate) fn alter(tree: &mut Value, random: &mut Random) {
     alter_at(tree, random, 0);
 }

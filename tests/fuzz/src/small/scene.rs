@@ -1,4 +1,4 @@
-//! Small scenes of the precise set: a few bodies of any outline, size and mass, in a closed room or in the open.
+//! Small scenes of the precise set: a few bodies of any outline, size and mass, in a closed room or without walls.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -7,53 +7,54 @@ use farseer_core::{
 
 use crate::random::Random;
 
-/// Most bodies of a scene.
+/// Greatest number of bodies of a scene.
 const MOST_BODIES: usize = 12;
-/// Smallest and greatest size of a body in px.
+/// Least and greatest size of a body, px.
 const SIZES: (f32, f32) = (1.0, 1000.0);
-/// Smallest and greatest mass.
+/// Least and greatest mass of a body, mass units.
 const MASSES: (f32, f32) = (0.01, 100.0);
-/// How fast bodies are at most when a scene begins, in px/s, and how strong gravity is, in px/s^2.
+/// Least and greatest value of two limits: the speed of bodies at the start in px/s, and gravity in px/s^2.
 const SPEEDS: (f32, f32) = (1.0, 1000.0);
 const GRAVITIES: (f32, f32) = (10.0, 2000.0);
-/// Lengths of a step in seconds, and its substeps.
+/// Lengths of a step, s. `SUBSTEPS` holds numbers of substeps.
 const STEPS: [f32; 4] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 60.0, 1.0 / 120.0];
 const SUBSTEPS: [i32; 4] = [2, 4, 4, 8];
-/// Of so many scenes in a hundred there is a room around the bodies, and gravity in it.
-const ROOMS: u64 = 75;
-const GRAVITY: u64 = 60;
-/// Furthest way of a step in px, and in parts of the room: so fast is the lightest body if it takes all the energy there is.
+/// Percent of the scenes that have a room around the bodies. `GRAVITY_PERCENT` of the scenes with a room have gravity.
+const ROOM_PERCENT: u64 = 75;
+const GRAVITY_PERCENT: u64 = 60;
+/// Greatest displacement of a body in a step, px, and as a fraction of the room. It is that of the lightest body if it has all
+/// the energy of the scene.
 ///
-/// Nothing looks ahead for walls here. What comes to a wall with this speed lies in it after the step, this deep at most, and
-/// is pushed back through the nearer side: walls are [`THICKNESS`] thick. It must not come to the wall on the other side
-/// meanwhile either: what is in two walls at once, step after step, goes anywhere.
-const FURTHEST_WAY: f32 = 500.0;
-const PART_OF_ROOM: f32 = 0.25;
-/// Of walls, in px: half of it is twice the furthest way, so that energy may grow fourfold unseen.
-const THICKNESS: f32 = 4.0 * FURTHEST_WAY;
+/// CCD is off here. A body that reaches a wall at this speed may be as deep in the wall after the step. The solver pushes it
+/// back through the nearer side: walls are [`WALL_THICKNESS`] thick. The body must not reach the opposite wall meanwhile,
+/// because the motion of a body that is in two walls at once, step after step, is undefined.
+const MAX_DISPLACEMENT: f32 = 500.0;
+const MAX_DISPLACEMENT_FRACTION: f32 = 0.25;
+/// Thickness of walls, px. Half of it is twice the greatest displacement, so that fourfold energy still lets no body through.
+const WALL_THICKNESS: f32 = 4.0 * MAX_DISPLACEMENT;
 
-/// A scene, and what must be known to judge it.
+/// A scene, and the data by which its invariants are judged.
 pub(super) struct Scene {
     pub(super) simulator: PhysicsSimulator,
     pub(super) bodies: Vec<BodyId>,
-    /// From the centre to the walls; none in the open.
+    /// Distance from the centre of the room to the face of each wall, px; `None` in a scene without walls.
     pub(super) room: Option<f32>,
     pub(super) dt: f32,
-    /// Whether anything has restitution.
+    /// Whether geoms of the scene have restitution.
     pub(super) bounces: bool,
-    /// The lowest that a body can be, against gravity, from the centre.
+    /// Lowest possible height of a body, px, measured against gravity from the centre of the room.
     pub(super) lowest: f32,
 }
 
 impl Scene {
-    /// That of a seed.
+    /// Returns the scene of a seed.
     pub(super) fn new(seed: u64) -> Result<Self> {
         let mut random = Random::new(seed.wrapping_mul(0x5851_f42d_4c95_7f2d));
         let mut simulator = PhysicsSimulator::new(Vector2::zeros())?;
         simulator.set_methods(Methods::PRECISE)?;
         simulator.set_iterations(random.pick(&SUBSTEPS));
-        let has_room = random.chance(ROOMS);
-        // What falls asleep loses its last momentum, which is kept in the open.
+        let has_room = random.chance(ROOM_PERCENT);
+        // Sleep is off without walls: a body that falls asleep loses its momentum, and momentum must be conserved there.
         simulator.set_sleep_enabled(has_room);
         let bounces = random.toss();
         let things = (0..1 + random.below(MOST_BODIES))
@@ -62,7 +63,7 @@ impl Scene {
         let side = place(&mut simulator, &things, &mut random);
         if has_room {
             create_walls(&mut simulator, side, surface(bounces, &mut random))?;
-            if random.chance(GRAVITY) {
+            if random.chance(GRAVITY_PERCENT) {
                 let (strength, angle) = (log_between(&mut random, GRAVITIES), random.between(-4.0, 4.0));
                 simulator.set_gravity(strength * direction(angle))?;
             }
@@ -76,10 +77,10 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Slows everything down until not even the lightest body can move further in a step than [`FURTHEST_WAY`].
+    /// Slows all bodies down until even the lightest one cannot move further in a step than [`MAX_DISPLACEMENT`].
     fn limit_energy(&mut self) -> Result<()> {
         let lightest = self.bodies.iter().map(|&body| self.simulator[body].mass()).fold(f32::MAX, f32::min);
-        let way = FURTHEST_WAY.min(self.room.map_or(f32::MAX, |room| PART_OF_ROOM * room));
+        let way = MAX_DISPLACEMENT.min(self.room.map_or(f32::MAX, |room| MAX_DISPLACEMENT_FRACTION * room));
         let fastest = f64::from(way / self.dt);
         let most = 0.5 * f64::from(lightest) * fastest * fastest;
         let share = (most / self.energy()).min(1.0) as f32;
@@ -92,7 +93,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Of motion, and of height above the lowest place of a room.
+    /// Returns the kinetic energy, and in a room the potential energy above the lowest position, mass units * px^2/s^2.
     pub(super) fn energy(&self) -> f64 {
         let gravity = self.simulator.gravity();
         let strength = f64::from(gravity.norm());
@@ -108,14 +109,15 @@ impl Scene {
         self.bodies.iter().map(of).sum()
     }
 
-    /// How far the centre of a body is behind the face of a wall; less than nothing in the open.
+    /// Returns the distance, in px, of a body's centre behind the face of the nearest wall. Negative in front of it and without
+    /// walls.
     pub(super) fn depth(&self, body: BodyId) -> f32 {
         let position = self.simulator[body].position();
         self.room.map_or(f32::NEG_INFINITY, |room| position.x.abs().max(position.y.abs()) - room)
     }
 }
 
-/// A body with a geom, and how far that reaches.
+/// A body with a geom, and the greatest distance `reach` from the body's centre to the geom's surface, px.
 struct Thing {
     body: BodyId,
     reach: f32,
@@ -146,7 +148,8 @@ fn set_surface(simulator: &mut PhysicsSimulator, geom: GeomId, (friction, restit
     simulator[geom].set_restitution_coefficient(restitution);
 }
 
-/// Friction and restitution: 0 and 1 are frequent.
+/// Returns random coefficients of friction and restitution, dimensionless. 0 and 1 are frequent. Restitution is 0 if `bounces`
+/// is false.
 fn surface(bounces: bool, random: &mut Random) -> (f32, f32) {
     let between = random.between(0.0, 1.0);
     let friction = random.pick(&[0.0, between, between, 1.0]);
@@ -155,7 +158,7 @@ fn surface(bounces: bool, random: &mut Random) -> (f32, f32) {
     (friction, if bounces { restitution } else { 0.0 })
 }
 
-/// Outlines that reach about 1 far.
+/// Functions that return a random outline, whose corners are at most about 1 unit from the centre in x and y.
 const OUTLINES: &[fn(&mut Random) -> Vertices] = &[
     |random| {
         let y = random.between(0.1, 1.0);
@@ -185,7 +188,7 @@ fn corners(corners: &[(f32, f32)]) -> Vertices {
     corners.iter().map(|&(x, y)| Vector2::new(x, y)).collect()
 }
 
-/// The angle of a corner; they are about evenly spread.
+/// Returns the angle of a corner, radians. The corners are spread over the circle about evenly.
 fn turned(corner: usize, count: usize, random: &mut Random) -> f32 {
     std::f32::consts::TAU * (corner as f32 + random.between(-0.3, 0.3)) / count as f32
 }
@@ -194,12 +197,12 @@ fn direction(angle: f32) -> Vector2 {
     Vector2::new(angle.cos(), angle.sin())
 }
 
-/// A number of any order of magnitude.
+/// Draws a number between `low` and `high`. Every order of magnitude between them is equally likely.
 fn log_between(random: &mut Random, (low, high): (f32, f32)) -> f32 {
     low * (high / low).powf(random.between(0.0, 1.0))
 }
 
-/// Puts bodies where their circles do not meet. Answers how far from the centre, along both axes, they end.
+/// Places bodies so that their circumscribed circles do not overlap. Returns half the side of the square around them, px.
 fn place(simulator: &mut PhysicsSimulator, things: &[Thing], random: &mut Random) -> f32 {
     let mut side = 1.1 * things.iter().map(|thing| thing.reach).fold(0.0, f32::max);
     let mut placed: Vec<(Vector2, f32)> = Vec::new();
@@ -219,14 +222,15 @@ fn place(simulator: &mut PhysicsSimulator, things: &[Thing], random: &mut Random
     side
 }
 
-/// Four walls that overlap in the corners.
+/// Makes four walls, which overlap in the corners. `side` is the distance from the centre to each wall, px. `surface`: friction
+/// and restitution.
 fn create_walls(simulator: &mut PhysicsSimulator, side: f32, surface: (f32, f32)) -> Result<()> {
-    let (length, place) = (2.0 * side + 2.0 * THICKNESS, side + 0.5 * THICKNESS);
+    let (length, place) = (2.0 * side + 2.0 * WALL_THICKNESS, side + 0.5 * WALL_THICKNESS);
     for (size, position) in [
-        ((length, THICKNESS), (0.0, place)),
-        ((length, THICKNESS), (0.0, -place)),
-        ((THICKNESS, length), (place, 0.0)),
-        ((THICKNESS, length), (-place, 0.0)),
+        ((length, WALL_THICKNESS), (0.0, place)),
+        ((length, WALL_THICKNESS), (0.0, -place)),
+        ((WALL_THICKNESS, length), (place, 0.0)),
+        ((WALL_THICKNESS, length), (-place, 0.0)),
     ] {
         let body = BodyFactory::create_rectangle_body_in(simulator, size.0, size.1, 1.0)?;
         simulator[body].set_is_static(true);
@@ -238,7 +242,7 @@ fn create_walls(simulator: &mut PhysicsSimulator, side: f32, surface: (f32, f32)
     Ok(())
 }
 
-/// Gives bodies their velocities: towards the others in the open, so that they meet.
+/// Sets the velocities of bodies at random. Without walls the bodies move towards the centre, so that they collide.
 fn throw(simulator: &mut PhysicsSimulator, things: &[Thing], has_room: bool, random: &mut Random) {
     let fastest = log_between(random, SPEEDS);
     for &Thing { body, reach } in things {

@@ -1,4 +1,4 @@
-//! The table of calls.
+//! Table of the calls of a game with joints, springs, ropes and fields.
 
 use farseer_core::{BodyId, FixedLinearSpring, Objects, PinJoint};
 use twohalf::{Field, Fluid, Region, Well};
@@ -11,7 +11,7 @@ use crate::game::{Call, Game, Outcome, draw};
 use crate::plane::{JOINT_EDITS, SPRING_EDITS};
 use crate::random::Random;
 
-/// Joints and springs beyond which no more are made.
+/// Number of joints and springs in the simulator at which the game makes no more.
 const MOST_LINKS: usize = 40;
 const MOST_FIELDS: usize = 6;
 
@@ -33,10 +33,10 @@ pub(super) const CALLS: &[Call<Tied>] = &[
     }),
     call("create a rope", 1, create_rope),
     call("edit a joint", 2, |game| {
-        let Some(joint) = pick(&game.joints, game.depth.random()) else { return Outcome::Looked };
+        let Some(joint) = pick(&game.joints, game.depth.random()) else { return Outcome::Queried };
         let (simulator, random) = game.depth.parts();
         simulator.edit_objects(|objects| {
-            let Some(edited) = objects.joint_mut(joint) else { return Outcome::Looked };
+            let Some(edited) = objects.joint_mut(joint) else { return Outcome::Queried };
             random.pick(JOINT_EDITS)(edited, random);
             if let Ok(pin) = objects.joint_as_mut::<PinJoint>(joint) {
                 pin.set_target_distance(random.number(0.0, 60.0)).ok();
@@ -45,10 +45,10 @@ pub(super) const CALLS: &[Call<Tied>] = &[
         })
     }),
     call("edit a spring", 1, |game| {
-        let Some(spring) = pick(&game.springs, game.depth.random()) else { return Outcome::Looked };
+        let Some(spring) = pick(&game.springs, game.depth.random()) else { return Outcome::Queried };
         let (simulator, random) = game.depth.parts();
         simulator.edit_objects(|objects| {
-            let Some(edited) = objects.spring_mut(spring) else { return Outcome::Looked };
+            let Some(edited) = objects.spring_mut(spring) else { return Outcome::Queried };
             random.pick(SPRING_EDITS)(edited, random);
             if let Ok(fixed) = objects.spring_as_mut::<FixedLinearSpring>(spring) {
                 let depth = random.toss().then(|| random.number(-50.0, 150.0));
@@ -63,7 +63,7 @@ pub(super) const CALLS: &[Call<Tied>] = &[
         match (joint, spring, random.toss()) {
             (Some(joint), _, true) => Outcome::of(game.depth.simulator_mut().take_length(joint)),
             (_, Some(spring), _) => Outcome::of(game.depth.simulator_mut().take_length(spring)),
-            _ => Outcome::Looked,
+            _ => Outcome::Queried,
         }
     }),
     call("remove a link, or dispose it", 2, |game| {
@@ -76,37 +76,37 @@ pub(super) const CALLS: &[Call<Tied>] = &[
             (Some(joint), _) if takes_joint => Outcome::of(simulator.remove(joint)),
             (_, Some(spring)) if may_dispose => Outcome::of(simulator.dispose(spring)),
             (_, Some(spring)) => Outcome::of(simulator.remove(spring)),
-            _ => Outcome::Looked,
+            _ => Outcome::Queried,
         }
     }),
     call("add a field", 1, |game| {
         if game.fields.len() > MOST_FIELDS {
-            return Outcome::Looked;
+            return Outcome::Queried;
         }
-        let Some(field) = field(game.depth.random()) else { return Outcome::Looked };
+        let Some(field) = field(game.depth.random()) else { return Outcome::Queried };
         let made = game.depth.simulator_mut().add_field(field);
         Outcome::of(made.map(|id| game.fields.push(id)))
     }),
     call("set_field", 1, |game| {
         let random = game.depth.random();
         let (Some(id), Some(field)) = (pick(&game.fields, random), field(random)) else {
-            return Outcome::Looked;
+            return Outcome::Queried;
         };
         Outcome::of(game.depth.simulator_mut().set_field(id, field))
     }),
     call("remove_field", 1, |game| {
-        let Some(id) = pick(&game.fields, game.depth.random()) else { return Outcome::Looked };
+        let Some(id) = pick(&game.fields, game.depth.random()) else { return Outcome::Queried };
         Outcome::of(game.depth.simulator_mut().remove_field(id))
     }),
     call("ask how deep", 1, |game| {
         let (Some(id), body) = (pick(&game.fields, game.depth.random()), game.depth.body()) else {
-            return Outcome::Looked;
+            return Outcome::Queried;
         };
         if let Ok(part) = game.depth.simulator().immersion(id, body) {
-            // Of outlines that cross themselves parts may count twice.
+            // If an outline crosses itself, parts of it may count twice.
             assert!(part.is_finite() && part >= 0.0, "{part} of it are in");
         }
-        Outcome::Looked
+        Outcome::Queried
     }),
     call("update", 16, |game| {
         let dt = game.depth.random().pick(&[0.01, 1.0 / 60.0]);
@@ -119,7 +119,7 @@ fn pick<T: Copy>(pool: &[T], random: &mut Random) -> Option<T> {
     (!pool.is_empty()).then(|| random.pick(pool))
 }
 
-/// Makes something between two bodies, adds it, and keeps its id.
+/// Makes a joint or spring between two bodies, adds it to the simulator, and adds its id to the pool.
 fn made<I: Copy>(
     game: &mut Tied,
     makers: &[Make<I>],
@@ -128,13 +128,13 @@ fn made<I: Copy>(
 ) -> Outcome {
     let core = game.depth.simulator().core();
     if core.joint_list().len() + core.spring_list().len() > MOST_LINKS {
-        return Outcome::Looked;
+        return Outcome::Queried;
     }
     let bodies: [BodyId; 2] = [game.depth.body(), game.depth.body()];
     let (simulator, random) = game.depth.parts();
     let made = simulator.edit_objects(|objects| {
         let made = random.pick(makers)(objects, bodies, random)?;
-        // It is there, if it may not be added because a body of its is on its way out.
+        // The joint or spring exists even if the simulator refuses to add it, because one of its bodies will be removed.
         drop(add(objects, made));
         Ok::<_, farseer_core::Error>(made)
     });
@@ -143,7 +143,7 @@ fn made<I: Copy>(
 
 fn create_rope(game: &mut Tied) -> Outcome {
     if game.depth.simulator().core().joint_list().len() > MOST_LINKS {
-        return Outcome::Looked;
+        return Outcome::Queried;
     }
     let body = game.depth.body();
     let random = game.depth.random();
@@ -155,7 +155,7 @@ fn create_rope(game: &mut Tied) -> Outcome {
     });
     let rope = Rope::new(ends[0], ends[1]).parts(1 + random.below(8)).mass(random.number(0.1, 5.0));
     let rope = rope.length(random.number(10.0, 200.0)).greatest_force(random.number(100.0, 1e6));
-    // What it had made when it was refused is disposed with the next update.
+    // If the call is refused, the objects that it has made before are disposed with the next update.
     if let Ok(rope) = spawn_rope(game.depth.simulator_mut(), rope) {
         game.joints.extend(rope.joints);
     }

@@ -5,14 +5,14 @@ use farseer_core::{BodyId, Error, JointFactory, JointId, Objects, SpringFactory,
 
 use crate::random::Random;
 
-/// Makes one between two bodies.
+/// A function that makes a joint or spring between two bodies and returns its id.
 pub(crate) type Make<I> = fn(&mut Objects, [BodyId; 2], &mut Random) -> Result<I, Error>;
 
 fn points(random: &mut Random) -> [Vector2; 2] {
     [random.vector(10.0), random.vector(10.0)]
 }
 
-/// Pins and sliders come first, and twice: they are what acts along all axes.
+/// Functions that make joints. Pins and sliders come first, and twice, because they act along all three axes.
 pub(crate) const JOINTS: &[Make<JointId>] = &[
     |objects, [a, b], random| {
         let [one, other] = points(random);

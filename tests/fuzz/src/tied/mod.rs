@@ -1,4 +1,4 @@
-//! Random games of the 2.5D engine with joints, springs, ropes and fields, which come and go amid the others' play.
+//! Random games of the 2.5D engine that make and remove joints, springs, ropes and fields, between the calls of another game.
 
 mod calls;
 pub(crate) mod links;
@@ -6,12 +6,12 @@ pub(crate) mod links;
 use farseer_core::{JointId, SpringId};
 use twohalf::FieldId;
 
-use crate::around::Around;
+use crate::around::GameWrapper;
 use crate::depth::Depth;
 use crate::game::{Call, Game};
 use crate::random::Random;
 
-/// A game of the engine with depth, and what ties its things and pushes them.
+/// A game of the engine with depth, with joints, springs, ropes and force fields.
 #[derive(Debug)]
 pub struct Tied {
     depth: Depth,
@@ -20,14 +20,14 @@ pub struct Tied {
     fields: Vec<FieldId>,
 }
 
-impl Around for Tied {
+impl GameWrapper for Tied {
     type Inner = Depth;
 
     fn begin(random: Random) -> Depth {
-        // Where joints act in depth.
+        // The precise scheme is the one in which joints act along the depth axis.
         Depth::precise(random)
     }
-    fn around(depth: Depth) -> Self {
+    fn wrap(depth: Depth) -> Self {
         let simulator = depth.simulator();
         let joints = simulator.core().joint_list().to_vec();
         let springs = simulator.core().spring_list().to_vec();

@@ -1,4 +1,4 @@
-//! The table of calls.
+//! Table of the calls of a game with vertical shapes and hinged platforms.
 
 use std::hint::black_box;
 
@@ -28,13 +28,13 @@ pub(super) const CALLS: &[Call<Upright>] = &[
     }),
     call("set_depth_profile", 4, |game| {
         let geom = game.depth.geom();
-        let Some(profile) = profile(game.depth.random()) else { return Outcome::Looked };
+        let Some(profile) = profile(game.depth.random()) else { return Outcome::Queried };
         Outcome::of(game.depth.simulator_mut().set_depth_profile(geom, profile))
     }),
     call("slope or turn a platform", 4, |game| {
-        let Some(id) = platform(game) else { return Outcome::Looked };
+        let Some(id) = platform(game) else { return Outcome::Queried };
         let (simulator, random) = game.depth.parts();
-        let Some(mut platform) = simulator.platform_mut(id) else { return Outcome::Looked };
+        let Some(mut platform) = simulator.platform_mut(id) else { return Outcome::Queried };
         Outcome::of(match random.below(8) {
             0 => platform.set_pitch(random.number(-1.5, 1.5)),
             1 => platform.set_yaw(random.number(-4.0, 4.0)),
@@ -58,7 +58,7 @@ pub(super) const CALLS: &[Call<Upright>] = &[
             assert!(hit.normal.iter().all(|number| number.is_finite()), "{hit:?}");
             assert!((0.0..=1.0).contains(&hit.fraction), "{hit:?}");
         }
-        Outcome::Looked
+        Outcome::Queried
     }),
     call("update", 16, |game| {
         let dt = game.depth.random().pick(&[0.01, 1.0 / 60.0]);
@@ -72,7 +72,7 @@ fn platform(game: &mut Upright) -> Option<PlatformId> {
     (!all.is_empty()).then(|| game.depth.random().pick(&all))
 }
 
-/// About a hinge beside the middle of a platform.
+/// Returns a random rotation of a platform about a hinge, which lies beside the middle of the platform.
 pub(crate) fn swing(middle: Vector3, random: &mut Random) -> Swing {
     let inertia = random.pick(&[1.0, 300.0, 1e4, 1e7]);
     let frequency = random.pick(&[0.0, 0.3, 6.0, 400.0]);
@@ -87,7 +87,7 @@ pub(crate) fn swing(middle: Vector3, random: &mut Random) -> Swing {
     }
 }
 
-/// What was made last is upright.
+/// Makes the body that was created last upright: gives it a vertical shape.
 fn stand_up_last(game: &mut Upright) {
     let last = game.depth.simulator().core().geoms().last();
     let Some((geom, profile)) = last.zip(profile(game.depth.random())) else { return };

@@ -1,27 +1,28 @@
-//! Random games of the 2.5D engine with what stands upright, and platforms that are turned or rise along Z, amid the others' play.
+//! Random games of the 2.5D engine with vertical shapes, and with platforms that rotate or rise along Z, between the calls of
+//! another game.
 
 mod calls;
 
-use crate::around::Around;
+use crate::around::GameWrapper;
 use crate::depth::Depth;
 use crate::game::Call;
 use crate::random::Random;
 pub(crate) use calls::swing;
 
-/// A game of the engine with depth, in which things become upright.
+/// A game of the engine with depth, in which bodies become upright.
 #[derive(Debug)]
 pub struct Upright {
     depth: Depth,
 }
 
-impl Around for Upright {
+impl GameWrapper for Upright {
     type Inner = Depth;
 
     fn begin(random: Random) -> Depth {
-        // No other scheme knows what is upright.
+        // The precise scheme is the only one that has vertical shapes.
         Depth::precise(random)
     }
-    fn around(depth: Depth) -> Self {
+    fn wrap(depth: Depth) -> Self {
         Upright { depth }
     }
     fn calls() -> &'static [Call<Self>] {

@@ -1,4 +1,4 @@
-//! What must hold whatever is called, from fixed seeds.
+//! Tests invariants that hold for all calls, with fixed seeds.
 
 mod figures;
 mod play;

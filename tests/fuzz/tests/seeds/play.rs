@@ -1,11 +1,11 @@
-//! Random calls of both simulators, with callbacks that meddle.
+//! Tests random calls of both simulators, with callbacks that change the simulator.
 
 use fuzz::checks::{failed_calls_change_nothing, numbers_are_finite};
 use fuzz::long_run::failures;
 use fuzz::twins::twins_stay_equal;
 use fuzz::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
 
-/// Fails with a line per seed.
+/// Asserts that a check holds for all seeds. Fails with a line for each seed for which it does not.
 macro_rules! holds_for {
     ($seeds:expr, $check:expr) => {
         let failures = failures($seeds, $check);
@@ -14,141 +14,146 @@ macro_rules! holds_for {
 }
 
 #[test]
-fn a_2d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
+fn a_2d_simulator_equals_its_restored_cloned_and_json_twins() {
     holds_for!(0..PLANE, twins_stay_equal::<Plane>);
 }
 
 #[test]
-fn a_2d_simulator_with_one_way_geoms_goes_on_as_its_twins_do() {
+fn a_2d_simulator_with_one_way_geoms_equals_its_twins() {
     holds_for!(0..PLANE, twins_stay_equal::<OneWayPlane>);
 }
 
 #[test]
-fn calls_amid_one_way_geoms_that_fail_change_nothing_and_leave_every_number_finite() {
+fn failed_calls_with_one_way_geoms_change_no_state_and_leave_all_numbers_finite() {
     holds_for!(0..PLANE, failed_calls_change_nothing::<OneWayPlane>);
     holds_for!(0..PLANE, numbers_are_finite::<OneWayPlane>);
 }
 
 #[test]
-fn a_2_5d_simulator_goes_on_as_its_restored_cloned_and_json_twins_do() {
+fn a_2_5d_simulator_equals_its_restored_cloned_and_json_twins() {
     holds_for!(0..DEPTH, twins_stay_equal::<Depth>);
 }
 
 #[test]
-fn a_2_5d_simulator_with_joints_ropes_and_water_goes_on_as_its_twins_do() {
+fn a_2_5d_simulator_with_joints_ropes_and_water_equals_its_twins() {
     holds_for!(0..DEPTH, twins_stay_equal::<Tied>);
 }
 
 #[test]
-fn a_2_5d_simulator_with_what_stands_upright_and_what_turns_goes_on_as_its_twins_do() {
+fn a_2_5d_simulator_with_upright_shapes_and_turning_platforms_equals_its_twins() {
     holds_for!(0..DEPTH, twins_stay_equal::<Upright>);
 }
 
 #[test]
-fn calls_that_stand_things_up_and_turn_platforms_and_fail_change_nothing() {
+fn failed_calls_on_upright_shapes_and_turning_platforms_change_no_state() {
     holds_for!(0..DEPTH, failed_calls_change_nothing::<Upright>);
 }
 
 #[test]
-fn every_number_of_what_stands_upright_is_finite() {
+fn all_numbers_of_upright_shapes_are_finite() {
     holds_for!(0..DEPTH, numbers_are_finite::<Upright>);
 }
 
 #[test]
-fn calls_that_tie_and_push_and_fail_change_nothing() {
+fn failed_calls_on_joints_springs_and_fields_change_no_state() {
     holds_for!(0..DEPTH, failed_calls_change_nothing::<Tied>);
 }
 
 #[test]
-fn every_number_of_what_is_tied_and_pushed_is_finite() {
+fn all_numbers_of_jointed_and_pushed_bodies_are_finite() {
     holds_for!(0..DEPTH, numbers_are_finite::<Tied>);
 }
 
 #[test]
-fn a_game_whose_bodies_reach_the_end_of_all_numbers_along_z_can_be_restored() {
-    // Its snapshot held an infinite bound, and was refused.
+fn a_game_with_bodies_at_the_greatest_z_can_be_restored() {
+    // Fault that this seed found: the snapshot of the game held an infinite bound and was refused.
     holds_for!(814..815, twins_stay_equal::<Depth>);
-    // The same of the middle of what two outlines of billions of px have in common.
+    // Fault that this seed found: the snapshot held an infinite middle of the intersection of two outlines of billions of px.
     holds_for!([4079], twins_stay_equal::<Upright>);
 }
 
 #[test]
-fn contacts_are_those_of_the_last_step_whatever_was_edited_or_has_gone_since() {
-    // The listed ones were where their bodies had been put, of the bodies that their geoms had got, or had left points behind.
+fn contacts_are_those_of_the_last_step_after_any_edit_or_removal() {
+    // Faults that these seeds found: contacts at earlier poses of their bodies, of former bodies of their geoms, or with stale
+    // points.
     for seed in [177, 540, 871, 1237, 1325] {
         holds_for!(seed..seed + 1, twins_stay_equal::<Depth>);
     }
 }
 
 #[test]
-fn what_rests_sleeps_and_is_woken_goes_on_as_its_twins_do() {
+fn resting_sleeping_and_woken_bodies_equal_their_twins() {
     holds_for!(0..CALM, twins_stay_equal::<CalmPlane>);
     holds_for!(0..CALM, twins_stay_equal::<CalmDepth<Upright>>);
     holds_for!(0..CALM, twins_stay_equal::<CalmDepth<Tied>>);
 }
 
 #[test]
-fn every_number_of_what_rests_and_rides_is_finite() {
+fn all_numbers_of_resting_and_carried_bodies_are_finite() {
     holds_for!(0..CALM, numbers_are_finite::<CalmPlane>);
     holds_for!(0..CALM, numbers_are_finite::<CalmDepth<Upright>>);
 }
 
 #[test]
-fn what_sleeps_is_woken_at_the_same_moment_after_a_restore() {
-    // Who was woken between loading and an update slept on, and an update that was refused did not let it wake either.
+fn sleeping_bodies_wake_at_the_same_time_after_a_restore() {
+    // Fault that these seeds found: a body that woke between loading and an update slept on. A refused update did not wake it
+    // either.
     holds_for!([50, 206], twins_stay_equal::<CalmDepth<Upright>>);
     holds_for!([189, 341], twins_stay_equal::<CalmDepth<Tied>>);
-    // What stands upright had a spin if it was moved in its sleep.
+    // Fault that this seed found: a vertical shape had an angular velocity after it was moved in its sleep.
     holds_for!([498], twins_stay_equal::<CalmDepth<Upright>>);
-    // What woke before the first step after loading did not ask what lies on it; what cannot turn had a negative zero for a spin.
+    // Faults that these seeds found: a body that woke before the first step after loading ignored the bodies on it. A body with
+    // locked rotation had an angular velocity of negative zero.
     holds_for!([4063, 4143, 4017], twins_stay_equal::<CalmDepth<Upright>>);
-    // A platform that swings, and was given another hinge in its sleep, lost its place along the depth axis.
+    // Fault that this seed found: a sleeping hinged platform lost its position along the depth axis when it got another hinge.
     holds_for!([6074], twins_stay_equal::<Upright>);
 }
 
 #[test]
-fn figures_walk_on_as_after_a_restore() {
-    // What is near was edited between loading and walking; stands still in updates, and not between them; is near in another order.
+fn walking_figures_continue_equally_after_a_restore() {
+    // Faults when a neighbour of a figure was edited between loading and walking, was at rest only in updates, or had another
+    // place in the order of neighbours.
     holds_for!([10_315, 10_591, 10_120], twins_stay_equal::<CalmDepth<Upright>>);
     holds_for!([10_122], twins_stay_equal::<CalmDepth<Tied>>);
-    // What is near was disabled since, or goes with the next update.
+    // Faults when a neighbour of a figure had been disabled since, or was to be removed with the next update.
     holds_for!([3198, 3787], twins_stay_equal::<CalmDepth<Upright>>);
     holds_for!([3046], twins_stay_equal::<CalmDepth<Tied>>);
 }
 
 #[test]
 fn islands_that_are_solved_directly_have_the_same_contacts_after_a_restore() {
-    // The normal of a contact had turned towards the depth axis while its row stayed.
+    // Fault that this seed found: the normal of a contact had turned towards the depth axis, while its row in the solver
+    // stayed.
     holds_for!([710_037], twins_stay_equal::<CalmDepth<Upright>>);
 }
 
 #[test]
-fn the_velocity_of_a_platform_that_swings_at_the_end_of_all_numbers_is_finite() {
+fn the_velocity_of_a_hinged_platform_at_the_greatest_coordinates_is_finite() {
     holds_for!([710_015], numbers_are_finite::<CalmDepth<Upright>>);
 }
 
 #[test]
-fn joints_follow_what_is_not_listed_as_those_of_their_twins_do() {
+fn joints_to_unlisted_bodies_equal_those_of_their_twins() {
     holds_for!([708, 1797], twins_stay_equal::<OneWayPlane>);
     holds_for!([369, 381], twins_stay_equal::<Tied>);
 }
 
 #[test]
-fn what_is_told_of_contacts_is_as_it_is_told_after_a_restore() {
-    // Surfaces that were edited before an update that makes no step; contacts of which some have gone.
+fn contact_callbacks_are_the_same_after_a_restore() {
+    // Faults when surfaces were edited before an update without a step, and when only some of the contacts were removed.
     holds_for!([284, 814, 505], twins_stay_equal::<Tied>);
     holds_for!([602, 1619], twins_stay_equal::<Upright>);
 }
 
 #[test]
-fn a_force_along_z_of_what_does_not_move_yet_acts_as_after_a_restore() {
-    // Of another mass when it acted, beyond all numbers, and on a negative one.
+fn a_force_along_z_on_a_body_at_rest_acts_equally_after_a_restore() {
+    // Faults when the mass of the body changed before the force acted, overflowed, or was negative.
     holds_for!([411], twins_stay_equal::<Depth>);
     holds_for!([1383, 1146], twins_stay_equal::<Upright>);
 }
 
 #[test]
-fn a_game_whose_contacts_reach_the_end_of_all_numbers_can_be_restored_and_shows_none_beyond() {
+fn a_game_with_contacts_at_the_greatest_coordinates_can_be_restored_and_shows_finite_ones() {
     holds_for!([353], twins_stay_equal::<Tied>);
     holds_for!([5008], twins_stay_equal::<Upright>);
     holds_for!([407, 5614], numbers_are_finite::<Plane>);
@@ -156,36 +161,36 @@ fn a_game_whose_contacts_reach_the_end_of_all_numbers_can_be_restored_and_shows_
 }
 
 #[test]
-fn contacts_that_a_stage_out_of_turn_has_found_are_no_panic() {
+fn contacts_found_by_a_stage_out_of_order_cause_no_panic() {
     holds_for!([889, 1393], numbers_are_finite::<StagedPlane>);
 }
 
 #[test]
-fn calls_of_the_2d_engine_that_fail_or_look_change_nothing() {
+fn failed_calls_and_queries_of_the_2d_engine_change_no_state() {
     holds_for!(0..PLANE, failed_calls_change_nothing::<Plane>);
 }
 
 #[test]
-fn calls_of_the_2_5d_engine_that_fail_or_look_change_nothing() {
+fn failed_calls_and_queries_of_the_2_5d_engine_change_no_state() {
     holds_for!(0..DEPTH, failed_calls_change_nothing::<Depth>);
 }
 
 #[test]
-fn every_number_that_the_2d_engine_shows_is_finite() {
+fn all_readable_numbers_of_the_2d_engine_are_finite() {
     holds_for!(0..PLANE, numbers_are_finite::<Plane>);
 }
 
 #[test]
-fn every_number_that_the_2_5d_engine_shows_is_finite() {
+fn all_readable_numbers_of_the_2_5d_engine_are_finite() {
     holds_for!(0..DEPTH, numbers_are_finite::<Depth>);
 }
 
 #[test]
-fn stages_in_any_order_leave_every_number_finite() {
+fn stages_in_any_order_leave_all_numbers_finite() {
     holds_for!(0..PLANE, numbers_are_finite::<StagedPlane>);
 }
 
-/// Games of each property.
+/// Number of calm games for each property.
 const CALM: u64 = 6;
 const PLANE: u64 = 30;
 const DEPTH: u64 = 25;

@@ -1,9 +1,9 @@
-//! Saves that were altered, and their checksums mended: what is not refused is used for a hundred updates with edits,
-//! callbacks and queries, saved and loaded again.
+//! Tests altered saves with corrected checksums. If a save is not rejected, its simulator is used for a hundred updates with
+//! edits, callbacks and queries, and is saved and loaded again.
 
 use fuzz::game::Game;
 use fuzz::long_run::failures;
-use fuzz::saves::{Fate, altered_json, altered_snapshot};
+use fuzz::saves::{SaveOutcome, altered_json, altered_snapshot};
 use fuzz::{Depth, Plane};
 
 const SEEDS: u64 = 150;
@@ -28,7 +28,7 @@ fn altered_json_of_the_2_5d_engine_is_refused_or_can_be_used() {
     refused_or_used(altered_json::<Depth>);
 }
 
-fn refused_or_used(check: impl Fn(u64) -> Result<Fate, String>) {
+fn refused_or_used(check: impl Fn(u64) -> Result<SaveOutcome, String>) {
     let failures = failures(0..SEEDS, |seed| check(seed).map(drop));
     assert!(failures.is_empty(), "{failures:#?}");
 }
@@ -39,6 +39,6 @@ fn some_altered_saves_are_refused_and_some_are_used() {
 }
 
 fn both_fates<G: Game>() -> bool {
-    let fates: Vec<Fate> = (0..SEEDS).filter_map(|seed| altered_snapshot::<G>(seed).ok()).collect();
-    fates.contains(&Fate::Refused) && fates.contains(&Fate::Used)
+    let fates: Vec<SaveOutcome> = (0..SEEDS).filter_map(|seed| altered_snapshot::<G>(seed).ok()).collect();
+    fates.contains(&SaveOutcome::Refused) && fates.contains(&SaveOutcome::Used)
 }

@@ -1,49 +1,52 @@
-//! Small scenes of the precise set.
+//! Tests small scenes of the precise set with fixed seeds.
 
 use fuzz::long_run::failures;
 use fuzz::small::small_scene_holds;
 
 #[test]
-fn small_scenes_keep_their_bodies_their_momentum_and_their_energy() {
+fn small_scenes_keep_their_bodies_inside_and_conserve_momentum_and_energy() {
     let failures = failures(0..400, small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
 
-/// Parts of them have edges that face away from the wall, and all of the wall is behind those.
+/// Parts of the concave bodies have edges that face away from the wall. The whole wall is behind such an edge.
 #[test]
-fn concave_bodies_that_have_come_deep_into_a_wall_are_not_thrown_about() {
+fn concave_bodies_deep_in_a_wall_are_not_thrown_about() {
     let seeds = [1432, 2595, 4493, 6116, 7908, 8677, 9125, 10898, 16307, 18531, 18783];
     let failures = failures(seeds, small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
 
 #[test]
-fn a_wedge_that_cannot_be_solved_as_a_whole_adds_no_energy() {
-    // What presses and what rubs on both sides of a light body raised each other: 13, 123 and 230 times the energy.
+fn a_wedge_without_a_direct_solution_adds_no_energy() {
+    // Fault that these seeds found: normal impulses and friction on both sides of a light body raised each other. The energy
+    // became 13, 123 and 230 times as great.
     let failures = failures([42_012, 37_610, 29_488], small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
 
-/// Springs without softness of a set that was wrong, and friction that flipped from one bound to the other: up to 1e46 times the
-/// energy; and steps of Newton's method that were not those of impulses: momentum from nowhere.
+/// Faults that these seeds found: stiff springs of a wrong active set, and friction that flipped from one limit to the other,
+/// raised the energy up to 1e46 times. Newton steps whose impulses were invalid violated the conservation of momentum.
 #[test]
-fn what_stiff_springs_do_not_find_at_once_is_found_otherwise() {
+fn stiff_springs_and_flipping_friction_add_no_energy_or_momentum() {
     let failures =
         failures([3222, 50_332, 12_038, 12_385, 16_601, 25_158, 15_571, 15_639], small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
 
-/// Passes cannot let go of what is hundreds of times as heavy as what it is jammed against: 16 to 140 % more energy.
+/// Fault that these seeds found: the iterative solver cannot release a jammed body that is hundreds of times as heavy as its
+/// obstacle. The energy grew by 16 to 140 %.
 #[test]
-fn something_heavy_leaves_a_jam_no_faster_than_it_came() {
+fn a_heavy_body_leaves_a_jam_no_faster_than_it_entered() {
     let seeds = [4010, 8862, 29_842, 163_458, 211_423, 220_780, 243_593];
     let failures = failures(seeds, small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");
 }
 
-/// What could not be solved as a whole went on by passes with all the impulses that had jammed it.
+/// Fault that these seeds found: an island that the direct solver could not solve kept all impulses of the jam when it went to
+/// the iterative solver.
 #[test]
-fn what_cannot_be_solved_as_a_whole_is_not_thrown_out_by_its_impulses_of_before() {
+fn an_island_that_leaves_the_direct_solver_does_not_keep_its_jam_impulses() {
     let seeds = [6591, 8068, 26_593, 28_878, 34_580, 40_819, 61_105, 69_678, 71_773];
     let failures = failures(seeds, small_scene_holds);
     assert!(failures.is_empty(), "{failures:#?}");

@@ -1,4 +1,4 @@
-//! Scenes and pictures that nobody made.
+//! Tests random scene texts and random pictures.
 
 use conformance::scene::Scene;
 use fuzz::long_run::failures;

@@ -1,9 +1,9 @@
-//! Speed against accuracy: runs scenes with methods in many settings, and tells what they take and how wrong they are.
+//! Compares speed and accuracy: runs scenes with methods in many settings, and reports the time and error of each run.
 //!
-//! `cargo run --release --features peers --example accuracy_vs_speed` writes to `target/accuracy_vs_speed` a table of
-//! all figures, a chart of every scene, an overview and a report, for the 2D engine (folder `2d`) and for the 2.5D
-//! engine (folder `2.5d`). Without the feature there are no other engines in them. The figures are for the machine they
-//! were made on; what may be quoted are ratios of one run.
+//! `cargo run --release --features peers --example accuracy_vs_speed` writes to `target/accuracy_vs_speed`: a table of all
+//! figures, a chart of every scene, an overview and a report. The folder `2d` is for the 2D engine, `2.5d` for the 2.5D engine.
+//! Without the feature no other engines take part. Times hold for the machine that measured them; only ratios of one run may be
+//! quoted.
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
@@ -27,19 +27,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice;
 
-/// Scenes and methods that are charted together.
+/// Scenes and methods of one engine, which are charted together.
 struct Group {
     folder: &'static str,
     title: String,
     subjects: Vec<Subject>,
     methods: Vec<(&'static str, Setting)>,
     trials: Vec<Trial<'static>>,
-    /// Versions of the peers.
+    /// Names and versions of the peers.
     peers: Vec<(&'static str, String)>,
 }
 
 const FOLDER: &str = "target/accuracy_vs_speed";
-/// Name of the table of a folder.
+/// Name of the file with the table of figures in an output folder.
 const FIGURES: &str = "figures";
 
 /// Runs scenes with methods in many settings, and charts error over time.
@@ -47,7 +47,7 @@ const FIGURES: &str = "figures";
 struct Arguments {
     #[command(flatten)]
     measuring: Measuring,
-    /// Measure nothing: draw and report again what was measured before, from the tables in the folders.
+    /// Measure nothing: draw and report earlier measurements again, from the tables in the folders.
     #[arg(long, conflicts_with_all = ["shard", "merge"])]
     redraw: bool,
 }
@@ -59,7 +59,7 @@ fn main() -> Result<()> {
     if groups.is_empty() {
         Arguments::command().error(ErrorKind::InvalidValue, nothing_to_run(&measuring)).exit();
     }
-    // Before anything is run: what cannot be written would be lost.
+    // The program makes the output folders before the first run, so that it does not measure results it cannot write.
     let folders = groups.iter().map(|group| measuring.folder(FOLDER, group.folder));
     let folders = folders.collect::<Result<Vec<_>>>()?;
     if redraw || !measuring.merge().is_empty() {
@@ -84,13 +84,13 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// What is told of a trial that is begun.
+/// Returns the progress message for the trial that begins next.
 fn next(trial: &Trial<'_>) -> String {
     let size = if trial.size == 0 { String::new() } else { format!(" {}", trial.size) };
     format!("{}{size}, {}", trial.scene, trial.method)
 }
 
-/// Draws what was measured before: in the folders themselves, or in parts that are put together there.
+/// Draws charts of earlier measurements: in the folders that hold them, or merged from shards into `folders`.
 fn draw_again(measuring: &Measuring, redraw: bool, groups: &[Group], folders: &[PathBuf]) -> Result<()> {
     for (group, folder) in groups.iter().zip(folders) {
         let from = if redraw { slice::from_ref(folder) } else { measuring.merge() };
@@ -131,7 +131,7 @@ fn deep(arguments: &Measuring) -> Group {
     let planes = group(arguments, Engine::Depth, vec![PLANE_SCENE], &plane_methods());
     deep.peers = depth_peer_versions();
     deep.subjects.extend(planes.subjects);
-    // The others are methods of the 2.5D engine as well.
+    // The other two methods of `plane_methods` are in the list of the 2.5D engine already.
     deep.methods.extend(planes.methods.first().filter(|_| !planes.trials.is_empty()));
     deep.trials.extend(planes.trials);
     deep
@@ -156,13 +156,13 @@ fn group<S: PartialEq + 'static>(
     }
 }
 
-/// Draws and tells what came of a group.
+/// Draws the charts of a group and writes its report.
 fn draw(group: &Group, sweep: &Sweep, origin: &Origin, folder: &Path) -> Result<()> {
     let subjects = group.subjects.iter().cloned();
     let subjects: Vec<Subject> = subjects.filter_map(|subject| subject.with_points(&sweep.points)).collect();
     let (methods, points) = (&group.methods[..], &sweep.points[..]);
     save(&Overview { title: &group.title, subjects: &subjects, methods, points }, folder, "overview")?;
-    // What is compared there is time over the number of objects: it has a chart and a table of its own.
+    // Scenes that compare time over the number of objects have a chart and a table of another kind.
     let (planes, charted): (Vec<_>, Vec<_>) =
         subjects.into_iter().partition(|subject| subject.name == PLANES);
     let report = Report { title: &group.title, origin, subjects: &charted, methods, sweep };

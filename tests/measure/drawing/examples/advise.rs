@@ -1,8 +1,8 @@
-//! Which methods are exact enough for a scene, and which of these cost least.
+//! Recommends a method for a scene: the cheapest of those that are accurate enough.
 //!
-//! `cargo run --release --example advise -- SCENE.json` runs a scene of the tests' format with all choices there are, and
-//! prints what they take, how far they are off and which to take; `--out` says where to draw a chart of it. A game that has
-//! its scene in code calls [`measure::advise::advise`] with what builds it.
+//! `cargo run --release --example advise -- SCENE.json` runs a scene, in the format of the conformance tests, with all choices
+//! of methods. It prints the time and error of each choice, and which one to take. `--out` names the folder for a chart. A game
+//! whose scene is in code calls [`measure::advise::advise`] with a function that builds the scene.
 
 use clap::Parser;
 use conformance::scene::Scene;
@@ -13,7 +13,7 @@ use measure::advise::{Asked, advise_on, asked_of};
 use std::fs;
 use std::path::PathBuf;
 
-/// Runs a scene with all choices there are, and says what to take.
+/// Runs a scene with all choices of methods, and recommends one.
 #[derive(Debug, Parser)]
 struct Arguments {
     /// A scene as JSON, plain or compressed by gzip.
@@ -24,10 +24,10 @@ struct Arguments {
     /// The game's time step in s [default: that of the scene].
     #[arg(long)]
     dt: Option<f32>,
-    /// Size of things in the scene's unit of length: 32 in px, 1 in metres.
+    /// Size of objects in the scene's unit of length: 32 in px, 1 in metres.
     #[arg(long, default_value_t = 32.0)]
     length_unit: f32,
-    /// What nobody sees, as a length [default: a 32nd of the length unit].
+    /// Greatest error that no player sees, as a length [default: a 32nd of the length unit].
     #[arg(long)]
     tolerance: Option<f64>,
     /// A folder for a chart of error over time.
@@ -46,7 +46,7 @@ fn main() -> Result<()> {
         tolerance: tolerance.unwrap_or(f64::from(length_unit) / 32.0),
         ..by_itself
     };
-    // Before anything is run: what cannot be written would be lost.
+    // The program makes the output folder before the first run, so that it does not measure results it cannot write.
     out.as_ref().map(fs::create_dir_all).transpose()?;
     let advice = advise_on(&scene, &asked)?;
     println!(

@@ -1,8 +1,8 @@
-//! The ten scenes of Box2D's benchmark, at several sizes: time per step, growth with the size, counters, states at the end.
+//! Runs the ten scenes of Box2D's benchmark at several sizes: time per step, growth with the size, counters, final states.
 //!
-//! `cargo run --release --features peers --example arena` prints tables, and writes them to `target/arena`. Without the feature
-//! there is no Box2D in them. `--quick` plays sizes 1/16 and 1/4. Times are for the machine they were made on; what may be quoted are
-//! ratios of one run.
+//! `cargo run --release --features peers --example arena` prints tables and writes them to `target/arena`. Without the feature
+//! Box2D does not take part. `--quick` plays sizes 1/16 and 1/4. Times hold for the machine that measured them; only ratios of
+//! one run may be quoted.
 
 use clap::Parser;
 use drawing::measuring::Result;
@@ -31,7 +31,7 @@ struct Arguments {
     /// Runs of each engine; a step counts with the least of its times.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..))]
     turns: u32,
-    /// CPU time in s after which a run is left: engines are compared over the steps that all have made.
+    /// CPU time in s after which a run is ended: engines are compared over the steps that all have made.
     #[arg(long, value_name = "SECONDS", default_value_t = 20.0)]
     budget: f64,
     /// Where to write.
@@ -42,7 +42,7 @@ struct Arguments {
 fn main() -> Result<()> {
     let arguments = Arguments::parse();
     let out = &arguments.out;
-    // Before anything is run: what cannot be written would be lost.
+    // The program makes the output folder before the first run, so that it does not measure results it cannot write.
     fs::create_dir_all(out).map_err(|error| format!("cannot write to {}: {error}", out.display()))?;
     let runs = runs(&arguments)?;
     let tables = [
@@ -73,7 +73,7 @@ fn runs(arguments: &Arguments) -> Result<Vec<RunFigures>> {
     Ok(runs)
 }
 
-/// A table of comma-separated values without quotes, its columns below each other.
+/// Returns a table of comma-separated values, without quotes, as text with aligned columns.
 fn aligned(table: &str) -> String {
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     let columns = rows.first().map_or(0, Vec::len);

@@ -1,9 +1,11 @@
-//! Joint scenes beside other engines: how exactly joints hold, whether scenes rest and sleep, and the time of an update.
+//! Plays joint scenes in our engine and others: how exactly joints hold, whether scenes rest and sleep, and the time of an
+//! update.
 //!
-//! `cargo run --release --features peers --example joint_scenes` prints a line for every scene and engine and writes the
-//! table `figures.csv` to `target/joints`. Without the feature, or with `--ours`, our engine plays alone, and is judged by
-//! the peers of an older table. With `--random 100` it plays as many random scenes of each of twelve variants instead, and
-//! writes `random.csv`: how many blow up, win energy, gape, or do not rest. Times are for the machine they were made on; what may be quoted are ratios of one run.
+//! `cargo run --release --features peers --example joint_scenes` prints a line for every scene and engine and writes the table
+//! `figures.csv` to `target/joints`. Without the feature, or with `--ours`, our engine plays alone, and is judged by the peers
+//! of an older table. With `--random 100` it plays as many random scenes of each of twelve variants instead, and writes
+//! `random.csv`: how many blow up, win energy, gape, or do not rest. Times are for the machine they were made on; only ratios
+//! of one run may be quoted.
 
 use clap::Parser;
 use drawing::joints::{line, summary};
@@ -18,7 +20,7 @@ use measure::origin::{origin, origin_csv};
 use std::fs;
 use std::path::PathBuf;
 
-/// Turns in which each engine is timed.
+/// Number of turns in which each engine is timed.
 const TURNS: usize = 3;
 
 /// Plays joint scenes.
@@ -33,10 +35,10 @@ struct Arguments {
     /// Only our engine.
     #[arg(long)]
     ours: bool,
-    /// A table whose peers judge our engine where it plays alone.
+    /// A table whose peers judge our engine when it plays alone.
     #[arg(long, value_name = "FILE", default_value = "docs/measured/joints/figures.csv")]
     beside: PathBuf,
-    /// Instead of these scenes so many random ones of each variant.
+    /// Number of random scenes of each variant that replace these scenes.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     random: Option<u32>,
     /// Where to write.

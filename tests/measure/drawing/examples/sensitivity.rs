@@ -1,16 +1,22 @@
-//! Each number of the precise method at half and at twice its value: rows of measurements that change.
+//! Measures the effect of each parameter of the precise method: rows of measurements that change at half and at twice its
+//! value.
 //!
-//! `cargo run --profile tools --example sensitivity` copies the workspace to `target/sensitivity/copy` and measures there: as it is; with
-//! twelve numbers off by a ten-thousandth each, which shows the rows that change by chance (`chaotic.txt`); then with each number of
-//! `farseer-core/src/precise/parameters` at half and at twice its value, those of joints and of the direct solver first. Where a verdict
-//! flips it measures at five sixths and six fifths of the value, too. It writes `figures.csv` and `report.md` after each number. A run that was
-//! ended goes on where it was. No time is measured.
+//! `cargo run --profile tools --example sensitivity` copies the workspace to `target/sensitivity/copy` and measures there.
+//!
+//! 1. The engine with the present values of all parameters.
+//! 2. Twelve engines in which one parameter each is a ten-thousandth greater. They show the rows that change by chance
+//!    (`chaotic.txt`).
+//! 3. Each parameter of `farseer-core/src/precise/parameters` at half and at twice its value. Parameters of joints and of the
+//!    direct solver come first. If a verdict flips, five sixths and six fifths of the value are measured, too.
+//!
+//! It writes `figures.csv` and `report.md` after each parameter. A run that was ended goes on where it was. No time is
+//! measured.
 
 use clap::Parser;
 use drawing::measuring::{Result, merged_origin, tables};
 use measure::origin::{origin, origin_csv};
 use measure::sensitivity::differences::{Figures, chaotic, figures_csv, read_figures};
-use measure::sensitivity::parameters::{Number, numbers};
+use measure::sensitivity::parameters::{Parameter, parameters};
 use measure::sensitivity::report::report;
 use measure::sensitivity::rows::{Row, measured, read_rows, rows_csv};
 use measure::shard::Shard;
@@ -20,7 +26,8 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Files and folders of a copy. Examples and other members are there since the workspace names them.
+/// Files and folders of the workspace that are copied. Examples and other members are among them because the manifest names
+/// them.
 const COPIED: [&str; 10] = [
     "Cargo.toml",
     "Cargo.lock",
@@ -33,11 +40,11 @@ const COPIED: [&str; 10] = [
     "tests",
     "examples",
 ];
-/// Factors of numbers.
+/// Factors by which the value of each parameter is multiplied. Dimensionless.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// And where a verdict flips.
+/// Factors of a parameter's value that are measured in addition if a verdict flips. Dimensionless.
 const NEAR_FACTORS: [f64; 2] = [1.0 / 1.2, 1.2];
-/// Numbers of all parts of the method, changed a little to see what changes by chance.
+/// Names of parameters from all parts of the method. A slight change of each shows which rows change by chance.
 const NUDGED: [&str; 12] = [
     "CONTACT_FREQUENCY",
     "CONTACT_DAMPING_RATIO",
@@ -52,27 +59,28 @@ const NUDGED: [&str; 12] = [
     "JOINT_ROW_COMPLIANCE",
     "GREATEST_SAG",
 ];
-/// By how much: far less than is seen in any scene without chaos, far more than rounding.
+/// Factor of the slight change of the parameters in `NUDGED`, dimensionless. It changes no row of a scene without chaos, but is
+/// far greater than rounding errors.
 const NUDGE: f64 = 1.0001;
-/// A measurement is given up after so many times the time of the first.
+/// A measurement is given up after this number of times the duration of the first one.
 const PATIENCE: u32 = 10;
 
-/// Measures what numbers of the precise method change.
+/// Measures the effect of each parameter of the precise method.
 #[derive(Debug, Parser)]
 struct Arguments {
-    /// Only numbers with one of these in their names, or whose file it is.
+    /// Only parameters with one of these in their names, or from a file of this name.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     only: Vec<String>,
-    /// Only one of several parts of the numbers, such as 3/16.
+    /// Only one of several shards of the parameters, such as 3/16.
     #[arg(long, value_name = "PART")]
     shard: Option<Shard>,
-    /// Measures nothing: puts the tables of all parts together, from these files or folders.
+    /// Measures nothing: merges the tables of all shards, from these files or folders.
     #[arg(long, value_name = "PATH", num_args = 1.., conflicts_with = "shard")]
     merge: Vec<PathBuf>,
-    /// Lists the numbers and measures nothing.
+    /// Lists the parameters and measures nothing.
     #[arg(long)]
     list: bool,
-    /// Measures with the engine as it is compiled and writes the rows: what is run in the copy.
+    /// Measures with the engine as it is compiled and writes the rows: the mode that is run in the copy.
     #[arg(long, value_name = "FILE")]
     rows: Option<PathBuf>,
     /// The workspace.
@@ -88,43 +96,43 @@ fn main() -> Result<()> {
     if let Some(file) = &arguments.rows {
         return Ok(fs::write(file, rows_csv(&measured()?))?);
     }
-    let numbers = numbers(&arguments.workspace)?;
+    let parameters = parameters(&arguments.workspace)?;
     if arguments.list {
-        for Number { module, name, unit, value, .. } in chosen(&arguments, &numbers) {
+        for Parameter { module, name, unit, value, .. } in chosen(&arguments, &parameters) {
             println!("{module:<14} {name:<36} {value:<20} {unit}");
         }
         return Ok(());
     }
     let mut table = Table::open(&arguments)?;
     if arguments.merge.is_empty() {
-        measure_all(&arguments, &numbers, &mut table)?;
+        measure_all(&arguments, &parameters, &mut table)?;
     }
     table.write()?;
     eprintln!("{}", table.file.display());
     Ok(())
 }
 
-/// Measures what is not in the table.
-fn measure_all(arguments: &Arguments, numbers: &[Number], table: &mut Table) -> Result<()> {
+/// Measures every entry that the table lacks.
+fn measure_all(arguments: &Arguments, parameters: &[Parameter], table: &mut Table) -> Result<()> {
     let copy = Copy::make(&arguments.workspace, &arguments.out.join(format!("copy{}", table.part)))?;
     let start = Instant::now();
     let mut before = vec![copy.measure(Duration::MAX)??];
     let patience = PATIENCE * start.elapsed();
     for name in NUDGED {
-        let number = numbers.iter().find(|number| number.name == name);
+        let number = parameters.iter().find(|number| number.name == name);
         let number = number.ok_or_else(|| format!("there is no number {name}"))?;
         let value = number.times(NUDGE).ok_or_else(|| format!("{name} cannot be nudged"))?;
         before.push(copy.measure_with(number, &value, patience)??);
     }
     fs::write(table.file.with_file_name("chaotic.txt"), chaotic(&before).join("\n") + "\n")?;
-    for number in &chosen(arguments, numbers) {
+    for number in &chosen(arguments, parameters) {
         for factors in [FACTORS, NEAR_FACTORS] {
             for factor in factors {
                 let Some(value) = number.times(factor) else { continue };
                 if table.of(number).all(|one| one.factor != factor) {
                     let figures = copy.figures(number, factor, &value, &before, patience)?;
                     eprintln!("{} s: {}", start.elapsed().as_secs(), told(&figures));
-                    table.add(figures, numbers);
+                    table.add(figures, parameters);
                     table.write()?;
                 }
             }
@@ -136,16 +144,16 @@ fn measure_all(arguments: &Arguments, numbers: &[Number], table: &mut Table) -> 
     Ok(())
 }
 
-/// The table, as far as it is made, and its file.
+/// Table of figures as far as they are measured, with the file that holds it.
 struct Table {
     file: PathBuf,
-    /// Of names of files: which part it is.
+    /// Suffix of file names, which names the shard.
     part: String,
     all: Vec<Figures>,
 }
 
 impl Table {
-    /// The table of a run that was ended, or those of all parts.
+    /// Opens the table of an interrupted run, or the tables of all shards.
     fn open(arguments: &Arguments) -> Result<Self> {
         let part = arguments.shard.map_or(String::new(), |shard| format!(".{shard}"));
         fs::create_dir_all(&arguments.out)?;
@@ -168,16 +176,17 @@ impl Table {
         Ok(Table { file, part, all: all.concat() })
     }
 
-    /// The lines of a number, if it has the value still with which they were measured.
-    fn of(&self, number: &Number) -> impl Iterator<Item = &Figures> {
+    /// Returns the lines of a parameter that were measured while it had its present default value.
+    fn of(&self, number: &Parameter) -> impl Iterator<Item = &Figures> {
         self.all.iter().filter(|one| one.parameter == number.name && one.value == number.value)
     }
 
-    /// Adds a line, in place of the one with another value; in the order of the numbers.
-    fn add(&mut self, figures: Figures, numbers: &[Number]) {
+    /// Adds a line in the order of the parameters. Removes lines of the same parameter that were measured with another default
+    /// value.
+    fn add(&mut self, figures: Figures, parameters: &[Parameter]) {
         self.all.retain(|one| one.parameter != figures.parameter || one.value == figures.value);
         self.all.push(figures);
-        self.all.sort_by_key(|one| numbers.iter().position(|number| number.name == one.parameter));
+        self.all.sort_by_key(|one| parameters.iter().position(|number| number.name == one.parameter));
     }
 
     fn write(&self) -> Result<()> {
@@ -191,11 +200,11 @@ fn told(figures: &Figures) -> String {
     format!("{parameter} times {factor:.2}: {} rows, {worst_row}: {before} -> {after}", figures.rows())
 }
 
-/// The numbers that are asked for.
-fn chosen(arguments: &Arguments, numbers: &[Number]) -> Vec<Number> {
-    let mut all = numbers.to_vec();
+/// Returns the parameters that the arguments select.
+fn chosen(arguments: &Arguments, parameters: &[Parameter]) -> Vec<Parameter> {
+    let mut all = parameters.to_vec();
     let is_meant =
-        |number: &Number, part: &String| number.name.contains(part.as_str()) || number.module == *part;
+        |number: &Parameter, part: &String| number.name.contains(part.as_str()) || number.module == *part;
     all.retain(|number| {
         arguments.only.is_empty() || arguments.only.iter().any(|part| is_meant(number, part))
     });
@@ -203,10 +212,10 @@ fn chosen(arguments: &Arguments, numbers: &[Number]) -> Vec<Number> {
     all.into_iter().zip(picks).filter(|(_, pick)| *pick).map(|(number, _)| number).collect()
 }
 
-/// The rows, or why there are none.
+/// Rows of a measurement, or the reason why there are none.
 type Measured = std::result::Result<Vec<Row>, String>;
 
-/// A copy of the workspace, in which numbers are changed.
+/// A copy of the workspace, in which the program changes the values of parameters.
 struct Copy {
     folder: PathBuf,
 }
@@ -221,17 +230,17 @@ impl Copy {
         Ok(Copy { folder: fs::canonicalize(folder)? })
     }
 
-    /// Changes by a number with another value.
+    /// Returns the changes that another value of a parameter makes.
     fn figures(
         &self,
-        number: &Number,
+        number: &Parameter,
         factor: f64,
         value: &str,
         before: &[Vec<Row>],
         patience: Duration,
     ) -> Result<Figures> {
         let after = self.measure_with(number, value, patience)?;
-        let Number { name, module, unit, value, .. } = number.clone();
+        let Parameter { name, module, unit, value, .. } = number.clone();
         let mut figures = Figures { parameter: name, module, unit, value, factor, ..Figures::default() };
         match after {
             Ok(rows) => figures.count(before, &rows)?,
@@ -240,8 +249,8 @@ impl Copy {
         Ok(figures)
     }
 
-    /// Measures with another value of a number; then it is as it was.
-    fn measure_with(&self, number: &Number, value: &str, patience: Duration) -> Result<Measured> {
+    /// Measures with another value of a parameter, and restores the old value after that.
+    fn measure_with(&self, number: &Parameter, value: &str, patience: Duration) -> Result<Measured> {
         let file = self.folder.join(number.file());
         let text = fs::read_to_string(&file)?;
         fs::write(&file, number.written_into(&text, value))?;
@@ -250,12 +259,12 @@ impl Copy {
         measured
     }
 
-    /// Builds and measures: the rows, or why there are none.
+    /// Builds the copy and measures. Returns the rows, or the reason why there are none.
     fn measure(&self, patience: Duration) -> Result<Measured> {
         let mut cargo = Command::new("cargo");
         cargo.args(["build", "--offline", "--quiet", "--package", "drawing", "--example", "sensitivity"]);
         cargo.env("CARGO_INCREMENTAL", "1").env("CARGO_TARGET_DIR", self.folder.join("target"));
-        // Warnings of numbers that make a comparison useless would be all that is seen.
+        // Standard error is discarded: it would hold only warnings about comparisons that a changed parameter makes useless.
         let status = cargo.current_dir(&self.folder).stderr(Stdio::null()).status()?;
         if !status.success() {
             return Ok(Err("does not build".to_owned()));
@@ -271,7 +280,7 @@ impl Copy {
     }
 }
 
-/// Waits for a program, and ends it if that takes too long.
+/// Waits for a program and ends it if it takes longer than `patience`. Returns whether the program succeeded.
 fn ended_well(mut child: Child, patience: Duration) -> Result<bool> {
     let start = Instant::now();
     loop {
@@ -287,7 +296,7 @@ fn ended_well(mut child: Child, patience: Duration) -> Result<bool> {
     }
 }
 
-/// Copies what is different, so that what is the same is not built again.
+/// Copies the files that differ. Unchanged crates need not be built again then.
 fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
     if from.is_dir() {
         if from.file_name().is_some_and(|name| name == "target") {

@@ -1,8 +1,8 @@
-//! Sleep beside other engines: what a world costs in which all is at rest, who wakes, and when all rest again.
+//! Compares sleep in our engine and others: the cost of a world at rest, which bodies wake, and when all rest again.
 //!
-//! `cargo run --release --features peers --example sleep_beside_peers` prints a report, and writes it to `target/sleep` with
-//! the tables that it is made of. Without the feature there are no other engines in it. Times are for the machine they were
-//! made on; what may be quoted are ratios of one run.
+//! `cargo run --release --features peers --example sleep_beside_peers` prints a report, and writes it with its tables to
+//! `target/sleep`. Without the feature no other engines take part. Times hold for the machine that measured them; only ratios
+//! of one run may be quoted.
 
 use clap::Parser;
 use drawing::measuring::Result;
@@ -15,7 +15,7 @@ use measure::sleep::sleepers;
 use std::fs;
 use std::path::PathBuf;
 
-/// Measures what sleep saves, and what wakes.
+/// Measures how much time sleep saves, and which bodies wake.
 #[derive(Debug, Parser)]
 struct Arguments {
     /// Number of heaps.
@@ -28,7 +28,7 @@ struct Arguments {
 
 fn main() -> Result<()> {
     let Arguments { heaps, out } = Arguments::parse();
-    // Before anything is run: what cannot be written would be lost.
+    // The program makes the output folder before the first run, so that it does not measure results it cannot write.
     fs::create_dir_all(&out).map_err(|error| format!("cannot write to {}: {error}", out.display()))?;
     let methods = sleepers(methods());
     let pushes = run_pushes(&methods)?;

@@ -1,8 +1,8 @@
-//! Where methods fail: runs families of scenes that get harder and harder, until methods fail.
+//! Finds the limits of methods: runs families of scenes of increasing difficulty until methods fail.
 //!
-//! `cargo run --release --features peers --example stability_map` writes to `target/stability_map` a table of all runs, a
-//! map of every family, an overview and a report with the first failures, for the 2D engine (folder `2d`) and for the
-//! 2.5D engine (folder `2.5d`). Without the feature there are no other engines in them. Nothing is timed.
+//! `cargo run --release --features peers --example stability_map` writes to `target/stability_map`: a table of all runs, a map
+//! of every family, an overview, and a report with the first failures. The folder `2d` is for the 2D engine, `2.5d` for the
+//! 2.5D engine. Without the feature no other engines take part. The program measures no time.
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
@@ -23,15 +23,15 @@ use std::fs;
 use std::path::Path;
 
 const FOLDER: &str = "target/stability_map";
-/// Name of the table of a folder.
+/// Name of the file with the table of runs in an output folder.
 const RUNS: &str = "runs";
 
-/// Families of an engine, as maps still to be made.
+/// Families of an engine, as maps whose runs are still to be made.
 struct Group {
     folder: &'static str,
     title: String,
     sheets: Vec<Sheet>,
-    /// Versions of the peers.
+    /// Names and versions of the peers.
     peers: Vec<(&'static str, String)>,
 }
 
@@ -52,7 +52,7 @@ fn main() -> Result<()> {
     if groups.is_empty() {
         Arguments::command().error(ErrorKind::InvalidValue, nothing_to_run(&arguments)).exit();
     }
-    // Before anything is run: what cannot be written would be lost.
+    // The program makes the output folders before the first run, so that it does not lose results it cannot write.
     let folders = groups.iter().map(|group| arguments.folder(FOLDER, group.folder));
     let folders = folders.collect::<Result<Vec<_>>>()?;
     let (tables, all) = if arguments.merge().is_empty() {
@@ -79,7 +79,7 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// Makes the runs of all groups, or those of a part: a table for each group.
+/// Makes the runs of all groups, or those of a shard. Returns a table for each group.
 fn run(arguments: &Measuring, groups: &[Group]) -> Vec<String> {
     let costs = groups.iter().flat_map(|group| &group.sheets).flat_map(Sheet::costs);
     let picks = arguments.shard().picks(&costs.collect::<Vec<_>>());
@@ -125,7 +125,7 @@ fn group<S: 'static>(
     }
 }
 
-/// Draws and tells what came of the families of an engine.
+/// Draws the maps of an engine's families and writes their report.
 fn draw(title: &str, origin: &Origin, maps: &[Map], folder: &Path) -> Result<()> {
     fs::write(folder.join("report.md"), report(title, origin, maps))?;
     save(&FirstFailures::new(maps), folder, "overview")?;

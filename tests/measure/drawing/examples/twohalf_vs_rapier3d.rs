@@ -1,9 +1,9 @@
-//! Many objects in the 2.5D engine beside `rapier3d`: flying, standing, at rest, in traffic, in a deep field, on
-//! ropes, in a pile.
+//! Compares the 2.5D engine with `rapier3d` in scenes of many objects: flying, standing, at rest, in traffic, in a deep field,
+//! on ropes, in a pile.
 //!
 //! `cargo run --release --features peers --example twohalf_vs_rapier3d` prints a table,
 //! `scene,objects,twohalf_ms,rapier3d_ms,ratio,twohalf_error,rapier3d_error`, and writes it to `target/twohalf_vs_rapier3d`.
-//! Times are for the machine they were made on; what may be quoted are ratios of one run.
+//! Times hold for the machine that measured them; only ratios of one run may be quoted.
 
 use clap::Parser;
 use drawing::measuring::Result;
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 /// Measures fields full of objects.
 #[derive(Debug, Parser)]
 struct Arguments {
-    /// Numbers of objects above this are left out.
+    /// Greatest number of objects: larger scenes are skipped.
     #[arg(long, default_value_t = 10_000)]
     most: usize,
     /// Only scenes with this in their names.
@@ -33,7 +33,8 @@ fn main() -> Result<()> {
     fs::create_dir_all(&out).map_err(|error| format!("cannot write to {}: {error}", out.display()))?;
     let fields: Vec<_> = fields().into_iter().filter(|field| field.name.contains(&scene)).collect();
     fields.iter().for_each(|field| eprintln!("{}: {}", field.name, field.about));
-    // The largest come last: in memory that ten thousand objects have left, twenty take up to half as long again.
+    // The largest scenes come last: in memory that ten thousand objects have used, twenty objects take up to half as long
+    // again.
     let sizes = SIZES.into_iter().filter(|&size| size <= most);
     let mut figures: Vec<_> =
         sizes.flat_map(|size| fields.iter().map(move |field| run_field(field, size))).collect();

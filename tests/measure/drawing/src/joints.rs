@@ -1,10 +1,10 @@
-//! The figures of joint scenes as text: a line for each, and a summary.
+//! Writes the figures of joint scenes as text: a line for each scene and engine, and a summary.
 
 use measure::joints::engines::OURS;
 use measure::joints::judge::FAULTS;
 use measure::joints::table::Figures;
 
-/// Errors, times and faults of a scene in an engine.
+/// Returns a line of text with errors, times and faults of a scene in an engine.
 pub fn line(figures: &Figures) -> String {
     let Figures { scene, engine, gap_px, speed_px_per_s, is_asleep, .. } = figures;
     let Figures { us_first_step, us_first_second, us_later, faults, .. } = figures;
@@ -14,7 +14,7 @@ pub fn line(figures: &Figures) -> String {
     format!(
         "{scene:44} {engine:9} gap {:7}{} speed {:7}{}{} us {us_first_step:.0}, {us_first_second:.1}, {us_later:.1}{} {faults}",
         short(*gap_px),
-        optional("off", figures.displacement_px),
+        optional("displacement", figures.displacement_px),
         short(*speed_px_per_s),
         optional("gain", figures.energy_gained),
         if *is_asleep { " asleep" } else { "" },
@@ -22,7 +22,7 @@ pub fn line(figures: &Figures) -> String {
     )
 }
 
-/// Number of scenes with each fault, and the geometric mean of the times as parts of the faster peer's.
+/// Returns as text: the number of scenes with each fault, and the geometric mean of the ratio of our time to the faster peer's.
 pub fn summary(figures: &[Figures]) -> String {
     let ours: Vec<&Figures> = figures.iter().filter(|figures| figures.engine == OURS.name).collect();
     let with = |fault| ours.iter().filter(|figures| figures.faults.contains(fault)).count();
@@ -39,7 +39,7 @@ fn times(parts: &[f64]) -> String {
     format!("; time as a part of the faster peer's: {mean:.2}, more than 1 in {slower}")
 }
 
-/// Three digits, in scientific notation if the number is small or great.
+/// Returns a number with three digits, in scientific notation if the number is small or great.
 fn short(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),

@@ -1,5 +1,5 @@
-//! Charts, maps and reports of what the crate `measure` measures, and what the programs `accuracy_vs_speed`,
-//! `stability_map` and `sleep_beside_peers` are started with.
+//! Draws charts and maps and writes reports of the measurements of the crate `measure`. Has the command-line options that the
+//! programs `accuracy_vs_speed`, `stability_map` and `sleep_beside_peers` share.
 
 pub mod joints;
 pub mod maps;

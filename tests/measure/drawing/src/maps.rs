@@ -1,10 +1,10 @@
-//! Maps as text: the report, and the table of first failures.
+//! Writes stability maps as text: the report, and the table of first failures.
 
 use measure::stability::map::{Column, Map, Verdict};
 use measure::stability::table::number;
 use std::fmt::Write;
 
-/// The methods and settings that the table of first failures shows, of all maps.
+/// Returns the columns of all maps, each a method and a setting, that the table of first failures shows.
 pub fn table_columns(maps: &[Map]) -> Vec<&Column> {
     let mut columns: Vec<&Column> = Vec::new();
     for column in maps.iter().flat_map(|map| &map.heading.columns) {
@@ -15,8 +15,8 @@ pub fn table_columns(maps: &[Map]) -> Vec<&Column> {
     columns
 }
 
-/// The table of first failures in Markdown: for every family and the most telling methods and settings, the first
-/// value that fails, and why.
+/// Returns the table of first failures in Markdown. It names the first value that fails, and why, for every family and the most
+/// informative methods and settings.
 pub fn first_failures(maps: &[Map]) -> String {
     let columns = table_columns(maps);
     let mut text = String::from("| family | parameter |");
@@ -29,7 +29,7 @@ pub fn first_failures(maps: &[Map]) -> String {
     for map in maps {
         let heading = &map.heading;
         let unit = if heading.unit.is_empty() { String::new() } else { format!(", {}", heading.unit) };
-        write!(text, "| {} | {}{unit} |", heading.name, heading.parameter).expect("a text takes all");
+        write!(text, "| {} | {}{unit} |", heading.title(), heading.parameter).expect("a text takes all");
         for column in &columns {
             write!(text, " {} |", first_failure(map, column)).expect("a text takes all");
         }
@@ -38,7 +38,7 @@ pub fn first_failures(maps: &[Map]) -> String {
     text
 }
 
-/// The first failure of a method and setting as a reader wants it.
+/// Returns the first failure of a method and setting, as text for readers.
 fn first_failure(map: &Map, column: &Column) -> String {
     let Some(index) = map.place(column) else { return String::new() };
     match map.first_failure(index) {
@@ -48,13 +48,14 @@ fn first_failure(map: &Map, column: &Column) -> String {
     }
 }
 
-/// The name of a family as the stem of files: lower-case letters and digits, the rest underscores.
+/// Returns the name of a family as the stem of file names: lower-case letters and digits, with underscores for all other
+/// letters.
 pub fn file_name(family: &str) -> String {
     let words = family.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     words.map(str::to_lowercase).collect::<Vec<_>>().join("_")
 }
 
-/// The report in Markdown: where the figures come from, the first failures, and every map.
+/// Returns the report in Markdown: the origin of the figures, the first failures, and every map.
 pub fn report(title: &str, origin: &[(&str, String)], maps: &[Map]) -> String {
     let mut text = format!("# {title}\n\n");
     for (name, value) in origin {
@@ -63,14 +64,14 @@ pub fn report(title: &str, origin: &[(&str, String)], maps: &[Map]) -> String {
     text.push_str("\n![overview](overview.png)\n\n## First failures\n\n");
     text.push_str(
         "The first value of each family's parameter, from easy to hard, with which a method fails, and how. \
-         `holds`: with none of them. `holds to 100`: it has no runs with what is harder. `–`: the engine does not have \
-         what the scene needs.\n\n",
+         `holds`: no failure at any value. `holds to 100`: no runs with harder values. `–`: the engine lacks a feature \
+         of the scene.\n\n",
     );
     text.push_str(&first_failures(maps));
     text.push_str("\n## Maps\n");
     for map in maps {
         let heading = &map.heading;
-        let (name, file) = (&heading.name, file_name(&heading.name));
+        let (name, file) = (heading.title(), file_name(&heading.name));
         write!(text, "\n### {name}\n\n{}\n\n![{name}]({file}.png)\n", heading.about)
             .expect("a text takes all");
         for (column, reason) in absences(map) {
@@ -80,7 +81,7 @@ pub fn report(title: &str, origin: &[(&str, String)], maps: &[Map]) -> String {
     text
 }
 
-/// Methods that lack runs in a map, with the reason.
+/// Returns each method that has no runs in a map, with the reason.
 fn absences(map: &Map) -> Vec<(&str, &str)> {
     let mut absences: Vec<(&str, &str)> = Vec::new();
     for (index, column) in map.heading.columns.iter().enumerate() {
@@ -126,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_names_the_first_failure_and_what_is_not_there() {
+    fn the_table_names_the_first_failure_and_absent_features() {
         let table = first_failures(&[map()]);
         assert_eq!(table.lines().last(), Some("| Stiff Spring | k | 1e7 blew up | – |"));
     }
@@ -139,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn the_report_says_what_an_engine_does_not_have() {
+    fn the_report_names_the_features_that_an_engine_lacks() {
         assert!(
             report("Title", &[("Date", "today".into())], &[map()])
                 .contains("\nNot run with two: no springs, none.\n")

@@ -1,4 +1,4 @@
-//! What the programs that measure are started with.
+//! Command-line options of the programs that measure, and the files of their tables.
 
 use clap::{Args, ValueEnum};
 use measure::method::Effort;
@@ -10,10 +10,10 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What the programs can fail with.
+/// Result with any error of the measuring programs.
 pub type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// An engine of this workspace, with what it is measured beside.
+/// An engine of this workspace. It is measured together with its peers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Engine {
     /// `farseer-core`.
@@ -25,7 +25,7 @@ pub enum Engine {
 }
 
 impl Engine {
-    /// As readers call it.
+    /// Returns the name of the engine for readers.
     pub fn name(self) -> &'static str {
         match self {
             Engine::Plane => "2D",
@@ -33,7 +33,7 @@ impl Engine {
         }
     }
 
-    /// The folder of what came of it.
+    /// Returns the name of the folder for results of the engine.
     pub fn folder(self) -> &'static str {
         match self {
             Engine::Plane => "2d",
@@ -42,7 +42,7 @@ impl Engine {
     }
 }
 
-/// What to measure, and where to write what came of it.
+/// Options that select the measurements and the folder of their results.
 #[derive(Debug, Args)]
 pub struct Measuring {
     /// Few settings and sizes: minutes.
@@ -60,42 +60,43 @@ pub struct Measuring {
     /// Where to write: in folders `2d` and `2.5d` of this one [default: a folder of `target`].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Only one of several parts of all that, such as 3/16: its tables are written and nothing is drawn.
+    /// Only one of several shards of the sweep, such as 3/16: its tables are written and no chart is drawn.
     #[arg(long, value_name = "PART", conflicts_with = "merge")]
     shard: Option<Shard>,
-    /// Run nothing: put together the tables of all parts, from these files or folders, and draw. Everything else must be
-    /// as it was given to the parts.
+    /// Run nothing: merge the tables of all shards, from these files or folders, and draw. All other options must be the same
+    /// as for the shards.
     #[arg(long, value_name = "PATH", num_args = 1..)]
     merge: Vec<PathBuf>,
 }
 
-/// Where figures come from, as names and values.
+/// Origin of figures, as names and values: versions, machine, options.
 pub type Origin = Vec<(&'static str, String)>;
 
-/// Name of the table that tells it.
+/// Name of the table with the origin of the figures.
 const ORIGIN: &str = "origin";
 
 impl Measuring {
-    /// How much is tried.
+    /// Returns how many settings and sizes are tried.
     pub fn effort(&self) -> Effort {
         if self.quick { Effort::Quick } else { Effort::Full }
     }
 
-    /// Whether a scene of an engine is wanted.
+    /// Returns whether the options select a scene of an engine.
     pub fn wants_scene(&self, engine: Engine, name: &str) -> bool {
         self.engine.is_none_or(|wanted| wanted == engine) && is_in(self.scene.as_deref(), name)
     }
 
-    /// Whether a method is wanted.
+    /// Returns whether the options select a method.
     pub fn wants_method(&self, name: &str) -> bool {
         is_in(self.method.as_deref(), name)
     }
 
-    /// The folder to write to, made if it was not there: that which was asked for, or another one.
+    /// Returns the output folder `name`, below the folder of the arguments or else below `otherwise`. Makes the folder if it is
+    /// missing.
     ///
     /// # Errors
     ///
-    /// When it cannot be made.
+    /// When the folder cannot be made.
     pub fn folder(&self, otherwise: &str, name: &str) -> Result<PathBuf> {
         let folder = self.out.as_deref().unwrap_or(Path::new(otherwise)).join(name);
         let made = fs::create_dir_all(&folder);
@@ -103,26 +104,26 @@ impl Measuring {
         Ok(folder)
     }
 
-    /// The part of the sweep that is wanted.
+    /// Returns the shard of the sweep that the options select; without that option, the whole sweep.
     pub fn shard(&self) -> Shard {
         self.shard.unwrap_or(Shard::WHOLE)
     }
 
-    /// Whether nothing is to be drawn, since it is not all there.
+    /// Returns whether the options select only a shard of the sweep. No chart can be drawn then.
     pub fn is_part(&self) -> bool {
         self.shard() != Shard::WHOLE
     }
 
-    /// The files and folders of tables that are put together; if there are any, nothing is run.
+    /// Returns the files and folders whose tables are merged. If there are any, no trial is run.
     pub fn merge(&self) -> &[PathBuf] {
         &self.merge
     }
 
-    /// Writes a table into a folder, and beside it where it comes from.
+    /// Writes a table into a folder, and the origin of its figures into a file beside the table.
     ///
     /// # Errors
     ///
-    /// When they cannot be written.
+    /// When one of the files cannot be written.
     pub fn write_table(&self, folder: &Path, name: &str, table: &str, origin: &Origin) -> Result<()> {
         let file = |name: &str| match self.shard {
             Some(shard) => folder.join(format!("{name}.{shard}.csv")),
@@ -133,7 +134,7 @@ impl Measuring {
         Ok(())
     }
 
-    /// What to say when nothing is left to run, with the names there are.
+    /// Returns the error message for options that select no trial. It lists the names that could be selected.
     pub fn nothing_to_run<'a>(
         &self,
         scenes: impl Iterator<Item = &'a str>,
@@ -149,11 +150,11 @@ impl Measuring {
     }
 }
 
-/// The tables of a name in files and folders, and where they come from.
+/// Returns the texts of all tables `name` in files and folders, and the origin of their figures.
 ///
 /// # Errors
 ///
-/// When there is none, or one cannot be read.
+/// When there is no such table, or one cannot be read.
 pub fn tables(paths: &[PathBuf], name: &str) -> Result<(Vec<String>, Origin)> {
     let mut files = Vec::new();
     for path in paths {
@@ -171,7 +172,8 @@ pub fn tables(paths: &[PathBuf], name: &str) -> Result<(Vec<String>, Origin)> {
     Ok((tables, origin))
 }
 
-/// The origin of figures: one's own, or of each of its names all values that tables have which were put together.
+/// Returns the origin of figures. Without merged tables it is `own`. Else each name of `own` gets all values that the tables
+/// have for it.
 pub fn merged_origin(own: Origin, tables: Option<&Origin>) -> Origin {
     let Some(tables) = tables else { return own };
     let values = |name| {
@@ -181,7 +183,8 @@ pub fn merged_origin(own: Origin, tables: Option<&Origin>) -> Origin {
     own.into_iter().map(|(name, _)| (name, values(name))).collect()
 }
 
-/// Appends the files of a table that a path is, or that are in the folder that it is, or in one within.
+/// Appends the files of the table `name` to `files`: `path` itself if it is a file, else those in this folder and its
+/// subfolders.
 fn find_tables(path: &Path, name: &str, files: &mut Vec<PathBuf>) -> io::Result<()> {
     if path.is_dir() {
         let mut inside =

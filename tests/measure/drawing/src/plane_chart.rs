@@ -1,4 +1,4 @@
-//! The chart and the table of the same scene in 2D and in 2.5D: time per step over the number of objects.
+//! Chart and table of the time per step over the number of objects, for one scene in 2D and in 2.5D.
 
 use crate::plot::axis::{Axis, short_time};
 use crate::plot::ink::{Place, Words, dashed, line, marker};
@@ -11,23 +11,23 @@ use plotters::prelude::{DrawingArea, DrawingBackend, Rectangle};
 use plotters::style::Color;
 use std::fmt::Write;
 
-/// Width and height of the chart in px.
+/// Width and height of the chart, px.
 const SIZE: (i32, i32) = (800, 440);
-/// Edges of the panel, px.
+/// Left edge of the panel, px from the left. The next constants are its other edges, px from the left or the top.
 const LEFT: i32 = 80;
 const RIGHT: i32 = 780;
 const TOP: i32 = 60;
 const BOTTOM: i32 = 350;
 
-/// Names of what is compared, that without depth first.
+/// Returns the names of the compared engines. The first one has no depth.
 fn plane_names() -> [&'static str; 3] {
     plane_methods().map(|method| method.name)
 }
 
-/// The chart.
+/// Chart of the time per step over the number of objects, in 2D and in 2.5D.
 #[derive(Debug, Clone, Copy)]
 pub struct PlaneChart<'a> {
-    /// Points of the comparison and maybe of other scenes.
+    /// Measured points of the comparison, and perhaps of other scenes, which are not drawn.
     pub points: &'a [Point],
 }
 
@@ -56,7 +56,7 @@ impl Picture for PlaneChart<'_> {
 }
 
 impl PlaneChart<'_> {
-    /// The axis of objects, and that of times.
+    /// Returns the axis of numbers of objects, and that of times.
     fn axes(&self) -> [Axis; 2] {
         let of =
             |method| plane_sizes(self.points).filter_map(move |size| plane_point(self.points, size, method));
@@ -82,7 +82,7 @@ impl PlaneChart<'_> {
         sheet.draw(&Rectangle::new([(LEFT, TOP), (RIGHT, BOTTOM)], DARK.stroke_width(1)))
     }
 
-    /// The line of a method, and its entry in the legend.
+    /// Draws the line of a method, and its entry in the legend.
     fn paint_method<B: DrawingBackend>(
         &self,
         sheet: &DrawingArea<B, Shift>,
@@ -109,7 +109,8 @@ impl PlaneChart<'_> {
     }
 }
 
-/// Times per step side by side, as a table in Markdown; nothing if there are no points of the comparison.
+/// Returns a Markdown table of the times per step, with the engines side by side. `None` if `points` has no point of the
+/// comparison.
 pub fn plane_table(points: &[Point]) -> Option<String> {
     plane_sizes(points).next()?;
     let mut text = "| objects |".to_owned();

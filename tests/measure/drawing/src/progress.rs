@@ -1,15 +1,15 @@
-//! Says how far a sweep is, on the standard error stream.
+//! Displays the progress of a sweep on the standard error stream.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// How often it is told where there is no terminal.
+/// Time between two progress lines where there is no terminal.
 const PAUSE: Duration = Duration::from_secs(10);
-/// Parts of a unit of work that the bar counts.
+/// Number of steps of the progress bar per unit of work.
 const PARTS: f64 = 1000.0;
 
-/// How far a sweep is: a bar on a terminal, else a line now and then.
+/// Display of the progress of a sweep: a bar on a terminal, else a line at most every ten seconds.
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
@@ -17,14 +17,14 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// For so much work, in a unit of the caller's.
+    /// Returns a display for the total work `work`, in a unit that the caller chooses.
     pub fn of(work: f64) -> Self {
         let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %, {eta} left: {msg}");
         let bar = ProgressBar::new((PARTS * work) as u64);
         Progress { bar: bar.with_style(style.expect("a template that is known")), told: Mutex::default() }
     }
 
-    /// So much is done, and this is next.
+    /// Displays the work done so far, in the caller's unit, and the name of the next item.
     pub fn tell(&self, done: f64, next: String) {
         self.bar.set_position((PARTS * done) as u64);
         if self.bar.is_hidden() {
@@ -33,17 +33,17 @@ impl Progress {
         self.bar.set_message(next);
     }
 
-    /// So much more is done.
+    /// Adds work that is done, in the caller's unit.
     pub fn advance(&self, by: f64) {
         self.bar.inc((PARTS * by) as u64);
     }
 
-    /// Where it is, in the unit of the work.
+    /// Returns the work done so far, in the caller's unit.
     pub fn done(&self) -> f64 {
         self.bar.position() as f64 / PARTS
     }
 
-    /// All is done; gives the time since the start.
+    /// Ends the display. Returns the time since the start.
     pub fn end(self) -> Duration {
         self.bar.finish_and_clear();
         self.bar.elapsed()

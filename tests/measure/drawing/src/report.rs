@@ -1,28 +1,28 @@
-//! What the figures say: for each scene and method the cheapest setting that meets the tolerance, as Markdown.
+//! Writes the report of a sweep as Markdown: for each scene and method the cheapest setting that meets the tolerance.
 
 use crate::plot::axis::short_time;
 use measure::method::Setting;
 use measure::sweep::{Absent, Outcome, Point, Subject, Sweep};
 use std::fmt::Write;
 
-/// Times nearer to each other than this are the same: the next run may have them the other way round.
+/// Greatest ratio of two times that count as equal, dimensionless: another run may order them the other way round.
 const ALIKE: f64 = 1.15;
 
-/// What a method makes of a scene of a size.
+/// Outcome of a method for a scene of one size.
 #[derive(Debug, Clone, Copy)]
 pub enum Best<'a> {
-    /// The cheapest setting that meets the tolerance.
+    /// Some setting meets the tolerance. Holds the point of the cheapest one.
     Meets(&'a Point),
-    /// No setting does; the one with the least error.
+    /// No setting meets the tolerance. Holds the point with the least error.
     Misses(&'a Point),
-    /// All runs failed.
+    /// All runs failed. Holds the point of one of them.
     Failed(&'a Point),
-    /// There is no run.
+    /// The method has no run.
     Absent,
 }
 
 impl<'a> Best<'a> {
-    /// Of a method, for a scene of a size.
+    /// Returns the outcome of a method for a scene of a size.
     pub fn of(points: &'a [Point], subject: &Subject, size: usize, method: &str) -> Self {
         let points: Vec<&Point> = points_of(points, subject, size, method).collect();
         let good = points.iter().copied().filter(|point| point.meets(subject.tolerance));
@@ -36,13 +36,13 @@ impl<'a> Best<'a> {
         }
     }
 
-    /// CPU time in µs for each simulated second, if the tolerance is met.
+    /// Returns the CPU time in µs per simulated second, if the tolerance is met; `None` otherwise.
     pub fn time(self) -> Option<f64> {
         if let Best::Meets(point) = self { Some(point.microseconds_per_simulated_second) } else { None }
     }
 }
 
-/// The points of a method in a scene of a size.
+/// Returns the points of a method for a scene of a size.
 fn points_of<'a>(
     points: &'a [Point],
     subject: &Subject,
@@ -54,30 +54,30 @@ fn points_of<'a>(
         .filter(move |point| point.scene == subject.name && point.size == size && point.method == method)
 }
 
-/// The point that takes the least time; of those that take hardly more, the first.
+/// Returns the point with the least time. Of points with about the same time, returns the first one.
 fn cheapest<'a>(points: impl Iterator<Item = &'a Point> + Clone) -> Option<&'a Point> {
     let time = |point: &Point| point.microseconds_per_simulated_second;
     let least = points.clone().map(time).min_by(f64::total_cmp)?;
     points.into_iter().find(|point| time(point) <= ALIKE * least)
 }
 
-/// What a report is about.
+/// Content of a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
-    /// The heading.
+    /// Heading of the report.
     pub title: &'a str,
-    /// What to say first, such as where the figures come from.
+    /// Lines below the heading, as names and values, such as the origin of the figures.
     pub origin: &'a [(&'static str, String)],
-    /// The scenes.
+    /// Scenes, one section each.
     pub subjects: &'a [Subject],
-    /// Methods in order, with what is recommended for each.
+    /// Methods in order, each with its recommended setting.
     pub methods: &'a [(&'static str, Setting)],
-    /// The figures.
+    /// Measured points of all runs, and the methods that could not be run.
     pub sweep: &'a Sweep,
 }
 
 impl Report<'_> {
-    /// The report as Markdown. Pictures are named as [`picture`] says.
+    /// Returns the report as Markdown. [`picture`] gives the names of the linked charts.
     pub fn markdown(&self) -> String {
         let mut text = format!("# {}\n\n", self.title);
         for (name, value) in self.origin {
@@ -123,7 +123,7 @@ impl Report<'_> {
         }
     }
 
-    /// Setting, error, time and ratio of a row; no row for what was not run.
+    /// Returns the cells of a row: setting, error, time, and ratio to the `least` time. `None` if the method was not run.
     fn cells(&self, best: Best<'_>, least: Option<f64>) -> Option<[String; 4]> {
         let none = || "-".to_owned();
         match best {
@@ -144,16 +144,16 @@ impl Report<'_> {
         }
     }
 
-    /// Whether nothing cheaper was tried with the method.
+    /// Returns whether no setting was run that is cheaper than this one.
     fn is_least_tried(&self, best: &Point) -> bool {
         let is_rival =
             |point: &&Point| (point.scene, point.size, point.method) == (best.scene, best.size, best.method);
         let time = |point: &Point| point.microseconds_per_simulated_second;
-        // What has no time is not cheaper either.
+        // A run without a measured time does not count as cheaper.
         !self.sweep.points.iter().filter(is_rival).any(|point| ALIKE * time(point) < time(best))
     }
 
-    /// How many runs failed, of how many, and why.
+    /// Returns as text how many runs failed, of how many, and why.
     fn failed_runs(&self, subject: &Subject, size: usize, method: &str) -> String {
         let points = points_of(&self.sweep.points, subject, size, method);
         let mut reasons: Vec<&str> = Vec::new();
@@ -174,12 +174,12 @@ impl Report<'_> {
 const HOW_TO_READ: &str = "
 `1/60 s x 5` are steps of 1/60 s with 5 iterations of the solver each; those of rapier and Box2D are substeps. CPU
 times are of the steps alone, medians of runs that took turns in one process (how many is in `figures.csv`). Of settings that take about as long
-(within 15 %) the first that is tried is named. `<=`: none that was tried is cheaper, and one that was not might do as
-well. *Italics*: no setting meets the tolerance; the one with the least error is given. In the charts a line joins the
-settings of a method that are worth their time; crosses above are runs that failed.
+(within 15 %) the first that is tried is named. `<=`: no setting that was tried is cheaper; an untried one may suffice.
+*Italics*: no setting meets the tolerance; the one with the least error is given. In the charts a line joins the
+settings that no cheaper setting of the method equals; crosses above are failed runs.
 ";
 
-/// Two digits that count.
+/// Returns an error as text, with two significant digits.
 fn short_error(error: f64) -> String {
     if error != 0.0 && !(1e-3..1e5).contains(&error) {
         return format!("{error:.1e}");
@@ -188,7 +188,7 @@ fn short_error(error: f64) -> String {
     if error == 0.0 { "0".to_owned() } else { format!("{error:.digits$}") }
 }
 
-/// The file of a scene's chart, without what says its kind.
+/// Returns the file name of a scene's chart, without the extension.
 pub fn picture(subject: &Subject) -> String {
     subject.name.replace('.', "_")
 }
@@ -201,7 +201,7 @@ fn add(text: &mut String, what: std::fmt::Arguments<'_>) {
 mod tests {
     use super::*;
 
-    /// Points of one method with these times in µs and errors; failed where the error is not finite.
+    /// Returns points of one method with these times (µs) and errors. A point has failed if its error is not finite.
     fn points(values: &[(f64, f64)]) -> Vec<Point> {
         let point = |&(microseconds_per_simulated_second, error): &(f64, f64)| Point {
             scene: "drop",
@@ -228,20 +228,20 @@ mod tests {
     }
 
     #[test]
-    fn of_settings_that_take_about_as_long_the_first_is_the_cheapest() {
+    fn among_settings_of_about_equal_time_the_first_is_the_cheapest() {
         let points = points(&[(22.0, 0.5), (20.0, 0.5), (10.0, 2.0)]);
         assert_eq!(Best::of(&points, &subject(), 5, "ours").time(), Some(22.0));
     }
 
     #[test]
-    fn where_no_setting_meets_the_tolerance_the_least_error_is_told() {
+    fn without_a_setting_within_the_tolerance_the_least_error_is_reported() {
         let points = points(&[(22.0, 5.0), (20.0, 3.0), (10.0, f64::INFINITY)]);
         assert!(
             matches!(Best::of(&points, &subject(), 5, "ours"), Best::Misses(point) if point.error == 3.0)
         );
     }
 
-    /// The report of one method's points.
+    /// Returns the report of one method's points as Markdown.
     fn report(points: Vec<Point>) -> String {
         let sweep = Sweep { points, absent: Vec::new() };
         let methods = [("ours", Setting::fixed(0.01, 5))];
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn a_report_tells_how_many_runs_failed_and_why() {
+    fn a_report_counts_the_failed_runs_and_gives_the_reasons() {
         assert!(report(points(&[(10.0, f64::INFINITY), (20.0, 0.5)])).contains("| 1 of 2: flew off |"));
     }
 }

@@ -1,4 +1,4 @@
-//! What came of sleep as text: the report.
+//! Writes the report of the measurements of sleep, as text.
 
 use crate::measuring::Origin;
 use measure::sleep::heaps::{HEAP, HeapsFigures};
@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 const NEVER: &str = "never";
 
-/// The report in Markdown: where the figures come from, heaps that sleep, and a pyramid that is pushed.
+/// Returns the report in Markdown: the origin of the figures, heaps that sleep, and a pyramid that is pushed.
 pub fn report(origin: &Origin, heaps: &[HeapsFigures], pushes: &[PushFigures]) -> String {
     let mut text = String::from("# Sleep, beside the peers\n\n");
     for (name, value) in origin {
@@ -43,8 +43,8 @@ fn heaps_section(heaps: &[HeapsFigures]) -> String {
 fn pushes_section(pushes: &[PushFigures]) -> String {
     let boxes = pushes.first().map_or(0, |first| first.boxes);
     let mut text = format!(
-        "\n## A push\n\nA pyramid of {boxes} boxes that sleeps; the outermost of its lowest row is pushed inwards. At rest is \
-         what moves by less than {REST} px/s, asleep what the engine says is.\n\n\
+        "\n## A push\n\nA pyramid of {boxes} boxes that sleeps; the outermost of its lowest row is pushed inwards. At rest: \
+         no point moves faster than {REST} px/s. Asleep: as the engine reports.\n\n\
          | push, m/s | | awake after a step | at most | fallen | at rest again after s | asleep again after s |\n\
          |---:|---|---:|---:|---:|---:|---:|\n"
     );

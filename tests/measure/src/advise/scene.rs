@@ -1,4 +1,4 @@
-//! Advice on a scene of the format that the tests have.
+//! Advice on a scene in the format of the conformance tests.
 
 use super::{Advice, Asked, advise};
 use conformance::run::Run;
@@ -6,7 +6,7 @@ use conformance::scene::{NarrowPhase, Scene};
 use farseer_core::math::Vector2;
 use farseer_core::{Methods, PhysicsSimulator};
 
-/// What is asked of a scene by itself: its length, its step, its iterations.
+/// Returns the settings of [`advise`] that a scene implies: length unit, time step and iterations.
 pub fn asked_of(scene: &Scene) -> Asked {
     let iterations = scene.simulator.solver.iterations.and_then(|count| u32::try_from(count).ok());
     let asked = Asked::default();
@@ -18,15 +18,15 @@ pub fn asked_of(scene: &Scene) -> Asked {
     }
 }
 
-/// [`advise`] on a scene.
+/// Runs [`advise`] on a scene in the format of the conformance tests.
 ///
 /// # Errors
 ///
-/// As [`advise`]; a scene that cannot be built, or in which something is done between updates.
+/// [`advise`] fails, the scene cannot be built, or its script acts between updates.
 pub fn advise_on(scene: &Scene, asked: &Asked) -> Result<Advice, String> {
     if !scene.script.is_empty() || scene.scaled_by.is_some() || scene.dt_real != 0.0 {
         return Err(format!(
-            "{}: it has a script, or a time of its own: what is done between updates cannot be repeated with other steps",
+            "{}: it has a script or scales its time: actions between updates cannot be repeated with other steps",
             scene.name
         ));
     }

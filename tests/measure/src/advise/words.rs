@@ -1,17 +1,17 @@
-//! Advice as a table and as a sentence.
+//! Writes advice as a table and as sentences.
 
 use super::{Advice, Choice, Verdict};
 use crate::method::Setting;
 use crate::sweep::Outcome;
 
 impl Advice {
-    /// What came of each choice, as a table of Markdown.
+    /// Returns the outcome of each choice as a Markdown table.
     pub fn table(&self) -> String {
-        let head = "| methods | µs per simulated second | overlap | joint gap | unrest | displacement | way | energy | |\n\
+        let head = "| methods | µs per simulated second | overlap | joint gap | rest speed | displacement | path error | energy | |\n\
                     |---|---|---|---|---|---|---|---|---|\n";
         let rows = self.verdicts.iter().map(|verdict| self.row(verdict));
         let absent = self.absent.iter().map(|(choice, reason)| {
-            format!("| {} | | | | | | | | {reason} |\n", called(choice, choice.setting(&self.asked)))
+            format!("| {} | | | | | | | | {reason} |\n", label_of(choice, choice.setting(&self.asked)))
         });
         head.to_owned() + &rows.chain(absent).collect::<String>()
     }
@@ -23,19 +23,19 @@ impl Advice {
         let is_best = self.recommended() == Some(verdict);
         format!(
             "| {} | {:.0} | {} | {} | {} | {} | {} | {energy} | {} |\n",
-            called(&verdict.choice, verdict.setting),
+            label_of(&verdict.choice, verdict.setting),
             verdict.microseconds_per_simulated_second,
             short(found.overlap),
             short(found.gap),
             told(found.unrest),
             told(found.displacement),
             told(found.stray),
-            if is_best { "**take this**".to_owned() } else { self.judged(verdict) }
+            if is_best { "**take this**".to_owned() } else { self.judgement(verdict) }
         )
     }
 
-    /// What is to be said of a choice, in a few words.
-    fn judged(&self, verdict: &Verdict) -> String {
+    /// Returns the judgement of a choice in a few words: exact enough, or the worst error.
+    fn judgement(&self, verdict: &Verdict) -> String {
         let (what, worst) = verdict.findings.worst(&self.asked);
         match verdict.outcome {
             Outcome::Failed(reason) if verdict.findings.fallen > 0 => {
@@ -43,27 +43,27 @@ impl Advice {
             }
             Outcome::Failed(reason) => reason.to_owned(),
             Outcome::Fine if worst <= 1.0 => "exact enough".to_owned(),
-            Outcome::Fine => format!("{what}: {} times what is exact enough", short(worst)),
+            Outcome::Fine => format!("{what}: {} times the tolerance", short(worst)),
         }
     }
 
-    /// What to take, and why.
+    /// Returns a sentence that names the recommended choice and the reason.
     pub fn sentence(&self) -> String {
         let Some(best) = self.recommended() else { return self.regret() };
         let time = |verdict: &Verdict| verdict.microseconds_per_simulated_second;
-        let name = |verdict: &Verdict| called(&verdict.choice, verdict.setting);
+        let name = |verdict: &Verdict| label_of(&verdict.choice, verdict.setting);
         let is_refused = |other: &&Verdict| time(other) < time(best) && !other.is_exact_enough(&self.asked);
         let cheaper = self.verdicts.iter().filter(is_refused);
         let refused: Vec<String> =
-            cheaper.map(|other| format!("{} ({})", name(other), self.judged(other))).collect();
+            cheaper.map(|other| format!("{} ({})", name(other), self.judgement(other))).collect();
         let why = if refused.is_empty() {
             "nothing that is exact enough takes clearly less".to_owned()
         } else {
-            format!("what else takes less is not: {}", refused.join("; "))
+            format!("cheaper choices are not exact enough: {}", refused.join("; "))
         };
         let (what, worst) = best.findings.worst(&self.asked);
         format!(
-            "Take {}: {:.0} µs for each simulated second, and its worst, {what}, is {} of what would be exact enough; {why}.",
+            "Take {}: {:.0} µs for each simulated second, and its greatest error, {what}, is {} of the tolerance; {why}.",
             name(best),
             time(best),
             short(worst)
@@ -75,21 +75,21 @@ impl Advice {
         let worst = |verdict: &Verdict| verdict.findings.worst(&self.asked);
         match fine.min_by(|a, b| worst(a).1.total_cmp(&worst(b).1)) {
             Some(least) => format!(
-                "Nothing is exact enough; the least wrong is {}: {}.",
-                called(&least.choice, least.setting),
-                self.judged(least)
+                "Nothing is exact enough; the smallest error is that of {}: {}.",
+                label_of(&least.choice, least.setting),
+                self.judgement(least)
             ),
             None => "Nothing is exact enough: everything fails.".to_owned(),
         }
     }
 
-    /// What the figures are of.
+    /// Returns notes on how the figures of the advice were measured.
     pub fn notes(&self) -> String {
         let Advice { asked, movable, resting, predictable, .. } = self;
         format!(
-            "{:.2} s in steps of {} s; {resting} of {movable} bodies come to rest in places that can be told, and ways can be \
-             told for {predictable:.2} s. Exact enough: overlap and joint gap {tolerance}, unrest {} per s, displacement and way \
-             {}, energy 10 %.",
+            "{:.2} s in steps of {} s; {resting} of {movable} bodies come to rest in predictable positions, and paths are \
+             predictable for {predictable:.2} s. Exact enough: overlap and joint gap {tolerance}, rest speed {} per s, displacement and path \
+             error {}, energy 10 %.",
             asked.seconds,
             Setting::fixed(asked.dt, 1).dt.label(),
             short(5.0 * asked.tolerance),
@@ -99,12 +99,12 @@ impl Advice {
     }
 }
 
-/// What a reader calls a choice.
-fn called(choice: &Choice, setting: Setting) -> String {
+/// Returns the name of a choice, with its setting, for readers.
+fn label_of(choice: &Choice, setting: Setting) -> String {
     format!("{}, {}", choice.name, setting.label())
 }
 
-/// Three digits, as far as they matter.
+/// Returns a number as text with up to three significant digits.
 fn short(value: f64) -> String {
     match value.abs() {
         size if size >= 100.0 => format!("{value:.0}"),

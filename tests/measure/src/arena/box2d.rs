@@ -1,4 +1,4 @@
-//! Scenes in Box2D 3, on one thread, with all that a scene does not say as it is by default.
+//! Scenes of the arena in Box2D 3, on one thread. All settings that a scene does not give have Box2D's default.
 
 use super::engine::{Counters, DT, Engine, Result, SUBSTEPS, State};
 use super::scene::{Body, Filter, Form, Joint, Kind, Point, Scene, Shape};
@@ -7,7 +7,7 @@ use boxdd::{
     WorldTransform, shapes,
 };
 
-/// A scene in Box2D.
+/// A scene of the arena in a Box2D world.
 pub(super) struct Box2d {
     world: boxdd::World,
     bodies: Vec<BodyId>,
@@ -103,7 +103,7 @@ impl Engine for Box2d {
     fn counters(&mut self) -> Result<Counters> {
         let counters = self.world.counters()?;
         let pairs = counters.awake_contact_count;
-        // Contacts that the step ended may be among the recycled ones.
+        // The recycled contacts may include contacts that the step ended, so the difference may be negative.
         let manifolds = (pairs - counters.recycled_contact_count).max(0);
         Ok(Counters {
             pairs: usize::try_from(pairs)?,
@@ -136,7 +136,7 @@ fn add_shape(body: &mut boxdd::Body<'_>, shape: &Shape) -> Result<()> {
                 &shapes::polygon_from_points(corners.iter().copied(), *radius)?,
             )?;
         }
-        // The free side of a chain is on its right there.
+        // In Box2D a chain collides on its right side, in the direction of its points.
         Form::Chain { points, is_loop: true } => {
             let chain = ChainDef::builder().points(points.iter().rev().copied()).is_loop(true);
             body.create_chain(&chain.filter(filter).single_material(&surface).build()?)?;
@@ -151,7 +151,7 @@ fn add_shape(body: &mut boxdd::Body<'_>, shape: &Shape) -> Result<()> {
 }
 
 fn filter(Filter { category, mask, group }: Filter) -> Result<boxdd::Filter> {
-    // Shapes of one negative group do not meet.
+    // In Box2D shapes of one negative group do not collide.
     let group_index = -i32::try_from(group)?;
     let mask_bits = if mask == u32::MAX { u64::MAX } else { u64::from(mask) };
     Ok(boxdd::Filter { category_bits: u64::from(category), mask_bits, group_index })

@@ -1,4 +1,4 @@
-//! The interface of an engine that plays scenes.
+//! Interface of an engine that runs scenes of the arena.
 
 use super::ours::Ours;
 use super::scene::{Body, Joint, Point, Scene};
@@ -6,83 +6,84 @@ use std::error::Error;
 
 /// Length of a step in s.
 pub const DT: f32 = 1.0 / 60.0;
-/// Substeps of a step, as the authors of all engines recommend.
+/// Number of substeps per step, recommended by the authors of all engines.
 pub(super) const SUBSTEPS: u8 = 4;
 
-/// A refusal of an engine.
+/// Result of a call to an engine; the error is the engine's reason for refusal.
 pub type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// The state of a body.
+/// State of a body: position, angle and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
-    /// Centre of mass in m; of a static or kinematic body its origin.
+    /// Centre of mass in m, y up; for static and kinematic bodies the origin of the body.
     pub position: Point,
-    /// In rad, anticlockwise, from -pi to pi.
+    /// Angle in rad, anticlockwise, from -pi to pi.
     pub angle: f32,
-    /// In m/s.
+    /// Velocity of the centre of mass in m/s, y up.
     pub velocity: Point,
-    /// In rad/s.
+    /// Angular velocity in rad/s, anticlockwise.
     pub spin: f32,
 }
 
-/// The work of one step.
+/// Counters of the work in one step.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Pairs of shapes that the narrow phase looked at.
+    /// Number of pairs of shapes that the narrow phase tested.
     pub pairs: usize,
-    /// Pairs whose manifold was computed anew, not recycled.
+    /// Number of pairs whose manifold was recomputed, not recycled.
     pub manifolds: usize,
-    /// Fat AABBs that shapes had left; nothing if the engine does not tell.
+    /// Number of shapes that left their fat AABB, so that it was recomputed; `None` if the engine does not count them.
     pub aabbs: Option<usize>,
-    /// Dynamic bodies that are awake; in Box2D kinematic ones too.
+    /// Number of awake dynamic bodies; in Box2D awake kinematic bodies count, too.
     pub awake: usize,
 }
 
-/// An engine with a scene in it. Bodies and joints are named by their order of creation, also after others have gone.
+/// An engine with a scene. Bodies and joints are given by index in the order of creation; removal of others does not change
+/// an index.
 ///
 /// # Errors
-/// Every method fails with what the engine refuses: a number, a shape, an object that is not there, a step.
+/// Every method returns an error if the engine refuses a number, a shape, a missing object, or a step.
 pub trait Engine {
-    /// Adds a body.
+    /// Adds a body with its shapes; its index is the number of bodies added before.
     fn add_body(&mut self, body: &Body) -> Result<()>;
 
-    /// Adds a joint; `bodies` are the two that it names.
+    /// Adds a joint; `bodies` describes the two bodies that it connects, in the order of `joint.bodies`.
     fn add_joint(&mut self, joint: &Joint, bodies: [&Body; 2]) -> Result<()>;
 
-    /// Removes a body, which no joint holds any more.
+    /// Removes a body. All joints of the body must have been removed before.
     fn remove_body(&mut self, index: usize) -> Result<()>;
 
-    /// Removes a joint.
+    /// Removes a joint, given by index.
     fn remove_joint(&mut self, index: usize) -> Result<()>;
 
-    /// Lets the next step bring a kinematic body to a position at angle 0.
+    /// Sets the velocity of a kinematic body so that the next step moves it to `position` (m, y up) with angle 0.
     fn move_to(&mut self, index: usize, position: Point) -> Result<()>;
 
-    /// Makes a step of [`DT`].
+    /// Advances the scene by a step of [`DT`] s.
     fn step(&mut self) -> Result<()>;
 
-    /// The state of a body; NaN if the engine does not tell.
+    /// Returns the state of a body; all numbers are NaN if the engine does not return it.
     fn state(&mut self, index: usize) -> State;
 
-    /// The work of the last step.
+    /// Returns the counters of the last step.
     fn counters(&mut self) -> Result<Counters>;
 }
 
-/// An engine that scenes can be played in.
+/// An engine with the function that creates it.
 #[derive(Debug, Clone, Copy)]
 pub struct EngineEntry {
-    /// Its name.
+    /// Name of the engine in tables.
     pub name: &'static str,
-    /// An empty world with the scene's gravity and rules.
+    /// Creates an empty world with the gravity, sleep and friction rules of a scene.
     pub create: fn(&Scene) -> Result<Box<dyn Engine>>,
 }
 
-/// Name of the engine of this workspace.
+/// Name of the engine of this workspace in tables.
 pub const OURS: &str = "precise set";
-/// Name of Box2D.
+/// Name of Box2D in tables.
 pub const BOX2D: &str = "Box2D";
 
-/// The engine of this workspace, and with the feature `peers` Box2D.
+/// Returns the engine of this workspace and, with the feature `peers`, Box2D.
 pub fn engines() -> Vec<EngineEntry> {
     vec![
         EngineEntry { name: OURS, create: |scene| Ok(Box::new(Ours::new(scene)?)) },

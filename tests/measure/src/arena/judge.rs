@@ -1,4 +1,4 @@
-//! The verdict on a state, by the same geometry for every engine: overlaps, joint gaps, escapes, energy.
+//! Measurement of a state by the same geometry for every engine: overlaps, joint gaps, escaped bodies, energy.
 
 use super::engine::State;
 use super::play::Play;
@@ -7,38 +7,38 @@ use crate::penetration::depth::{Form as Piece, depth};
 use crate::world::turned;
 use std::collections::BTreeSet;
 
-/// Shapes that are no further apart than this touch, in m: Box2D's linear slop.
+/// Greatest distance in m at which two shapes count as touching: Box2D's linear slop.
 const TOUCH: f64 = 0.005;
 
-/// The judged state of a scene. Bodies are dynamic ones.
+/// Measured state of a scene. Bodies are dynamic bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Verdict {
-    /// Number of bodies that are there.
+    /// Number of dynamic bodies that exist.
     pub bodies: usize,
-    /// Bodies with a state that is not finite; no other figure counts these.
+    /// Number of dynamic bodies with a state that is not finite; all other figures omit them.
     pub not_finite: usize,
-    /// Bodies beyond the bounds of the scene.
+    /// Number of dynamic bodies outside of the bounds of the scene.
     pub escaped: usize,
-    /// Pairs of convex pieces that touch.
+    /// Number of pairs of convex pieces that touch or overlap.
     pub contacts: usize,
-    /// Deepest overlap of two pieces in m, 0 or more.
+    /// Greatest overlap depth of two convex pieces in metres, >= 0.
     pub deepest: f64,
-    /// Mean overlap of the pairs that touch in m; negative where most are a little apart.
+    /// Mean overlap depth in metres of the pairs that touch; negative if most of these are slightly apart.
     pub mean_overlap: f64,
-    /// Greatest distance in m of the two points that a joint holds together.
+    /// Greatest distance in metres between the two anchors of a joint.
     pub gap: f64,
-    /// Greatest speed in m/s.
+    /// Greatest speed of a centre of mass in m/s.
     pub speed: f64,
-    /// Kinetic energy in J.
+    /// Kinetic energy of all dynamic bodies in J (kg m²/s²).
     pub energy: f64,
-    /// Mean and greatest height of centres of mass in m.
+    /// Mean height (y) of the centres of mass in metres.
     pub height: f64,
-    /// See [`height`](Self::height).
+    /// Greatest height (y) of a centre of mass in metres.
     pub highest: f64,
 }
 
 impl Verdict {
-    /// Whether the state is finite and within limits.
+    /// Returns whether the state of all bodies is finite and within `limits`.
     pub fn is_sound(&self, limits: &Limits) -> bool {
         (self.not_finite, self.escaped) == (0, 0)
             && self.deepest <= f64::from(limits.overlap)
@@ -47,7 +47,7 @@ impl Verdict {
     }
 }
 
-/// A convex piece of a shape in the world, and its AABB.
+/// A convex piece of a shape in world coordinates (m), with the least and greatest x and y of its AABB.
 struct Placed {
     body: usize,
     is_dynamic: bool,
@@ -57,7 +57,7 @@ struct Placed {
     y: (f64, f64),
 }
 
-/// Judges a state.
+/// Measures the present state of a scene.
 pub fn judge(play: &mut Play<'_>) -> Verdict {
     let mut states = Vec::with_capacity(play.bodies.len());
     for (index, body) in play.bodies.iter().enumerate() {
@@ -68,7 +68,7 @@ pub fn judge(play: &mut Play<'_>) -> Verdict {
     for (index, (body, state)) in play.bodies.iter().zip(&states).enumerate() {
         let (Some(body), Some(state)) = (body, state) else { continue };
         if body.kind == Kind::Dynamic {
-            verdict.see(body, state, play.scene.limits.bounds);
+            verdict.observe(body, state, play.scene.limits.bounds);
         }
         if is_finite(state) {
             body.shapes.iter().for_each(|shape| place(index, body, shape, state, &mut placed));
@@ -84,12 +84,12 @@ pub fn judge(play: &mut Play<'_>) -> Verdict {
         verdict.gap = verdict.gap.max((one[0] - two[0]).hypot(one[1] - two[1]));
     }
     let joined = play.joints.iter().flatten().map(|joint| sorted(joint.bodies)).collect();
-    verdict.see_overlaps(placed, &joined);
+    verdict.measure_overlaps(placed, &joined);
     verdict
 }
 
 impl Verdict {
-    fn see(&mut self, body: &Body, state: &State, bounds: Option<[Point; 2]>) {
+    fn observe(&mut self, body: &Body, state: &State, bounds: Option<[Point; 2]>) {
         self.bodies += 1;
         if !is_finite(state) {
             self.not_finite += 1;
@@ -107,9 +107,9 @@ impl Verdict {
         (self.height, self.highest) = (self.height + height, self.highest.max(height));
     }
 
-    /// Sweeps along x. Pieces of one body, of bodies that are not dynamic, of a filtered pair and of two that a joint holds
-    /// do not meet.
-    fn see_overlaps(&mut self, mut placed: Vec<Placed>, joined: &BTreeSet<[usize; 2]>) {
+    /// Counts touching pairs and measures overlap depths; a sweep along x finds the pairs. It skips two pieces of one body,
+    /// of two bodies that are not dynamic, of a filtered pair, and of two bodies with a joint.
+    fn measure_overlaps(&mut self, mut placed: Vec<Placed>, joined: &BTreeSet<[usize; 2]>) {
         placed.sort_by(|one, other| one.x.0.total_cmp(&other.x.0));
         let mut sum = 0.0;
         for (index, one) in placed.iter().enumerate() {
@@ -150,7 +150,8 @@ fn place(index: usize, body: &Body, shape: &Shape, state: &State, placed: &mut V
     }
 }
 
-/// A shape as convex pieces: overlaps deeper than its radius may seem as deep as that.
+/// Returns a shape as convex pieces in local coordinates of its body, in m. If a rounded shape overlaps by more than its
+/// radius, the measured depth may be no more than the radius, since depth is measured per piece.
 fn pieces(form: &Form) -> Vec<Piece> {
     let polygon = |corners: &[Point]| {
         Piece::polygon(&corners.iter().map(|corner| corner.map(f64::from)).collect::<Vec<_>>())
@@ -171,7 +172,8 @@ fn pieces(form: &Form) -> Vec<Piece> {
     }
 }
 
-/// The rim of a rounded outline: discs at its corners, and rectangles outside of its edges.
+/// Returns the rim of an outline with rounded corners as convex pieces: discs at the corners, and rectangles outside of the
+/// edges.
 fn rounded(corners: &[Point], radius: f32) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = corners.iter().map(|&corner| disc(corner, radius)).collect();
     for (index, &from) in corners.iter().enumerate() {

@@ -1,7 +1,7 @@
-//! The arena: the scenes of Box2D's own benchmark, which nobody of this workspace made, at any size in any engine.
+//! The arena: scenes of Box2D's benchmark, which are independent of this workspace, at any size in any engine.
 //!
-//! [`scenes()`] describes them once for all [`engines()`], [`Play`] plays one in an engine, [`judge()`] judges what it came to by the
-//! same geometry for every engine, and [`run`] times engines by turns.
+//! [`scenes()`] describes the scenes once for all [`engines()`]. [`Play`] runs a scene in an engine, and [`judge()`]
+//! measures its final state by the same geometry for every engine. [`run`] times engines by turns.
 
 #[cfg(feature = "peers")]
 mod box2d;

@@ -1,4 +1,4 @@
-//! Scenes in the 2D engine of this workspace, with its precise set: 32 px are one metre, and y points down.
+//! Scenes of the arena in the 2D engine of this workspace, with the precise set: 32 px are one metre, and y points down.
 
 use super::engine::{Counters, DT, Engine, Result, SUBSTEPS, State};
 use super::scene::{Body, Filter, Form, Joint, Kind, Point, Scene, Shape};
@@ -11,15 +11,16 @@ use farseer_core::{
 };
 use std::f32::consts::TAU;
 
-/// Edges of the outlines of circles and of the ends of capsules: of no meaning to the precise set, which knows them as round.
+/// Number of edges of the outlines of circles and of the ends of capsules. The precise set treats both as round, so the
+/// number has no effect on contacts.
 const EDGES: i32 = 16;
 
-/// A scene in a [`PhysicsSimulator`].
+/// A scene of the arena in a [`PhysicsSimulator`].
 pub(super) struct Ours {
     simulator: PhysicsSimulator,
     bodies: Vec<BodyId>,
     joints: Vec<(JointId, Option<SpringId>)>,
-    /// Dynamic bodies that are there.
+    /// Number of dynamic bodies that exist at present.
     dynamic_bodies: usize,
 }
 
@@ -38,7 +39,8 @@ impl Ours {
     fn add_shape(&mut self, body: BodyId, shape: &Shape) -> Result<()> {
         let geom = self.create_geom(body, &shape.form)?;
         let Filter { category, mask, group } = shape.filter;
-        // One mask is enough for two to meet here: shapes that meet everything ask for their own category alone.
+        // In our engine two shapes collide if one of the masks matches. So the mask of a shape that collides with all
+        // categories is reduced to the shape's own category.
         let mask = if mask == u32::MAX { category } else { mask };
         let surface = &mut self.simulator[geom];
         let [friction, restitution] = shape.mean_surface;
@@ -61,7 +63,7 @@ impl Ours {
                 let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
                 let height = (dx.hypot(dy) + 2.0 * radius) * METRE;
                 let centre = px([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
-                // Capsules stand upright unless they are turned.
+                // A capsule without rotation has its axis along y.
                 let placement = GeomPlacement::at(centre).turned(dx.atan2(dy));
                 GeomFactory::create_capsule_geom(simulator, body, height, radius * METRE, EDGES, placement)?
             }
@@ -82,8 +84,9 @@ impl Ours {
         })
     }
 
-    /// Two bodies that a joint holds do not collide; those of ragdolls are of one group already.
-    fn keep_apart(&mut self, [a, b]: [BodyId; 2]) -> Result<()> {
+    /// Disables collisions between two bodies that a joint connects. The bodies of one ragdoll need no such call, since they
+    /// are in one collision group.
+    fn ignore_collisions(&mut self, [a, b]: [BodyId; 2]) -> Result<()> {
         let [ours, theirs] = [a, b].map(|body| self.simulator.geoms_of(body).to_vec());
         for &one in &ours {
             for &other in &theirs {
@@ -93,7 +96,8 @@ impl Ours {
         Ok(())
     }
 
-    /// An angle spring with the stiffness and damping that a frequency and a damping ratio come to.
+    /// Creates an angle spring between the bodies of `joint`. Stiffness and damping follow from the frequency `hertz` (Hz),
+    /// the damping ratio and the moments of inertia.
     fn add_spring(&mut self, joint: &Joint, of: [&Body; 2], [hertz, ratio]: [f32; 2]) -> Result<SpringId> {
         let [a, b] = joint.bodies.map(|index| self.bodies[index]);
         let mobility: f32 = of.iter().filter(|body| body.inertia > 0.0).map(|body| 1.0 / body.inertia).sum();
@@ -109,7 +113,7 @@ impl Ours {
 impl Engine for Ours {
     fn add_body(&mut self, given: &Body) -> Result<()> {
         let is_dynamic = given.kind == Kind::Dynamic;
-        // Static and kinematic bodies have a mass too, which nothing feels.
+        // Static and kinematic bodies need a mass, too, which has no effect.
         let (mass, inertia) = if is_dynamic { (given.mass, given.inertia) } else { (1.0, 1.0) };
         let mut body = BodyFactory::create_body(mass, inertia * METRE * METRE)?;
         body.set_is_static(given.kind == Kind::Static);
@@ -130,12 +134,12 @@ impl Engine for Ours {
     fn add_joint(&mut self, joint: &Joint, of: [&Body; 2]) -> Result<()> {
         let bodies = joint.bodies.map(|index| self.bodies[index]);
         if of.iter().any(|body| body.kind == Kind::Static) {
-            self.keep_apart(bodies)?;
+            self.ignore_collisions(bodies)?;
         }
         let simulator = &mut self.simulator;
         let [a, b] = bodies;
         let id = JointFactory::create_revolute_joint(simulator, a, b, px(joint.anchor))?;
-        // y points down: angles change their signs.
+        // y points down in our engine, so angles change sign.
         if let Some([lower, upper]) = joint.limits {
             let [lower, upper] = [upper, lower].map(|angle| -(angle + joint.reference));
             simulator.set_joint_limits(id, Some(JointLimits { lower, upper }))?;

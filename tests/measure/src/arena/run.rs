@@ -1,4 +1,4 @@
-//! Scenes in all engines by turns: time per step, counters and the state at the end.
+//! Runs scenes of the arena in all engines by turns: time per step, counters, and the state at the end.
 
 use super::engine::{BOX2D, Counters, EngineEntry, OURS, Result};
 use super::judge::{Verdict, judge};
@@ -8,19 +8,20 @@ use super::scenes::SceneEntry;
 use crate::csv::table;
 use serde::Serialize;
 
-/// How much is run.
+/// Extent of a measurement: number of runs, and limit of CPU time.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
-    /// Whole runs of each engine; a step counts with the least of its times.
+    /// Number of complete runs of each engine; the time of a step is its minimum over these runs.
     pub turns: usize,
-    /// CPU time in s after which a run is left where it is.
+    /// CPU time in s after which a run is ended.
     pub budget: f64,
 }
 
-/// A scene at a size in an engine: the columns of a table.
+/// Figures of a scene at one size in an engine: one line of a table.
 ///
-/// CPU times in µs: of the first step, and mean and longest of the others that all engines made. Means over all steps of
-/// the [`Counters`]. The [`Verdict`] on the state at the end, lengths in m, speed in m/s and energy in J.
+/// Times are CPU times in µs: of the first step, and mean and longest of the later steps that all engines made. Counts are
+/// means per step of the [`Counters`]. All other figures are the [`Verdict`] on the state at the end: lengths in m, speed in
+/// m/s, energy in J.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "see above")]
 pub struct RunFigures {
@@ -49,10 +50,10 @@ pub struct RunFigures {
     pub state_ok: bool,
 }
 
-/// Plays a scene at a size in some engines by turns.
+/// Runs a scene at one size in some engines by turns, and returns the figures in the order of `engines`.
 ///
 /// # Errors
-/// Errors of an engine.
+/// An engine refuses a body, a joint or a step.
 pub fn run(
     entry: &SceneEntry,
     size: f32,
@@ -72,17 +73,18 @@ pub fn run(
     Ok(runs.iter().zip(engines).map(figures).collect())
 }
 
-/// The turns of an engine.
+/// Measurements of one engine over all turns.
 #[derive(Default)]
 struct Timed {
-    /// Least time of each step in s, of those that were made in all turns.
+    /// Least CPU time in s of each step over all turns, for the steps that every turn made.
     least: Vec<f64>,
     counters: Vec<Counters>,
     verdict: Verdict,
 }
 
 impl Timed {
-    /// Plays the whole scene. The first turn counts and judges as well: all turns come to the same.
+    /// Runs the scene until its last step or until the CPU time exceeds `budget` s. The first turn also reads counters and
+    /// judges the final state, which is the same in all turns.
     fn turn(&mut self, scene: &Scene, engine: EngineEntry, budget: f64) -> Result<()> {
         let mut play = Play::new(scene, engine)?;
         let is_first = self.least.is_empty();
@@ -145,7 +147,7 @@ impl Timed {
     }
 }
 
-/// To four significant digits.
+/// Rounds a value to four significant digits.
 fn rounded(value: f64) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
@@ -154,8 +156,8 @@ fn rounded(value: f64) -> f64 {
     (value * scale).round() / scale
 }
 
-/// The engine of this workspace beside the peers, at a size: mean and longest time of a step as multiples of theirs, the first
-/// step left out.
+/// Comparison of our engine with Box2D at one size: ratio of the mean times of a step, and of the longest times, without the
+/// first step. Dimensionless; `None` if Box2D was not run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "see above and at `RunFigures`")]
 pub struct Comparison {
@@ -167,7 +169,7 @@ pub struct Comparison {
     pub state_ok: bool,
 }
 
-/// One comparison a scene and size.
+/// Returns one comparison for each scene and size.
 pub fn comparisons(runs: &[RunFigures]) -> Vec<Comparison> {
     let beside = |ours: &RunFigures| {
         let is_same = |run: &&RunFigures| (run.scene, run.size, run.engine) == (ours.scene, ours.size, BOX2D);
@@ -184,7 +186,8 @@ pub fn comparisons(runs: &[RunFigures]) -> Vec<Comparison> {
     runs.iter().filter(|run| run.engine == OURS).map(beside).collect()
 }
 
-/// The exponent of time over bodies between two numbers of bodies: 1 if time grows as the number of bodies does.
+/// Exponent of the time per step as a power of the number of bodies, between two sizes: 1 if time is proportional to the
+/// number of bodies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "see above")]
 pub struct Growth {
@@ -195,7 +198,7 @@ pub struct Growth {
     pub exponent: f64,
 }
 
-/// Growth of each scene and engine between sizes that follow each other.
+/// Returns the growth of each scene and engine between neighbouring sizes.
 pub fn growth(runs: &[RunFigures]) -> Vec<Growth> {
     let next = |index: usize, run: &RunFigures| {
         runs[index + 1..].iter().find(|next| (next.scene, next.engine) == (run.scene, run.engine))
@@ -214,7 +217,7 @@ pub fn growth(runs: &[RunFigures]) -> Vec<Growth> {
     runs.iter().enumerate().filter_map(between).collect()
 }
 
-/// Figures as a table of comma-separated values.
+/// Returns rows as a table of comma-separated values, one line each.
 pub fn arena_csv(rows: &[impl Serialize]) -> String {
     table(rows)
 }

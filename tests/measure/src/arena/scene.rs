@@ -1,7 +1,7 @@
-//! The description of a scene, independent of the engine.
+//! Description of a scene of the arena, independent of the engine.
 //!
 //! Lengths are m, masses kg, times s, angles rad; y points up, as in Box2D's benchmark. A body's position is its centre of
-//! mass, and its shapes are given in its own axes about it. All bodies begin at angle 0.
+//! mass. Shapes are given in local coordinates about the centre of mass. All bodies start at angle 0.
 
 use crate::penetration::depth::hull;
 use std::f64::consts::PI;
@@ -9,19 +9,19 @@ use std::f64::consts::PI;
 /// A point or vector in m.
 pub type Point = [f32; 2];
 
-/// The type of a body.
+/// Type of a body: static, kinematic or dynamic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Kind {
-    /// It never moves.
+    /// The body never moves.
     #[default]
     Static,
-    /// It moves as it is told, whatever it meets.
+    /// The body moves with its given velocity; contacts and forces have no effect on it.
     Kinematic,
-    /// Forces and impulses move it.
+    /// Forces and impulses move the body.
     Dynamic,
 }
 
-/// The geometry of a shape in the axes of its body.
+/// Geometry of a shape in local coordinates of its body, in m.
 #[derive(Debug, Clone, PartialEq)]
 #[expect(missing_docs, reason = "the fields are lengths and points in m")]
 pub enum Form {
@@ -37,12 +37,14 @@ pub enum Form {
         half: Point,
         centre: Point,
     },
-    /// A convex polygon, corners anticlockwise, whose outline lies `radius` outside of its corners.
+    /// A convex polygon with anticlockwise corners, whose outline is rounded: it lies `radius` outside of the polygon of the
+    /// corners.
     Polygon {
         corners: Vec<Point>,
         radius: f32,
     },
-    /// Edges whose free side is on the left along the chain: a floor from left to right, a room anticlockwise.
+    /// A chain of edges that collides on one side alone: on the left in the direction of its points. A floor runs from left
+    /// to right, a room anticlockwise.
     Chain {
         points: Vec<Point>,
         is_loop: bool,
@@ -50,7 +52,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The convex hull of some points, rounded.
+    /// Creates the convex hull of `points` (m), rounded with `radius` (m).
     pub fn hull(points: &[Point], radius: f32) -> Self {
         let points: Vec<_> = points.iter().map(|point| point.map(f64::from)).collect();
         Form::Polygon {
@@ -59,7 +61,7 @@ impl Form {
         }
     }
 
-    /// The same, moved by a vector.
+    /// Returns this geometry translated by a vector in m.
     fn moved(self, [dx, dy]: Point) -> Self {
         let at = |[x, y]: Point| [x + dx, y + dy];
         let all = |points: Vec<Point>| points.into_iter().map(at).collect();
@@ -72,8 +74,8 @@ impl Form {
         }
     }
 
-    /// The corners of a polygon whose edges have moved outward by its radius; of a box its own. Corners stay sharp, as in
-    /// engines without rounded polygons.
+    /// Returns the corners in m, in local coordinates, of a box, or of a polygon whose edges are moved outward by its
+    /// radius. Corners are sharp, for engines without rounded polygons. Empty for other geometries.
     pub(super) fn sharp_corners(&self) -> Vec<Point> {
         match self {
             Form::Box { half: [x, y], centre: [cx, cy] } => {
@@ -84,7 +86,8 @@ impl Form {
         }
     }
 
-    /// Area in m², centroid in m, and second moment of area about the centroid in m⁴. A chain has no area.
+    /// Returns the area in m², the centroid in m, and the second moment of area about the centroid in m⁴. A chain has area
+    /// 0.
     fn area(&self) -> (f64, [f64; 2], f64) {
         match self {
             Form::Circle { centre, radius } => {
@@ -107,7 +110,7 @@ impl Form {
     }
 }
 
-/// A convex outline whose edges have moved outward.
+/// Returns a convex outline whose edges are moved outward by `by` m.
 fn grown(corners: &[Point], by: f32) -> Vec<Point> {
     let count = corners.len();
     let normal = |a: Point, b: Point| {
@@ -123,7 +126,8 @@ fn grown(corners: &[Point], by: f32) -> Vec<Point> {
     (0..count).map(corner).collect()
 }
 
-/// See [`Form::area`]: sums over the triangles that the edges make with the first corner.
+/// Returns area, centroid and second moment of area of a polygon as [`Form::area`]: sums over the triangles of each edge
+/// with the first corner.
 fn polygon_area(corners: &[Point]) -> (f64, [f64; 2], f64) {
     let first = corners[0].map(f64::from);
     let relative = |corner: Point| [f64::from(corner[0]) - first[0], f64::from(corner[1]) - first[1]];
@@ -139,19 +143,20 @@ fn polygon_area(corners: &[Point]) -> (f64, [f64; 2], f64) {
     (area, [first[0] + x, first[1] + y], moment - area * (x * x + y * y))
 }
 
-/// Which shapes meet: two whose masks both have the other's category, unless they are of one group.
+/// Collision filter of a shape. Two shapes collide if each mask contains the category of the other shape and they are not in
+/// one group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Filter {
-    /// One bit.
+    /// Category of the shape: a value with one bit set.
     pub category: u32,
-    /// Bits of categories.
+    /// Bits of all categories with which the shape collides.
     pub mask: u32,
-    /// 0 for none.
+    /// Number of the shape's collision group; 0 is no group.
     pub group: u32,
 }
 
 impl Filter {
-    /// Every shape that does not refuse category 1.
+    /// Filter of ordinary shapes: category 1, collides with all categories, no group.
     pub const DEFAULT: Filter = Filter { category: 1, mask: u32::MAX, group: 0 };
 
     pub(super) fn meets(self, other: Filter) -> bool {
@@ -160,83 +165,85 @@ impl Filter {
     }
 }
 
-/// A shape of a body.
+/// A shape of a body: geometry, density, surface and filter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
-    /// Its geometry.
+    /// Geometry of the shape in local coordinates of its body, in m.
     pub form: Form,
-    /// In kg/m².
+    /// Density in kg/m², >= 0.
     pub density: f32,
-    /// Coefficients of friction and restitution, for engines in which a pair has the geometric mean of both frictions and the
-    /// greater restitution, as in Box2D.
+    /// Coefficients of friction and restitution for engines that combine two surfaces as Box2D does: geometric mean of the
+    /// frictions, greater one of the restitutions.
     pub surface: [f32; 2],
-    /// The same for engines in which a pair has the mean of both, chosen so that pairs come out alike.
+    /// Coefficients of friction and restitution for engines that combine two surfaces by the mean. They are chosen so that
+    /// pairs in the scene get the same values as in Box2D.
     pub mean_surface: [f32; 2],
-    /// Which shapes it meets.
+    /// Collision filter of the shape.
     pub filter: Filter,
 }
 
 impl Shape {
-    /// A shape with Box2D's default density, friction and restitution.
+    /// Creates a shape with Box2D's default density, friction, restitution and filter.
     pub fn new(form: Form) -> Self {
         let surface = [0.6, 0.0];
         Shape { form, density: 1.0, surface, mean_surface: surface, filter: Filter::DEFAULT }
     }
 
-    /// A box about a point, given by half its extents.
+    /// Creates a box with the half extents `half` about the point `centre`, both in m.
     pub fn rectangle(half: Point, centre: Point) -> Self {
         Shape::new(Form::Box { half, centre })
     }
 
-    /// With a density in kg/m².
+    /// Returns this shape with a density in kg/m².
     pub fn with_density(self, density: f32) -> Self {
         Shape { density, ..self }
     }
 
-    /// With a coefficient of friction.
+    /// Returns this shape with a coefficient of friction.
     pub fn with_friction(mut self, friction: f32) -> Self {
         (self.surface[0], self.mean_surface[0]) = (friction, friction);
         self
     }
 
-    /// With a filter.
+    /// Returns this shape with a collision filter.
     pub fn with_filter(self, category: u32, mask: u32, group: u32) -> Self {
         Shape { filter: Filter { category, mask, group }, ..self }
     }
 }
 
-/// A body.
+/// A body with its initial state and its shapes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Body {
-    /// Its type.
+    /// Type of the body: static, kinematic or dynamic.
     pub kind: Kind,
-    /// Centre of mass in m; of a static or kinematic body its origin.
+    /// Initial centre of mass in m; for static and kinematic bodies the origin of the body.
     pub position: Point,
-    /// In m/s.
+    /// Initial velocity of the centre of mass in m/s.
     pub velocity: Point,
-    /// Angular velocity in rad/s, anticlockwise.
+    /// Initial angular velocity in rad/s, anticlockwise.
     pub spin: f32,
-    /// Share of the velocity lost per s.
+    /// Linear damping in 1/s: deceleration divided by velocity, >= 0.
     pub damping: f32,
-    /// Speed in m/s below which it may sleep, for engines that can be told; theirs if there is none.
+    /// Speed in m/s below which the body may fall asleep, for engines with such a setting; `None` for the engine's default.
     pub sleep_speed: Option<f32>,
-    /// Whether it begins asleep, for engines that can be told.
+    /// Whether the body is asleep at the start, for engines with such a setting.
     pub is_asleep: bool,
-    /// In kg; 0 unless the body is dynamic.
+    /// Mass in kg; 0 unless the body is dynamic.
     pub mass: f32,
     /// Moment of inertia about the centre of mass in kg m²; 0 unless the body is dynamic.
     pub inertia: f32,
-    /// Its shapes.
+    /// Shapes of the body.
     pub shapes: Vec<Shape>,
 }
 
 impl Body {
-    /// A static or kinematic body with its origin at a point.
+    /// Creates a static or kinematic body with its origin at `position`, in m.
     pub fn immovable(kind: Kind, position: Point, shapes: Vec<Shape>) -> Self {
         Body { kind, position, shapes, ..Body::default() }
     }
 
-    /// A dynamic body of some shapes, which are given about a point; it has the mass of these.
+    /// Creates a dynamic body whose mass and inertia follow from its shapes. Shapes are given relative to a point of the
+    /// world, in m, which need not be the centre of mass.
     pub fn dynamic([x, y]: Point, shapes: Vec<Shape>) -> Self {
         let areas: Vec<_> =
             shapes.iter().map(|shape| (f64::from(shape.density), shape.form.area())).collect();
@@ -244,7 +251,7 @@ impl Body {
         let moment =
             |axis: usize| areas.iter().map(|(density, (area, at, _))| density * area * at[axis]).sum::<f64>();
         let [cx, cy] = [moment(0) / mass, moment(1) / mass];
-        // Steiner's theorem.
+        // Parallel axis theorem: moments of inertia about the common centre of mass.
         let inertia = |(density, (area, [x, y], own)): &(f64, (f64, [f64; 2], f64))| {
             density * (own + area * ((x - cx).powi(2) + (y - cy).powi(2)))
         };
@@ -259,28 +266,29 @@ impl Body {
 /// A revolute joint between two bodies, which do not collide with each other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
-    /// Indices of the two bodies.
+    /// Indices of the two bodies, in the order of creation.
     pub bodies: [usize; 2],
-    /// Common point in m, in the world as the bodies are when the joint is made.
+    /// World position in m of the point that both bodies share, when the joint is made.
     pub anchor: Point,
-    /// Angle of the second body against the first from which the joint's angle counts, in rad.
+    /// Relative angle of the second body in rad at which the joint angle is 0.
     pub reference: f32,
-    /// Least and greatest angle in rad.
+    /// Least and greatest joint angle in rad; `None` for no limits.
     pub limits: Option<[f32; 2]>,
-    /// Speed in rad/s of the second body against the first, and greatest torque in N m.
+    /// Angular velocity in rad/s of the second body relative to the first that the motor seeks, and greatest torque in N m;
+    /// `None` for no motor.
     pub motor: Option<[f32; 2]>,
-    /// Frequency in Hz and damping ratio of a spring towards angle 0.
+    /// Frequency in Hz and damping ratio of a spring that pulls the joint angle to 0; `None` for no spring.
     pub spring: Option<[f32; 2]>,
 }
 
 impl Joint {
-    /// A joint without limits, motor and spring.
+    /// Creates a joint without limits, motor and spring; `anchor` is a world position in m.
     pub fn new(bodies: [usize; 2], anchor: Point) -> Self {
         Joint { bodies, anchor, reference: 0.0, limits: None, motor: None, spring: None }
     }
 }
 
-/// A change before a step. Bodies and joints are named by their order of creation.
+/// A change of the scene before a step. Bodies and joints are given by index in the order of creation.
 #[derive(Debug, Clone, PartialEq)]
 #[expect(missing_docs, reason = "the fields are indices, and a position in m")]
 pub enum Action {
@@ -288,58 +296,59 @@ pub enum Action {
     AddJoint(Joint),
     RemoveBody(usize),
     RemoveJoint(usize),
-    /// The step brings a kinematic body to a position.
+    /// Moves a kinematic body to the position `to` (m) within the step.
     Move {
         body: usize,
         to: Point,
     },
 }
 
-/// The actions before a step, by its number from 0.
+/// Function that returns the actions before a step, by the number of the step from 0.
 pub type Script = Box<dyn Fn(usize) -> Vec<Action>>;
 
-/// A state is sound if every number is finite and within these.
+/// Limits of a sound state: it is finite and exceeds none of these.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Limits {
-    /// Lowest and highest corner in m of the box that no body leaves; none where bodies may fall off.
+    /// Lowest and highest corner in m of the box that no body may leave; `None` where bodies may fall off.
     pub bounds: Option<[Point; 2]>,
-    /// Greatest speed in m/s.
+    /// Greatest speed of a body in m/s.
     pub speed: f32,
-    /// Deepest overlap of two shapes in m.
+    /// Deepest overlap of two shapes in metres.
     pub overlap: f32,
-    /// Greatest distance in m of the two points that a joint holds together.
+    /// Greatest distance in metres between the two anchors of a joint.
     pub gap: f32,
 }
 
-/// A scene.
+/// A scene of the arena: bodies, joints, gravity, and a script of changes.
 #[derive(Default)]
 #[expect(missing_debug_implementations, reason = "scripts have none")]
 pub struct Scene {
-    /// In m/s².
+    /// Gravity as a vector in m/s², y up.
     pub gravity: Point,
     /// Whether bodies at rest may sleep.
     pub sleeps: bool,
-    /// Whether the lesser friction of two comes to the same as their geometric mean, and the mean does not.
+    /// Whether our engine combines the frictions of a pair by the minimum. True where the minimum equals the geometric mean
+    /// of Box2D for all pairs, and the arithmetic mean does not.
     pub takes_lesser_friction: bool,
-    /// Number of steps.
+    /// Number of steps of a run.
     pub steps: usize,
-    /// The bodies it begins with.
+    /// Bodies at the start.
     pub bodies: Vec<Body>,
-    /// The joints it begins with.
+    /// Joints at the start.
     pub joints: Vec<Joint>,
-    /// Changes while it runs.
+    /// Function that returns changes before each step; `None` if there are none.
     pub script: Option<Script>,
-    /// Which states are sound.
+    /// Limits of a sound final state.
     pub limits: Limits,
 }
 
 impl Scene {
-    /// An empty scene with Box2D's default gravity.
+    /// Creates an empty scene with gravity 10 m/s² downwards, Box2D's default.
     pub(super) fn empty(steps: usize, limits: Limits) -> Self {
         Scene { gravity: [0.0, -10.0], sleeps: true, steps, limits, ..Scene::default() }
     }
 
-    /// Adds a body, and answers its index.
+    /// Adds a body and returns its index.
     pub(super) fn add(&mut self, body: Body) -> usize {
         self.bodies.push(body);
         self.bodies.len() - 1

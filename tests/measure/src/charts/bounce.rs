@@ -1,28 +1,29 @@
-//! Balls fall on the ground and bounce.
+//! Charts of balls that fall on the ground and bounce.
 
 use super::super::closed_forms::apex;
-use super::super::watch::{Largest, Watch, in_reach, worst};
+use super::super::watch::{Maximum, Watch, in_reach, worst};
 use super::super::world::World;
 use super::build::{GRAVITY, ground, stage};
 use super::signals::Peaks;
 use super::{ChartScene, ONE_SIZE};
 use conformance::scene::Scene;
 
-/// Where a ball lands within a step is luck, and so is what an engine makes of it: so many fall at once, and the
-/// worst one counts.
+/// Number of balls. The phase of a landing within a step is chance and affects the error; so several balls fall at once, and
+/// the worst one counts.
 const BALLS: usize = 8;
 const RADIUS: f64 = 16.0;
-/// A corner of the polygon points down, so that the ball does not begin to turn.
+/// Number of edges of a ball's polygon. One corner points down, so that the ball does not begin to turn.
 const EDGES: i32 = 16;
-/// From one ball to the next, in px: they never meet.
+/// Distance from one ball to the next along x, in px: balls never meet.
 const SPACING: f64 = 100.0;
-/// Of the first ball; the ground comes before it.
+/// Index of the first ball among the bodies; the ground is body 0.
 const FIRST: usize = 1;
 const REACH: f64 = 1e4;
 const TEN_THOUSAND_STEPS: f64 = 10_000.0 / 60.0;
-/// So much of its height a ball may gain in that time, as a share.
-const GAIN: f64 = 0.1;
-/// A bounce of the highest ball takes 2.36 s, and 2.47 s if it has gained all that: 65 of them end in time.
+/// Greatest fraction of its fall height that a ball may gain, dimensionless.
+const MAX_HEIGHT_GAIN: f64 = 0.1;
+/// Number of bounces that each ball must have made by the end. The highest ball takes 2.36 s per bounce, and 2.47 s if it has
+/// gained the greatest height allowed.
 const MANY_BOUNCES: i32 = 65;
 
 pub(super) fn scenes() -> Vec<ChartScene> {
@@ -36,7 +37,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |_| watch_apexes(1.0, 5, 15.0),
         error: "error of the height of the bounces",
         unit: "px",
-        // A twentieth of the lowest fall: a jump of a ball that a player knows still looks the same.
+        // A twentieth of the lowest fall height: a jump of a ball that a player knows still looks the same.
         tolerance: 8.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -49,7 +50,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             seconds: 3.0,
             watch: |_| watch_rest(),
             error: "height above or depth below the ground after the fall",
-            // A pixel is seen as resting; more is seen as floating or sunk.
+            // An error of a pixel looks like rest; a larger one looks like floating or sinking.
             tolerance: 1.0,
             ..bounce
         },
@@ -70,15 +71,15 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             watch: |_| watch_energy(),
             error: "loss of height, or gain",
             unit: "%",
-            // After three minutes of bouncing a game may have a tenth less.
-            tolerance: 100.0 * GAIN,
+            // After three minutes of bouncing, a ball may have lost or gained a tenth of its height.
+            tolerance: 100.0 * MAX_HEIGHT_GAIN,
             ..bounce
         },
     ]
 }
 
-/// What a ball falls, in px: for 1.012 to 1.178 s. Of no usual step it is a whole number, and at each the rests are spread
-/// over the step.
+/// Returns the fall height of a ball in px, for falls of 1.012 to 1.178 s. No usual step divides these times, and for each step
+/// the remainders are spread over the step.
 fn fall(ball: usize) -> f64 {
     let time = 1.0 + 0.0237 * (ball as f64 + 0.5);
     GRAVITY * time * time / 2.0
@@ -94,30 +95,31 @@ fn build(restitution: f64) -> Scene {
     stage.done()
 }
 
-/// Height of a ball's lowest point above the ground.
+/// Returns the height in px of a ball's lowest point above the ground.
 fn height(world: &dyn World, ball: usize) -> f64 {
     -world.body(FIRST + ball).position[1] - RADIUS
 }
 
-/// Says of an apex how wrong it is, or that the run has failed: by the fall, the number of the bounce and the height.
+/// Returns the error of an apex, or the reason of a failure. The arguments are the ball's fall height in px, the number of the
+/// bounce, from 1, and the height of the apex in px.
 type Judge = Box<dyn Fn(f64, i32, f64) -> Result<f64, &'static str>>;
 
-/// Watches the apexes of all balls.
+/// Watches the apexes of all balls and keeps the largest error.
 struct Apexes {
     peaks: [Peaks; BALLS],
     counts: [i32; BALLS],
-    /// So many apexes of each ball must have come at the time `due`, in s.
+    /// Number of apexes that each ball must have reached at the time `due`, in s.
     asked: i32,
     due: f64,
     judge: Judge,
-    largest: Largest,
+    largest: Maximum,
     failed: Option<&'static str>,
 }
 
 impl Apexes {
     fn watched(asked: i32, seconds: f64, judge: Judge) -> Box<dyn Watch> {
         let (peaks, counts, largest) = Default::default();
-        // The last look comes up to a step before the end.
+        // The last observation is up to a step before the end.
         let due = seconds - 0.1;
         let apexes = Apexes { peaks, counts, asked, due, judge, largest, failed: None };
         in_reach(Box::new(apexes), REACH)
@@ -125,7 +127,7 @@ impl Apexes {
 }
 
 impl Watch for Apexes {
-    fn see(&mut self, time: f64, world: &dyn World) {
+    fn observe(&mut self, time: f64, world: &dyn World) {
         for ball in 0..BALLS {
             let Some((bounce, peak)) = self.peaks[ball].take(height(world, ball)) else { continue };
             self.counts[ball] = bounce;
@@ -149,7 +151,7 @@ impl Watch for Apexes {
 
 fn watch_apexes(restitution: f64, bounces: i32, seconds: f64) -> Box<dyn Watch> {
     let judge = move |fall, bounce, peak: f64| {
-        // Those that come afterwards do not count.
+        // Bounces after the required number do not count.
         let is_asked = bounce <= bounces;
         Ok(if is_asked { (peak - apex(fall, restitution, bounce)).abs() } else { 0.0 })
     };
@@ -157,16 +159,16 @@ fn watch_apexes(restitution: f64, bounces: i32, seconds: f64) -> Box<dyn Watch> 
 }
 
 fn watch_rest() -> Box<dyn Watch> {
-    // The longest fall takes 1.18 s, and landing a step or two.
+    // The longest fall takes 1.18 s, and the landing one or two steps.
     let highest = |world: &dyn World| (0..BALLS).map(|ball| height(world, ball).abs()).fold(0.0, f64::max);
     in_reach(worst(move |time, world: &dyn World| (time > 1.3).then(|| highest(world))), REACH)
 }
 
-/// Energy must never grow: an apex that is higher than the fall by more than a game bears is a failure.
+/// Returns a watch of the energy: an apex higher than the fall height by more than a game accepts is a failure.
 fn watch_energy() -> Box<dyn Watch> {
     let judge = |fall: f64, _, peak: f64| {
         let gain = peak / fall - 1.0;
-        if gain > GAIN { Err("gained energy") } else { Ok(100.0 * gain.abs()) }
+        if gain > MAX_HEIGHT_GAIN { Err("gained energy") } else { Ok(100.0 * gain.abs()) }
     };
     Apexes::watched(MANY_BOUNCES, TEN_THOUSAND_STEPS, Box::new(judge))
 }

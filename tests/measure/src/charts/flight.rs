@@ -1,4 +1,4 @@
-//! Thrown bodies that meet nothing.
+//! Charts of thrown bodies without contacts.
 
 use super::super::closed_forms::{SteppedThrow, thrown};
 use super::super::watch::{Watch, in_reach, worst};
@@ -11,7 +11,7 @@ use conformance::scene::Scene;
 const SECONDS: f64 = 2.0;
 const VELOCITY: [f64; 2] = [200.0, -300.0];
 const MASS: f64 = 2.0;
-/// Force per velocity in kg/s, by body.
+/// Coefficients of linear drag (force per velocity) of the two bodies in kg/s.
 const DRAG: [f64; 2] = [0.0, 1.0];
 
 pub(super) fn scenes() -> Vec<ChartScene> {
@@ -24,7 +24,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: watch_continuous,
         error: "distance from the continuous law",
         unit: "px",
-        // Half the radius of the ball: a throw that was aimed by the exact law still hits.
+        // 8 px is half the radius of the ball: a throw that was aimed by the exact law still hits.
         tolerance: 8.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -34,9 +34,9 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         about: "Two throws, one with linear drag, against semi-implicit Euler steps as the original takes them.",
         watch: watch_discrete,
         error: "distance from the discrete law",
-        // The law is met up to rounding or not at all; a hundredth of a pixel is seen by nobody.
+        // An engine follows the law exactly, up to rounding, or not at all; a hundredth of a pixel is invisible.
         tolerance: 0.01,
-        // They divide steps and damp in other ways: the law is not theirs.
+        // Other engines integrate and damp in other ways, and do not follow this law.
         peers_too: false,
         ..continuous
     };
@@ -46,7 +46,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
 fn build(_: usize) -> Scene {
     let mut stage = stage("throw").with_surface(0.0, 0.0);
     for (index, drag) in DRAG.into_iter().enumerate() {
-        // Far enough apart that they do not meet.
+        // The bodies are so far apart that they do not meet.
         stage.disc([0.0, 1000.0 * index as f64], 16.0, MASS, 12);
         stage.last().settings.linear_velocity = Some(vector(VELOCITY));
         stage.last().settings.linear_drag = Some(drag as f32);
@@ -59,7 +59,7 @@ fn watch_continuous(scene: &Scene) -> Box<dyn Watch> {
     let error = move |time: f64, world: &dyn World| {
         let off = |index: usize| {
             let law = thrown(starts[index], VELOCITY, GRAVITY, DRAG[index] / MASS, time);
-            distance(world.body(index).place(), law)
+            distance(world.body(index).position_in_plane(), law)
         };
         Some(off(0).max(off(1)))
     };
@@ -78,7 +78,7 @@ fn watch_discrete(scene: &Scene) -> Box<dyn Watch> {
     let error = move |time: f64, world: &dyn World| {
         laws.iter_mut().for_each(|law| law.step(time - before));
         before = time;
-        let off = |index: usize| distance(world.body(index).place(), laws[index].position);
+        let off = |index: usize| distance(world.body(index).position_in_plane(), laws[index].position);
         Some(off(0).max(off(1)))
     };
     in_reach(worst(error), 1e4)

@@ -1,4 +1,4 @@
-//! Hits of free discs: a row of them, and one that is not met in the middle.
+//! Charts of hits of free discs: a row of discs (a cradle), and an oblique hit of two discs.
 
 use super::super::closed_forms::{after_hit, normal_of_oblique_hit};
 use super::super::watch::{Watch, in_reach, last, worst};
@@ -11,19 +11,20 @@ use conformance::scene::Scene;
 
 const RADIUS: f64 = 16.0;
 const SPEED: f64 = 200.0;
-/// Between the discs of the cradle, in px. Box2D and rapier take what is nearer than 0.64 px (0.02 m) for touching, and
-/// so would pass a hit on through the whole row at once. A hair wider, and hits come one after another.
+/// Gap between the discs of the cradle, in px. Box2D and rapier treat shapes nearer than 0.64 px (0.02 m) as touching, and
+/// would transmit an impact through the row at once. With a slightly wider gap, impacts happen one after another.
 const GAP: f64 = 1.0;
-/// Of the discs of the cradle where they are polygons.
+/// Number of edges of a disc of the cradle, in engines where discs are polygons.
 const EDGES: i32 = 16;
 const REACH: f64 = 1e4;
-/// Of the oblique hit: how far below the path of the first disc the second one lies, and what is lost.
+/// `OFFSET`: distance in px of the second disc's centre from the path of the first, in the oblique hit. `RESTITUTION`:
+/// coefficient of restitution of that hit. `HEAVY`: mass of the second disc in kg.
 const OFFSET: f64 = 16.0;
 const RESTITUTION: f64 = 0.8;
 const HEAVY: f64 = 2.0;
 
 const TOUCHING: &str =
-    "Four discs lie in a row and touch; a fifth hits the row. Who moves on is not decided by law.";
+    "Four discs lie in a row and touch; a fifth hits the row. No impact law decides which discs move on.";
 
 pub(super) fn scenes() -> Vec<ChartScene> {
     let cradle = ChartScene {
@@ -32,10 +33,10 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         sizes: &[5],
         build: build_cradle,
         seconds: 1.0,
-        watch: watch_who_moves,
+        watch: watch_last_disc_alone,
         error: "largest error of a velocity",
         unit: "% of the speed of the hit",
-        // Those that should rest may creep visibly slower than the one that flies off.
+        // The discs that should rest may creep visibly slower than the one that flies off.
         tolerance: 20.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -47,7 +48,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         build: |_| build_oblique(),
         watch: watch_oblique,
         error: "largest error of a velocity",
-        // A tenth of the speed is 6 degrees of direction: a player of billiards would notice twice that.
+        // A tenth of the speed is 6 degrees of direction: a player of billiards would notice 12 degrees.
         tolerance: 10.0,
         ..cradle
     };
@@ -56,7 +57,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |scene| watch_momentum(scene, SPEED),
         error: "change of momentum",
         unit: "%",
-        // It is exact in every sound method; more than rounding is a fault.
+        // Every sound method conserves momentum exactly, up to rounding.
         tolerance: 0.1,
         ..cradle
     };
@@ -65,7 +66,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |scene| watch_energy(scene, SPEED * SPEED / 2.0),
         error: "error of the energy after the hit",
         unit: "%",
-        // A tenth of the energy is a twentieth of the speed.
+        // An error of a tenth of the energy is an error of a twentieth of the speed.
         tolerance: 10.0,
         ..cradle
     };
@@ -105,7 +106,8 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     ]
 }
 
-/// Discs apart. Those that are polygons meet with their flat sides: where corners meet, the way they push is luck.
+/// Returns a row of `count` discs with gaps. Polygons meet with flat sides: if corners met, the direction of the impulse would
+/// be chance.
 fn build_cradle(count: usize) -> Scene {
     let mut scene = row(count, GAP);
     let half_an_edge = std::f32::consts::PI / EDGES as f32;
@@ -113,12 +115,14 @@ fn build_cradle(count: usize) -> Scene {
     scene
 }
 
-/// Of discs that touch, more than one way of moving on keeps energy and momentum: they are judged by these alone.
+/// Returns a row of `count` touching discs. Their motion after the hit is not determined by energy and momentum, so the charts
+/// compare energy and momentum alone.
 fn build_touching(count: usize) -> Scene {
     row(count, -PRESS)
 }
 
-/// A row of discs; the first one starts two discs away and arrives after a third of a second.
+/// Returns a row of `count` discs with gaps of `gap` px. The first disc starts two diameters away and hits the row after a
+/// third of a second.
 fn row(count: usize, gap: f64) -> Scene {
     let mut stage = weightless("newtons_cradle").with_surface(0.0, 1.0);
     for index in 0..count {
@@ -133,7 +137,7 @@ fn row(count: usize, gap: f64) -> Scene {
 
 fn build_oblique() -> Scene {
     let mut stage = weightless("oblique_hit").with_surface(0.0, RESTITUTION);
-    // So that it arrives between two steps, whatever the step.
+    // With this start the disc arrives between two steps, for every step length.
     stage.disc([-81.7, 0.0], RADIUS, 1.0, 32);
     stage.disc([0.0, OFFSET], RADIUS, HEAVY, 32);
     stage.scene_mut().bodies[0].settings.linear_velocity = Some(vector([SPEED, 0.0]));
@@ -150,7 +154,8 @@ fn oblique_energy() -> f64 {
     (a + HEAVY * b) / 2.0
 }
 
-/// The largest difference of a velocity to the one it should have, in percent of the speed of the hit.
+/// Returns the largest difference of a velocity from the velocity by the closed form `law`, in percent of the speed of the
+/// first disc.
 fn velocity_error(world: &dyn World, law: impl Fn(usize) -> [f64; 2]) -> f64 {
     let off = |index: usize| {
         let (velocity, law) = (world.body(index).velocity, law(index));
@@ -159,7 +164,7 @@ fn velocity_error(world: &dyn World, law: impl Fn(usize) -> [f64; 2]) -> f64 {
     100.0 / SPEED * (0..world.body_count()).map(off).fold(0.0, f64::max)
 }
 
-fn watch_who_moves(scene: &Scene) -> Box<dyn Watch> {
+fn watch_last_disc_alone(scene: &Scene) -> Box<dyn Watch> {
     let end = scene.bodies.len() - 1;
     let law = move |index: usize| if index == end { [SPEED, 0.0] } else { [0.0, 0.0] };
     in_reach(last(move |_, world| Some(velocity_error(world, law))), REACH)
@@ -170,7 +175,7 @@ fn watch_oblique(_: &Scene) -> Box<dyn Watch> {
     in_reach(last(move |_, world| Some(velocity_error(world, |index| law[index]))), REACH)
 }
 
-/// Momentum comes from the first body alone, of mass 1.
+/// Returns a watch of the error of momentum, relative to the momentum of the first disc (1 kg at `speed` px/s), in percent.
 fn watch_momentum(scene: &Scene, speed: f64) -> Box<dyn Watch> {
     let masses = masses(scene);
     let error = move |_: f64, world: &dyn World| {

@@ -1,4 +1,4 @@
-//! Sliding, sticking and rolling on an incline.
+//! Charts of sliding, sticking and rolling on an incline.
 
 use super::super::closed_forms::{RollingPolygon, rolling_acceleration, stopping_distance};
 use super::super::watch::{Watch, in_reach, last, worst};
@@ -9,20 +9,21 @@ use crate::scenes::stage::{Stage, vector};
 use conformance::scene::Scene;
 
 const FRICTION: f64 = 0.5;
-/// 15 degrees; friction of 0.5 holds up to 26.6.
+/// Angle of the gentle slope: 15 degrees, in radians. A friction coefficient of 0.5 holds a body up to 26.6 degrees.
 const GENTLE: f64 = std::f64::consts::PI / 12.0;
-/// 20 degrees; what rolls would slip at friction below a third of its tangent, 0.12.
+/// Angle of the steep slope: 20 degrees, in radians. A rolling disc would slip at a friction coefficient below a third of the
+/// slope's tangent, 0.12.
 const STEEP: f64 = std::f64::consts::PI / 9.0;
-/// Width and height in px.
+/// Width and height of the crate in px.
 const CRATE: [f64; 2] = [32.0, 16.0];
 const SPEED: f64 = 160.0;
 const RADIUS: f64 = 16.0;
 const ROLLING: f64 = 3.0;
-/// Of the wheel, which is a polygon.
+/// Number of corners of the wheel, a regular polygon.
 const CORNERS: i32 = 16;
-/// 6 degrees. The wheel soon rolls as fast as its corners let it, with 3.3 rad/s when one lands, and would hop only
-/// from 4.4 on, where what turns it about a corner, ω² r and a little more, outweighs what gravity presses it down with.
-/// On 11 degrees it comes that far.
+/// Angle of the slope of the wheel: 6 degrees, in radians. The wheel soon rolls at the speed that its corners allow: 3.3 rad/s
+/// when one lands. It would hop from 4.4 rad/s on, where ω² r and the rest of the turning about a corner exceed the component
+/// of gravity perpendicular to the slope. On 11 degrees it reaches that speed.
 const SLIGHT: f64 = std::f64::consts::PI / 30.0;
 const ROLLING_ON_CORNERS: f64 = 5.0;
 const MOVING: usize = 1;
@@ -38,7 +39,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: watch_slide,
         error: "error of the stopping distance",
         unit: "px",
-        // A quarter of the crate's length, on a way of more than five lengths.
+        // 8 px is a quarter of the crate's length, on a path of more than five crate lengths.
         tolerance: 8.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -52,7 +53,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: watch_roll,
         error: "error of the acceleration",
         unit: "%",
-        // Nobody sees a twentieth in how fast a barrel rolls.
+        // An error of a twentieth of a barrel's acceleration is invisible.
         tolerance: 5.0,
         ..slide
     };
@@ -65,7 +66,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             seconds: 10.0,
             watch: watch_stick,
             error: "creep after the first second",
-            // What creeps less than a pixel in nine seconds stands still.
+            // A body that creeps less than a pixel in nine seconds appears at rest.
             tolerance: 1.0,
             ..slide
         },
@@ -105,23 +106,24 @@ fn circle_on_incline() -> Scene {
 
 fn wheel_on_incline() -> Scene {
     let mut stage = incline("polygon_on_incline", SLIGHT);
-    // On a corner: it falls forward, and from then on rolls.
+    // The wheel starts on a corner: it falls forward, and then rolls.
     stage.wheel(on_slope(SLIGHT, 0.0, RADIUS - PRESS), RADIUS, CORNERS);
     stage.last().rotation = Some(SLIGHT as f32);
     stage.done()
 }
 
-/// How far the moving body came from a place down a slope.
-fn came(world: &dyn World, from: [f64; 2], angle: f64) -> f64 {
+/// Returns the distance in px, along the slope, of the moving body from the position `from` (px). `angle` is that of the slope
+/// in radians.
+fn distance_down_slope(world: &dyn World, from: [f64; 2], angle: f64) -> f64 {
     let down = on_slope(angle, 1.0, 0.0);
-    let place = world.body(MOVING).place();
+    let place = world.body(MOVING).position_in_plane();
     (place[0] - from[0]) * down[0] + (place[1] - from[1]) * down[1]
 }
 
 fn watch_slide(scene: &Scene) -> Box<dyn Watch> {
     let from = start(scene, MOVING);
     let law = stopping_distance(SPEED, GRAVITY, GENTLE, FRICTION);
-    in_reach(last(move |_, world| Some((came(world, from, GENTLE) - law).abs())), REACH)
+    in_reach(last(move |_, world| Some((distance_down_slope(world, from, GENTLE) - law).abs())), REACH)
 }
 
 fn watch_stick(_: &Scene) -> Box<dyn Watch> {
@@ -130,8 +132,8 @@ fn watch_stick(_: &Scene) -> Box<dyn Watch> {
         if time < 1.0 {
             return None;
         }
-        let from = *settled.get_or_insert_with(|| world.body(MOVING).place());
-        Some(came(world, from, GENTLE).abs())
+        let from = *settled.get_or_insert_with(|| world.body(MOVING).position_in_plane());
+        Some(distance_down_slope(world, from, GENTLE).abs())
     };
     in_reach(worst(creep), REACH)
 }
@@ -141,16 +143,16 @@ fn watch_roll(scene: &Scene) -> Box<dyn Watch> {
     let mass = masses(scene)[MOVING];
     let law = rolling_acceleration(GRAVITY, STEEP, mass.mass, RADIUS, mass.inertia);
     let error = move |time: f64, world: &dyn World| {
-        // In the first moments the way is too short to tell.
+        // At the start the path is too short for a relative error.
         (time > ROLLING / 2.0).then(|| {
-            let acceleration = 2.0 * came(world, from, STEEP) / (time * time);
+            let acceleration = 2.0 * distance_down_slope(world, from, STEEP) / (time * time);
             100.0 * (acceleration / law - 1.0).abs()
         })
     };
     in_reach(last(error), REACH)
 }
 
-/// The wheel by its law, as the scene has it at first.
+/// Returns the closed form of the rolling polygon with the wheel's initial state in the scene.
 fn rolling_wheel(scene: &Scene) -> RollingPolygon {
     let mass = masses(scene)[MOVING];
     RollingPolygon {
@@ -173,9 +175,9 @@ fn watch_roll_on_corners(scene: &Scene) -> Box<dyn Watch> {
     let error = move |time: f64, world: &dyn World| {
         law.roll(time - before);
         before = time;
-        // In the first moments the way is too short to tell.
+        // At the start the path is too short for a relative error.
         let late = time > ROLLING_ON_CORNERS / 2.0;
-        late.then(|| 100.0 * (came(world, from, SLIGHT) / law.way() - 1.0).abs())
+        late.then(|| 100.0 * (distance_down_slope(world, from, SLIGHT) / law.way() - 1.0).abs())
     };
     in_reach(last(error), REACH)
 }
@@ -195,7 +197,7 @@ mod tests {
                 "{wheel:?}"
             );
         }
-        // More than one turn: what it began with is forgotten.
+        // After more than one turn of the wheel the initial state has no effect.
         assert!(wheel.way() > 100.0, "{wheel:?}");
     }
 }

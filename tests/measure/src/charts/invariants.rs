@@ -2,8 +2,8 @@
 
 use super::super::world::{BodyMass, World};
 
-/// Kinetic energy and that of height, in kg px²/s², of the bodies that have a mass in the list, by index; gravity in
-/// px/s² down.
+/// Returns the sum of kinetic energy and potential energy of gravity, in kg px²/s². `masses` lists the bodies that count;
+/// `gravity` is the acceleration in px/s², downwards.
 pub(super) fn energy(masses: &[BodyMass], gravity: f64, world: &dyn World) -> f64 {
     let of_body = |(index, mass): (usize, &BodyMass)| {
         let body = world.body(index);
@@ -13,7 +13,7 @@ pub(super) fn energy(masses: &[BodyMass], gravity: f64, world: &dyn World) -> f6
     masses.iter().enumerate().map(of_body).sum()
 }
 
-/// Momentum in kg px/s.
+/// Returns the total momentum of the bodies in `masses`, along x and y, in kg px/s.
 pub(super) fn momentum(masses: &[BodyMass], world: &dyn World) -> [f64; 2] {
     let part = |axis: usize| {
         masses.iter().enumerate().map(|(index, mass)| mass.mass * world.body(index).velocity[axis]).sum()

@@ -1,5 +1,5 @@
-//! A house of cards and an arch: what stands by friction and shape alone. Both are built a little pressed; height is
-//! measured from how they stand when nothing overlaps.
+//! Charts of a house of cards and an arch: structures that stand by friction and shape alone. Both are built with a slight
+//! overlap; height errors are relative to the state without overlaps.
 
 use super::ChartScene;
 use super::build::{PRESS, ground, stage};
@@ -10,15 +10,15 @@ use conformance::scene::Scene;
 const FRICTION: f64 = 0.7;
 const CARD: f64 = 64.0;
 const THICKNESS: f64 = 4.0;
-/// How far a leaning card is from upright: its tangent, 0.36, is below the friction.
+/// Angle of a leaning card from the vertical in radians. Its tangent, 0.36, is below the friction coefficient.
 const LEAN: f64 = std::f64::consts::PI / 9.0;
 const SPAN: f64 = 160.0;
-/// A fifth of the inner radius: a half circle stands from about a tenth on.
+/// Thickness of the arch in px, a fifth of the inner radius. A half circle stands from about a tenth on.
 const DEPTH: f64 = 32.0;
 
-/// A card that slid by a quarter of its length has fallen.
+/// Duration and condition of failure of the house of cards: a card is a quarter of its length away from its start.
 const CARDS: Rest = Rest { seconds: 5.0, ruin: |scene| toppled(scene, CARD / 4.0) };
-/// Half the depth of the stones.
+/// Duration and condition of failure of the arch: a stone is half the arch's thickness away from its start.
 const ARCH: Rest = Rest { seconds: 5.0, ruin: |scene| toppled(scene, DEPTH / 2.0) };
 
 pub(super) fn scenes() -> Vec<ChartScene> {
@@ -31,7 +31,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |scene| CARDS.penetration(scene),
         error: "largest overlap at the end",
         unit: "px",
-        // A pixel is seen as touching.
+        // 1 px: a gap of a pixel looks like a contact.
         tolerance: 1.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -39,7 +39,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     let stones = ChartScene {
         name: "arch_penetration",
         about: "A half circle of wedge-shaped stones stands on the ground.",
-        // 200 stones of this arch would be slivers of 2.5 px.
+        // 200 stones of this arch would be slivers of 2.5 px each.
         sizes: &[5, 20],
         build: |count| arch(count, PRESS),
         seconds: ARCH.seconds,
@@ -62,14 +62,14 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes
 }
 
-/// The smallest house of at least so many cards: each storey has one pair less than the one below, and rests on
-/// level cards from apex to apex. Cards are put so deep into each other.
+/// Returns the smallest house of at least `count` cards. Each storey has one pair less than the one below and rests on level
+/// cards from apex to apex. Cards overlap by `press` px.
 fn card_house(count: usize, press: f64) -> Scene {
     let cards = |pairs: usize| (1..=pairs).map(|pairs| 3 * pairs - 1).sum::<usize>();
     let pairs = (1..).find(|&pairs| cards(pairs) >= count).unwrap_or(1);
     let mut stage = stage(format!("card_house_of_{}", cards(pairs))).with_surface(FRICTION, 0.0);
     let (sine, cosine) = LEAN.sin_cos();
-    // A pair is so wide at its feet, and the next one begins two pixels from it.
+    // Width of a pair at its feet; the next pair begins 2 px beside it.
     let spacing = 2.0 * (CARD * sine + THICKNESS * cosine) + 2.0;
     let rise = CARD * cosine + THICKNESS * sine - press;
     ground(&mut stage, spacing * (pairs as f64 + 6.0), 0.0);
@@ -79,14 +79,14 @@ fn card_house(count: usize, press: f64) -> Scene {
         let centre = |index: usize| spacing * (index as f64 - (count - 1) as f64 / 2.0);
         for index in 0..count {
             for side in [-1.0, 1.0] {
-                // Inner upper corners meet at the apex.
+                // The inner upper corners of a pair meet at the apex.
                 let x = centre(index) + side * ((THICKNESS * cosine + CARD * sine) / 2.0 - press);
                 stage.boxed([x, base - rise / 2.0 + press / 2.0], [THICKNESS, CARD], 1.0);
                 stage.last().rotation = Some((-side * LEAN) as f32);
             }
         }
         for index in 1..count {
-            // A pixel shorter, so that it ends beside the next one.
+            // The level card is a pixel shorter than the spacing, so that it ends beside the next one.
             let place = [centre(index) - spacing / 2.0, base - rise - THICKNESS / 2.0 + press];
             stage.boxed(place, [spacing - 1.0, THICKNESS], 1.0);
         }
@@ -94,11 +94,11 @@ fn card_house(count: usize, press: f64) -> Scene {
     stage.done()
 }
 
-/// A half circle of so many stones, each put so deep into its neighbours.
+/// Returns a half-circle arch of `count` stones. Each stone overlaps its neighbours by `press` px.
 fn arch(count: usize, press: f64) -> Scene {
     let mut stage = stage(format!("arch_of_{count}")).with_surface(FRICTION, 0.0);
     ground(&mut stage, 4.0 * SPAN + 320.0, 0.0);
-    // Wider than their share by the overlap, so that neighbours touch.
+    // Stones are wider than their share of the arc by the overlap, so that neighbours touch.
     let slack = press / 2.0 / SPAN;
     for index in 0..count {
         let angle = |share: f64| std::f64::consts::PI * share / count as f64;

@@ -1,4 +1,4 @@
-//! What falls into a pit in disorder and should come to rest.
+//! Charts of bodies that fall into a pit in disorder and should come to rest.
 
 use super::ChartScene;
 use super::build::start;
@@ -7,9 +7,10 @@ use crate::scenes::movable;
 use conformance::scene::{BodyShape, GeomShape, Scene};
 use conformance::scenes::{circles_in_a_pit, vary};
 
-/// Whatever lies anywhere in a pit lies well. The tallest pit falls together in less than two seconds.
+/// Duration and condition of failure of a pit: every position inside of the pit is accepted. The tallest pile collapses in less
+/// than 2 s.
 const PIT: Rest = Rest { seconds: 6.0, ruin: lost };
-/// Bodies of a pit; the upper side of its floor is at 0.
+/// Index of the left wall among the bodies of a pit. The upper side of the pit's floor is at y = 0.
 const LEFT_WALL: usize = 1;
 const RIGHT_WALL: usize = 2;
 
@@ -23,7 +24,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |scene| PIT.penetration(scene),
         error: "largest overlap at the end",
         unit: "px",
-        // A tenth of a circle: the pile looks full, and not sunk.
+        // 2 px is a tenth of a circle's diameter: the pile looks full, and not sunk.
         tolerance: 2.0,
         broad_phases_matter: true,
         peers_too: true,
@@ -40,21 +41,22 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |scene| PIT.mean_speed(scene),
         error: "root of the mean squared speed at the end",
         unit: "px/s",
-        // Single circles may still roll; twice what gravity gives in a step of 1/60 s is seen as boiling.
+        // Single circles may still roll. Twice the velocity that gravity adds in a step of 1/60 s looks like boiling.
         tolerance: 5.0,
         ..pile
     };
     vec![balls, speed("ball_pit_speed", balls), boxes, speed("box_pile_speed", boxes)]
 }
 
-/// The pit with boxes in the place of circles, each with its corners within the circle, turned in all directions.
+/// Returns the pit with boxes instead of circles. The corners of each box lie within the circle it replaces; boxes are turned
+/// in all directions.
 fn boxes_in_a_pit(count: usize) -> Scene {
     let mut scene = circles_in_a_pit(count);
     scene.name = format!("{count}_boxes_in_a_pit");
     for geom in &mut scene.geoms {
         let body = &mut scene.bodies[geom.body];
         let BodyShape::Circle { radius, mass } = body.shape else { continue };
-        // Sides of 4 to 3, as far as the circle goes.
+        // Sides in the ratio 4 to 3, inscribed in the circle.
         let (width, height) = (1.6 * radius, 1.2 * radius);
         body.shape = BodyShape::Rectangle { width, height, mass };
         body.rotation = Some(std::f32::consts::FRAC_PI_2 * vary(geom.body, 3));
@@ -63,7 +65,7 @@ fn boxes_in_a_pit(count: usize) -> Scene {
     scene
 }
 
-/// A body whose centre is beside the room between the walls, or below the floor, is lost.
+/// Returns the condition of failure of a pit: the centre of a body is outside of the walls or below the floor.
 fn lost(scene: &Scene) -> RuinCheck {
     let [left, right] = [(LEFT_WALL, 1.0), (RIGHT_WALL, -1.0)].map(|(wall, side)| {
         let half = match scene.bodies[wall].shape {
@@ -74,5 +76,7 @@ fn lost(scene: &Scene) -> RuinCheck {
     });
     let fallen = movable(scene);
     let is_lost = move |[x, y]: [f64; 2]| x < left || x > right || y > 0.0;
-    Box::new(move |world| fallen.iter().any(|&index| is_lost(world.body(index).place())).then_some("lost"))
+    Box::new(move |world| {
+        fallen.iter().any(|&index| is_lost(world.body(index).position_in_plane())).then_some("lost")
+    })
 }

@@ -1,6 +1,6 @@
-//! What is read from a value that swings: its period, and where it turns.
+//! Measures the period and the maxima of an oscillating value.
 
-/// Finds the times at which a value passes zero upwards.
+/// Measures the mean period of a value by the times at which it passes zero upwards.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Period {
     last: Option<(f64, f64)>,
@@ -10,7 +10,7 @@ pub(super) struct Period {
 }
 
 impl Period {
-    /// Takes a value at a time in s.
+    /// Reads a value at a time in s; times must increase.
     pub(super) fn take(&mut self, time: f64, value: f64) {
         if let Some((before, old)) = self.last
             && old < 0.0
@@ -26,19 +26,19 @@ impl Period {
         self.last = Some((time, value));
     }
 
-    /// How many whole periods were seen.
+    /// Returns the number of full periods so far.
     pub(super) fn count(&self) -> u32 {
         self.periods
     }
 
-    /// The mean period so far in s.
+    /// Returns the mean period so far in s; `None` before the first full period.
     pub(super) fn mean(&self) -> Option<f64> {
         let first = self.first_pass?;
         (self.periods > 0).then(|| (self.last_pass - first) / f64::from(self.periods))
     }
 }
 
-/// Finds the values at which something that rises turns and falls.
+/// Finds the local maxima (peaks) of a value.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Peaks {
     last: Option<f64>,
@@ -47,10 +47,10 @@ pub(super) struct Peaks {
 }
 
 impl Peaks {
-    /// Takes a value; gives the number of a peak, from 1, and its value, when it was passed just now.
+    /// Reads a value. If a peak was just passed, returns its number, from 1, and its value; else `None`.
     pub(super) fn take(&mut self, value: f64) -> Option<(i32, f64)> {
         let old = self.last.replace(value)?;
-        // What stays as it is for a step neither rises nor falls.
+        // A value that is constant for a step neither rises nor falls.
         if value > old {
             self.is_rising = true;
         }

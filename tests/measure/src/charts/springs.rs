@@ -1,4 +1,4 @@
-//! A body on a spring without damping.
+//! Charts of a body on a spring without damping: error of the period and of the amplitude.
 
 use super::super::watch::{Watch, failing, last};
 use super::super::world::World;
@@ -12,17 +12,18 @@ use std::f64::consts::TAU;
 const BOB: BodyShape = BodyShape::Circle { radius: 16.0, mass: 1.0 };
 const REST_LENGTH: f64 = 200.0;
 const AMPLITUDE: f64 = 40.0;
-/// In Hz.
+/// Frequency of the soft spring in Hz.
 const SOFT: f64 = 1.0;
-/// In Hz. With ω dt = 0.84 at 1/60 s well inside of what explicit springs bear (2), and 1.7 at 1/30 s near the limit.
+/// Frequency of the stiff spring in Hz. An explicit spring is stable below ω dt = 2 (ω: angular frequency). This one has ω dt =
+/// 0.84 at 1/60 s and 1.7 at 1/30 s.
 const STIFF: f64 = 8.0;
 const SOFT_SECONDS: f64 = 20.0;
 const STIFF_SECONDS: f64 = 5.0;
 const REACH: f64 = 1e4;
-/// A swing within this share of its first amplitude is none any more: what it does there is noise.
-const DEAD: f64 = 0.05;
-/// Fewer whole periods than this tell nothing of a frequency.
-const FEWEST_PERIODS: u32 = 2;
+/// Fraction of the initial amplitude below which a swing counts as over, dimensionless: the rest is noise.
+const MIN_AMPLITUDE_FRACTION: f64 = 0.05;
+/// Least number of full periods from which a frequency is determined.
+const MIN_PERIODS: u32 = 2;
 
 pub(super) fn scenes() -> Vec<ChartScene> {
     let soft = ChartScene {
@@ -34,7 +35,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |_| watch_frequency(SOFT),
         error: "error of the frequency, by the period",
         unit: "%",
-        // As of a pendulum: a second in a minute and a half.
+        // As for a pendulum, an error of 1 % is 1 s in 100 s.
         tolerance: 1.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -45,7 +46,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         build: |_| build(STIFF),
         seconds: STIFF_SECONDS,
         watch: |_| watch_frequency(STIFF),
-        // Such a spring is felt as a shock absorber; its pitch is hardly seen.
+        // A spring this stiff acts like a shock absorber; its frequency is hardly visible.
         tolerance: 5.0,
         ..soft
     };
@@ -55,7 +56,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             name: "spring_amplitude",
             watch: |_| watch_amplitude(SOFT_SECONDS),
             error: "error of the amplitude at the end",
-            // After twenty swings a tenth may be lost or gained; every real spring loses more.
+            // After twenty swings a tenth of the amplitude may be lost or gained; every real spring loses more.
             tolerance: 10.0,
             ..soft
         },
@@ -64,7 +65,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             name: "stiff_spring_amplitude",
             watch: |_| watch_amplitude(STIFF_SECONDS),
             error: "error of the amplitude at the end",
-            // It must not grow without bound or die at once; a fifth is not noticed at this pitch.
+            // The amplitude must neither grow without bound nor vanish at once; a fifth is not noticed at 8 Hz.
             tolerance: 20.0,
             ..stiff
         },
@@ -80,7 +81,7 @@ fn build(frequency: f64) -> Scene {
         world_attach_point: vector([0.0, 0.0]),
     };
     let settings = SpringSettings { rest_length: Some(REST_LENGTH as f32), ..SpringSettings::default() };
-    // Of a mass of 1.
+    // The stiffness for a mass of 1 kg.
     let spring_constant = (TAU * frequency).powi(2) as f32;
     stage.scene_mut().springs.push(SpringSpec {
         kind,
@@ -96,32 +97,33 @@ fn stretch(world: &dyn World) -> f64 {
     world.body(0).position[0] - REST_LENGTH
 }
 
-/// Watches the period for as long as there is a swing.
+/// Measures the mean period of a swing until the swing is over.
 struct SwingPeriod {
-    /// By the law, in Hz.
+    /// Frequency of the swing by the closed form, in Hz.
     frequency: f64,
     period: Period,
-    /// The widest since it last passed the middle, in px, and where it is.
+    /// Greatest displacement in px since the spring last passed its rest length. `last` is the last
+    /// displacement in px.
     widest: f64,
     last: f64,
-    /// When it was last seen wide.
+    /// Time in s at which the displacement last exceeded the least amplitude.
     last_wide: f64,
     is_dead: bool,
 }
 
 impl Watch for SwingPeriod {
-    fn see(&mut self, time: f64, world: &dyn World) {
+    fn observe(&mut self, time: f64, world: &dyn World) {
         let stretch = stretch(world);
         if stretch * self.last < 0.0 {
-            self.is_dead |= self.widest < DEAD * AMPLITUDE;
+            self.is_dead |= self.widest < MIN_AMPLITUDE_FRACTION * AMPLITUDE;
             self.widest = 0.0;
         }
         self.last = stretch;
         self.widest = self.widest.max(stretch.abs());
-        if stretch.abs() > DEAD * AMPLITUDE {
+        if stretch.abs() > MIN_AMPLITUDE_FRACTION * AMPLITUDE {
             self.last_wide = time;
         }
-        // What swings no more never passes the middle; a swing is wide twice in a period.
+        // A swing that is over need not pass the middle again; a swing that goes on reaches its amplitude twice per period.
         self.is_dead |= time - self.last_wide > 1.0 / self.frequency;
         if !self.is_dead {
             self.period.take(time, stretch);
@@ -133,7 +135,7 @@ impl Watch for SwingPeriod {
     }
 
     fn failed(&self) -> Option<&'static str> {
-        (self.is_dead && self.period.count() < FEWEST_PERIODS).then_some("died")
+        (self.is_dead && self.period.count() < MIN_PERIODS).then_some("died")
     }
 }
 
@@ -143,8 +145,8 @@ fn watch_frequency(frequency: f64) -> Box<dyn Watch> {
     bounded(Box::new(swing))
 }
 
-/// Watches the amplitude in the last second and a half: more than one swing, and of the stiff spring so many that
-/// some step falls near a turning point.
+/// Returns a watch of the error of the amplitude, in percent, in the last 1.5 s of a run of `seconds` s. This interval is
+/// longer than a swing of the soft spring. The stiff spring swings so often in it that some step falls near a turning point.
 fn watch_amplitude(seconds: f64) -> Box<dyn Watch> {
     let mut farthest = 0.0_f64;
     let error = move |time: f64, world: &dyn World| {
@@ -156,7 +158,7 @@ fn watch_amplitude(seconds: f64) -> Box<dyn Watch> {
     bounded(last(error))
 }
 
-/// Another watch, in which a swing that has grown to twice its amplitude has failed: it goes on to grow.
+/// Wraps `watch` so that the run also fails when the displacement exceeds twice the initial amplitude.
 fn bounded(watch: Box<dyn Watch>) -> Box<dyn Watch> {
     let verdict = |_: f64, world: &dyn World| (stretch(world).abs() > 2.0 * AMPLITUDE).then_some("blew up");
     failing(watch, REACH, verdict)

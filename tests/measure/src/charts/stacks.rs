@@ -1,5 +1,5 @@
-//! Stacks of boxes and of circles, and a heavy box on a light one. All are built a little pressed; height is measured
-//! from how they stand when nothing overlaps.
+//! Charts of stacks of boxes and of circles, and of a heavy box on a light one. All are built with a slight overlap; height
+//! errors are relative to the state without overlaps.
 
 use super::super::world::World;
 use super::ChartScene;
@@ -13,31 +13,33 @@ use conformance::scenes::{pyramid, triangle, vary};
 const BOX: f64 = 32.0;
 const RADIUS: f64 = 16.0;
 const FRICTION: f64 = 0.5;
-/// The boxes of `two_boxes`.
+/// `LIGHT`: index of the light box in `two_boxes`. `HEAVY_ONE`: index of the heavy box.
 const LIGHT: usize = 1;
 const HEAVY_ONE: usize = 2;
 
-/// Half a box out of place is no stack any more.
+/// Duration and condition of failure of a stack: a box is half its width away from its start.
 const STACK: Rest = Rest { seconds: 10.0, ruin: |scene| toppled(scene, BOX / 2.0) };
-/// Half of one of its boxes.
+/// Duration and condition of failure of a pyramid: a box is 10 px, half its width, away from its start.
 const PYRAMID: Rest = Rest { seconds: 5.0, ruin: |scene| toppled(scene, 10.0) };
-/// A circle that has left the gap it lay in is a radius away.
+/// Duration and condition of failure of a stack of circles: a circle is a radius away from its start, outside of the gap in
+/// which it lay.
 const CIRCLES: Rest = Rest { seconds: 5.0, ruin: |scene| toppled(scene, RADIUS) };
-/// How deep one sinks into the other is the error, and no failure until it has passed through.
+/// Duration and condition of failure of a heavy box on a light one. The overlap is the error; the run fails only if a box has
+/// toppled or passed through the other.
 const HEAVY: Rest = Rest { seconds: 5.0, ruin: toppled_or_sunk };
 
 pub(super) fn scenes() -> Vec<ChartScene> {
     let boxes = ChartScene {
         name: "box_stack_penetration",
         about: "Boxes stand on top of each other.",
-        // A column of 2000 is 64 m tall, and no scene.
+        // A column of 2000 boxes would be 64 m tall, which no game has.
         sizes: &[5, 20, 200],
         build: |count| box_stack(count, PRESS),
         seconds: STACK.seconds,
         watch: |scene| STACK.penetration(scene),
         error: "largest overlap at the end",
         unit: "px",
-        // A pixel is seen as touching.
+        // 1 px: a gap of a pixel looks like a contact.
         tolerance: 1.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -85,7 +87,8 @@ pub(super) fn scenes() -> Vec<ChartScene> {
     scenes
 }
 
-/// A light box of 1 kg and a heavy one on it, by the heavy one's mass.
+/// Returns the charts of a heavy box on a light one of 1 kg, for several masses of the heavy box. `like` gives all other values
+/// of a chart.
 fn heavy_on_light(like: ChartScene) -> [ChartScene; 4] {
     let ten = ChartScene {
         name: "heavy_on_light_10",
@@ -100,7 +103,7 @@ fn heavy_on_light(like: ChartScene) -> [ChartScene; 4] {
         ten,
         ChartScene {
             name: "heavy_on_light_100",
-            about: "A box of 100 kg stands on one of 1 kg; soft contacts give way by the same amount whatever the step.",
+            about: "A box of 100 kg stands on one of 1 kg; the penetration of soft contacts does not vanish with finer steps.",
             build: |_| two_boxes(100.0),
             ..ten
         },
@@ -119,13 +122,13 @@ fn heavy_on_light(like: ChartScene) -> [ChartScene; 4] {
     ]
 }
 
-/// Each box is put so deep into the one below.
+/// Returns a stack of `count` boxes. Each overlaps the one below by `press` px.
 fn box_stack(count: usize, press: f64) -> Scene {
     let mut stage = stage(format!("box_stack_of_{count}")).with_surface(FRICTION, 0.0);
     ground(&mut stage, 640.0, 0.0);
     let mut top = 0.0;
     for index in 0..count {
-        // Widths differ a little, so that no two edges lie at exactly the same place (see `conformance::scenes`).
+        // The widths differ a little, so that no two edges coincide exactly (see `conformance::scenes`).
         let width = BOX + 0.2 * f64::from(vary(index, 2));
         top -= BOX - press;
         let place = [0.1 * f64::from(vary(index, 3)), top + BOX / 2.0];
@@ -134,8 +137,8 @@ fn box_stack(count: usize, press: f64) -> Scene {
     stage.done()
 }
 
-/// A box that has shifted by half of itself, or turned by half a right angle, has fallen off. What is lower by its
-/// height with respect to what it stood on has passed through.
+/// Returns the condition of failure of a stack: a box has toppled or passed through. It has toppled if it has moved half its
+/// width sideways or turned by 45 degrees. It has passed through if it is lower by its height relative to the box below.
 fn toppled_or_sunk(scene: &Scene) -> RuinCheck {
     const HALF_A_RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_4;
     let places = [LIGHT, HEAVY_ONE].map(|index| start(scene, index)[0]);
@@ -164,7 +167,7 @@ fn two_boxes(ratio: f64) -> Scene {
     stage.done()
 }
 
-/// Each circle is put so deep into its neighbours.
+/// Returns a stack of `count` circles in rows. Each overlaps its neighbours by `press` px.
 fn circle_stack(count: usize, press: f64) -> Scene {
     let mut stage = stage(format!("circle_stack_of_{count}")).with_surface(FRICTION, 0.0);
     let rows = rows_of_triangle(count);
@@ -172,7 +175,7 @@ fn circle_stack(count: usize, press: f64) -> Scene {
     let half = spacing * rows as f64 / 2.0;
     ground(&mut stage, 2.0 * half + 640.0, 0.0);
     for side in [-1.0, 1.0] {
-        // One stands a little higher, again so that their edges differ.
+        // One side wall stands a little higher, so that the edges of the two do not coincide.
         stage.wall([side * (half + BOX / 2.0), -BOX / 2.0 + 0.1 * side], [BOX, BOX]);
     }
     for (row, from_middle) in triangle(rows) {

@@ -1,4 +1,4 @@
-//! Pendulums and chains.
+//! Charts of pendulums and chains.
 
 use super::super::closed_forms::pendulum_period;
 use super::super::watch::{Watch, in_reach, last, worst};
@@ -10,10 +10,10 @@ use super::{ChartScene, ONE_SIZE};
 use crate::scenes::stage::vector;
 use conformance::scene::{BodyShape, JointKind, JointSpec, Scene};
 
-/// From the pivot to the centre of the bob.
+/// Distance from the pivot to the centre of the bob in px.
 const LENGTH: f64 = 160.0;
 const BOB: BodyShape = BodyShape::Circle { radius: 16.0, mass: 1.0 };
-/// Length of a link from joint to joint, in px.
+/// Length of a chain's link from joint to joint, in px.
 const LINK: f64 = 16.0;
 const TIE_BREADTH: f32 = 4.0;
 
@@ -27,7 +27,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
         watch: |scene| watch_period(scene, 5.0_f64.to_radians()),
         error: "error of the period",
         unit: "%",
-        // A second in a minute and a half: who plays with swinging ropes jumps by eye.
+        // An error of 1 % is 1 s in 100 s: players judge the timing of swinging ropes by eye.
         tolerance: 1.0,
         broad_phases_matter: false,
         peers_too: true,
@@ -48,7 +48,7 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             seconds: 10.0,
             watch: watch_energy,
             error: "largest change of energy",
-            // A tenth more or less swing in ten seconds; real ones lose as much.
+            // A tenth of the energy in ten seconds; real pendulums lose as much.
             tolerance: 10.0,
             ..narrow
         },
@@ -61,14 +61,14 @@ pub(super) fn scenes() -> Vec<ChartScene> {
             watch: watch_gaps,
             error: "largest gap in a joint",
             unit: "px",
-            // A tenth of a link: less than the width of the links, so that no gap is seen through.
+            // The gap of a joint is at most a tenth of a link: less than the width of the links, so it is not visible.
             tolerance: LINK / 10.0,
             ..narrow
         },
     ]
 }
 
-/// The place at a distance from the origin, at an angle from straight down.
+/// Returns the position in px at the distance `length` px from the origin, at `angle` radians from straight down.
 fn hanging(length: f64, angle: f64) -> [f64; 2] {
     [length * angle.sin(), length * angle.cos()]
 }
@@ -95,7 +95,7 @@ fn chain(count: usize) -> Scene {
     let link = BodyShape::Rectangle { width: TIE_BREADTH, height: LINK as f32, mass: 1.0 };
     for index in 0..count {
         let top = LINK * index as f64;
-        // Long along the chain: the angle of the screen turns the other way than that from straight down.
+        // The link is long along the chain: its rotation on the screen has the opposite sign of the angle from straight down.
         let body2 = stage.body(link.clone(), hanging(top + LINK / 2.0, angle));
         stage.last().rotation = Some(-angle as f32);
         let anchor = vector(hanging(top, angle));
@@ -112,7 +112,7 @@ fn watch_period(scene: &Scene, amplitude: f64) -> Box<dyn Watch> {
     let law = pendulum_period(GRAVITY, mass.mass, LENGTH, mass.inertia, amplitude);
     let mut period = Period::default();
     let error = move |time: f64, world: &dyn World| {
-        let [x, y] = world.body(0).place();
+        let [x, y] = world.body(0).position_in_plane();
         period.take(time, x.atan2(y));
         Some(100.0 * (period.mean()? / law - 1.0).abs())
     };
@@ -121,7 +121,7 @@ fn watch_period(scene: &Scene, amplitude: f64) -> Box<dyn Watch> {
 
 fn watch_energy(scene: &Scene) -> Box<dyn Watch> {
     let masses = masses(scene);
-    // From level down to hanging: one bob falls a length, the other two.
+    // Depth of the fall from level to hanging: the first bob falls one length, the second two lengths.
     let depth = LENGTH * (masses[0].mass + 2.0 * masses[1].mass);
     let scale = GRAVITY * depth;
     let mut first = None;
@@ -133,7 +133,8 @@ fn watch_energy(scene: &Scene) -> Box<dyn Watch> {
     in_reach(worst(error), 1e4)
 }
 
-/// A joint of two bodies, or of a body and the world, by where it is on each.
+/// A revolute joint of two bodies, or of a body and the world (`None`). `ends` holds the body's index and the anchor in the
+/// body's coordinates, px.
 struct Hinge {
     ends: [Option<(usize, [f64; 2])>; 2],
     anchor: [f64; 2],

@@ -1,4 +1,4 @@
-//! The scenes of the chart that have depth.
+//! The 2.5D scenes that are charted.
 
 mod ball_pit;
 mod conveyor;
@@ -7,13 +7,13 @@ mod throw;
 use crate::charts::ChartScene;
 use crate::scenes::depth::DepthScene;
 
-/// A scene of the chart with depth; sizes are numbers of movable objects.
+/// A 2.5D scene that is charted; its sizes are numbers of movable objects.
 pub type DepthChartScene = ChartScene<DepthScene>;
 
-/// All scenes of the chart with depth: the one place to add one.
+/// Returns all 2.5D scenes that are charted, in the order of the charts. New scenes are added here.
 pub fn depth_chart_scenes() -> Vec<DepthChartScene> {
     [&throw::SCENES[..], &conveyor::SCENES, &ball_pit::SCENES].concat()
 }
 
-/// Numbers of objects where size matters.
+/// Numbers of movable objects of scenes that are measured at several sizes.
 const SIZES: &[usize] = &[5, 20, 200, 2000];

@@ -1,7 +1,8 @@
-//! Where methods fail in depth: families of scenes with a parameter that goes from easy to hard.
+//! Limits of the 2.5D methods. A family is a list of scenes that differ in one parameter, which goes from easy to hard.
 //!
-//! In most families each of several objects does the same thing by itself, in a lane of its own: a ball and a box, or
-//! at several phases of a step. All must do it.
+//! Most families have several lanes: strips of the ground, each with one object that no other object meets. Lanes repeat
+//! the test with a ball and a box, in several directions or at several phases of a step. A run succeeds if the object of
+//! every lane does.
 
 mod above;
 mod crowds;
@@ -17,13 +18,14 @@ mod steps;
 use crate::scenes::depth::DepthScene;
 use crate::stability::StabilityFamily;
 
-/// Scenes with depth of one kind, from easy to hard.
+/// A family of 2.5D scenes: they differ in one parameter, which goes from easy to hard until methods fail.
 pub type DepthFamily = StabilityFamily<DepthScene>;
 
-/// What all of them have in common: they end with the first step after their time.
+/// Values that 2.5D families share. A run ends with the first step at or after its duration: the number of steps is rounded
+/// up.
 const PLAIN: DepthFamily = DepthFamily { whole: f64::ceil, ..DepthFamily::PLAIN };
 
-/// All families: the one place to add one.
+/// Returns all families of 2.5D scenes, in the order of the stability map. New families are added here.
 pub fn depth_families() -> Vec<DepthFamily> {
     [
         &landings::FAMILIES[..],

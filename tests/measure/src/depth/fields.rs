@@ -1,7 +1,8 @@
-//! Many objects in the 2.5D engine and in `rapier3d`: what a step costs, and how far things are from where they should be.
+//! Many objects in the 2.5D engine and in `rapier3d`: the cost of a step, and the distance of objects from their correct
+//! positions.
 //!
-//! Both run as recommended, 1/60 s with 4 substeps, and take turns in one process. Nothing sleeps, but in the field that says
-//! so: there all has come to rest before it is timed.
+//! Both engines run with a step of 1/60 s and 4 substeps, and take turns in one process. Bodies sleep only in the field
+//! `resting`, whose steps are timed once all bodies are at rest.
 
 use super::depth_chart_scenes;
 use crate::csv::table;
@@ -15,53 +16,53 @@ use serde::Serialize;
 use std::time::Duration;
 use twohalf::DepthScheme;
 
-/// A field, and what is known of it.
+/// A field: a scene of many objects, the measure of its error, and whether bodies sleep.
 #[derive(Clone, Copy)]
 #[expect(missing_debug_implementations, reason = "functions have none")]
 pub struct Field {
-    /// Its name.
+    /// Name of the field, for tables.
     pub name: &'static str,
-    /// One sentence.
+    /// One sentence that describes the field and its error.
     pub about: &'static str,
     build: fn(usize) -> DepthScene,
     watch: fn(&DepthScene) -> Box<dyn Watch>,
-    /// Simulated time in s.
+    /// Simulated time of a run in s.
     seconds: f64,
-    /// Seconds after which steps are timed, if things may sleep.
+    /// Simulated time in s after which steps are timed; bodies then sleep. `None` disables sleep and times all steps.
     sleeps_after: Option<f64>,
 }
 
-/// What came of a field with a number of objects.
+/// Cost and error of one field with one number of objects, in `twohalf` and in `rapier3d`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FieldFigures {
     /// Name of the field.
     pub scene: &'static str,
-    /// Objects that can move.
+    /// Number of movable objects.
     pub objects: usize,
-    /// CPU time of a step in ms.
+    /// CPU time per step of `twohalf` in ms.
     pub twohalf_ms: f64,
-    /// The same of `rapier3d`.
+    /// CPU time per step of `rapier3d` in ms.
     pub rapier3d_ms: f64,
-    /// How many times as long `rapier3d` takes.
+    /// CPU time of `rapier3d` divided by that of `twohalf`, dimensionless.
     pub ratio: f64,
-    /// Largest error in px.
+    /// Largest error of an object in `twohalf`, in px.
     pub twohalf_error: f64,
-    /// The same of `rapier3d`.
+    /// Largest error of an object in `rapier3d`, in px.
     pub rapier3d_error: f64,
 }
 
-/// Numbers of objects.
+/// Numbers of objects that each field is run with.
 pub const SIZES: [usize; 5] = [20, 40, 200, 1000, 10_000];
 const DT: f32 = 1.0 / 60.0;
 const SUBSTEPS: usize = 4;
-/// Steps of a turn.
+/// Number of steps that one engine makes before it is the other engine's turn.
 const TURN: u32 = 6;
 
-/// All fields.
+/// Returns all fields.
 pub fn fields() -> Vec<Field> {
     let flying = Field {
         name: "flying",
-        about: "Balls and boxes fly; how far they are from their parabolas.",
+        about: "Balls and boxes fly; their distance from their parabolas.",
         build: flying,
         watch: against_flight,
         seconds: 2.0,
@@ -69,21 +70,21 @@ pub fn fields() -> Vec<Field> {
     };
     let standing = Field {
         name: "standing",
-        about: "Figures stand on the ground; how far they get.",
+        about: "Figures stand on the ground; their displacement.",
         build: standing,
         watch: against_gliding,
         ..flying
     };
     let resting = Field {
         name: "resting",
-        about: "The same, and what rests may sleep; timed when it does.",
+        about: "The same, with sleep; timed when all are asleep.",
         seconds: 5.0,
         sleeps_after: Some(3.0),
         ..standing
     };
     let street = Field {
         name: "street",
-        about: "Figures stand, or glide past those in front and behind; how far they are from where they should be.",
+        about: "Figures stand, or glide past those in front and behind; their distance from their expected positions.",
         build: street,
         ..standing
     };
@@ -95,7 +96,7 @@ pub fn fields() -> Vec<Field> {
     };
     let ropes = Field {
         name: "ropes",
-        about: "Ropes of 20 links hang and swing; how far two links are further apart than they may be.",
+        about: "Ropes of 20 links hang and swing; the excess of the distance of two links over its limit.",
         build: ropes,
         watch: against_stretching,
         seconds: 4.0,
@@ -105,7 +106,7 @@ pub fn fields() -> Vec<Field> {
     all.extend(depth_chart_scenes().into_iter().find(|scene| scene.name == "ball_pit_penetration").map(
         |pit| Field {
             name: "pile",
-            about: "Balls fall into a pit and lie in it; how deep they are in each other when they lie.",
+            about: "Balls fall into a pit and lie in it; their penetration at rest.",
             build: pit.build,
             watch: pit.watch,
             seconds: pit.seconds,
@@ -115,7 +116,7 @@ pub fn fields() -> Vec<Field> {
     all
 }
 
-/// Runs a field with so many objects.
+/// Runs `field` with `objects` movable objects in both engines and returns the cost and the error of each.
 pub fn run_field(field: &Field, objects: usize) -> FieldFigures {
     let scene = (field.build)(objects);
     let mut ours = TwoHalf::with_scheme(&scene, DepthScheme::Precise, SUBSTEPS as i32);
@@ -135,7 +136,7 @@ pub fn run_field(field: &Field, objects: usize) -> FieldFigures {
     FieldFigures { scene: field.name, objects, twohalf_ms, rapier3d_ms, ratio, twohalf_error, rapier3d_error }
 }
 
-/// A field in an engine.
+/// A run of a field in one engine, with the CPU time of its steps.
 struct Timed {
     world: Box<dyn World>,
     watch: Box<dyn Watch>,
@@ -147,7 +148,7 @@ struct Timed {
 impl Timed {
     fn new(field: &Field, scene: &DepthScene, world: Box<dyn World>) -> Self {
         let mut watch = (field.watch)(scene);
-        watch.see(0.0, &*world);
+        watch.observe(0.0, &*world);
         let from = field.sleeps_after.unwrap_or(0.0);
         Timed { world, watch, from, time: Duration::ZERO, steps: 0 }
     }
@@ -160,7 +161,7 @@ impl Timed {
         if now > self.from {
             (self.time, self.steps) = (self.time + elapsed, self.steps + TURN);
         }
-        self.watch.see(now, &*self.world);
+        self.watch.observe(now, &*self.world);
     }
 
     fn ms_per_step(&self) -> f64 {
@@ -168,12 +169,12 @@ impl Timed {
     }
 }
 
-/// Against the parabola that each began.
+/// Returns a watch of the largest distance in px of an object from the parabola of its initial position and velocity.
 fn against_flight(scene: &DepthScene) -> Box<dyn Watch> {
     against(scene, f64::from(scene.gravity))
 }
 
-/// Against the straight way of each.
+/// Returns a watch of the largest distance in px of an object from the straight path of its initial position and velocity.
 fn against_gliding(scene: &DepthScene) -> Box<dyn Watch> {
     against(scene, 0.0)
 }
@@ -194,8 +195,8 @@ fn against(scene: &DepthScene, gravity: f64) -> Box<dyn Watch> {
     })
 }
 
-/// Against the length that each link of a rope has at first. Balls of one size: the distance of their lowest points is that of
-/// their centres.
+/// Returns a watch of the largest excess, in px, of the distance of two neighbours on a rope over their initial distance.
+/// All balls have one radius, so the distance of lowest points equals that of centres.
 fn against_stretching(scene: &DepthScene) -> Box<dyn Watch> {
     let place = |object: usize| scene.objects[object].position.map(f64::from);
     let two = scene.ropes.iter().flat_map(|rope| rope.windows(2).map(|two| [two[0], two[1]]));
@@ -208,7 +209,7 @@ fn against_stretching(scene: &DepthScene) -> Box<dyn Watch> {
     })
 }
 
-/// As a table, a line for each field and number.
+/// Returns the figures as comma-separated values: a line for each field and number of objects.
 pub fn fields_csv(figures: &[FieldFigures]) -> String {
     table(figures)
 }

@@ -1,4 +1,4 @@
-//! The ways to simulate a scene with depth.
+//! The methods (an engine with a scheme or with settings) that simulate 2.5D scenes.
 
 use crate::engines::depth::TwoHalf;
 #[cfg(feature = "peers")]
@@ -7,10 +7,10 @@ use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
 use crate::scenes::depth::DepthScene;
 use twohalf::DepthScheme;
 
-/// A way to simulate a scene with depth.
+/// A method (an engine with a scheme or with settings) that simulates 2.5D scenes.
 pub type DepthMethod = Method<DepthScene>;
 
-/// All methods: the one place to add one.
+/// Returns all methods for 2.5D scenes, in the order in which charts and maps show them. New methods are added here.
 pub fn depth_methods() -> Vec<DepthMethod> {
     #[allow(unused_mut)]
     let mut methods = our_methods();
@@ -19,7 +19,8 @@ pub fn depth_methods() -> Vec<DepthMethod> {
     methods
 }
 
-/// Names and versions of the other engines among them.
+/// Returns names and versions of the engines of other projects that [`depth_methods`] compares with; empty without the
+/// feature `peers`.
 pub fn depth_peer_versions() -> Vec<(&'static str, String)> {
     #[cfg(feature = "peers")]
     return vec![("rapier3d", rapier3d::VERSION.to_owned())];
@@ -33,7 +34,7 @@ fn our_methods() -> Vec<DepthMethod> {
         family: Family::Ours,
         is_broad_phase_variant: false,
         sleeps: false,
-        // The 2D engine's default iterations (behaviour chapter 06).
+        // 5 iterations is the default of the 2D engine (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings: our_settings,
         mapped: |effort| on_map(5, if effort == Effort::Full { &[20] } else { &[] }),
@@ -59,8 +60,8 @@ fn build(scene: &DepthScene, setting: Setting, scheme: DepthScheme) -> Built {
     Ok(Box::new(TwoHalf::with_scheme(scene, scheme, setting.passes as i32)))
 }
 
-/// `rapier3d` with its own defaults, and with those that make it more accurate: friction at every point of contact,
-/// and no contacts kept while a pair moves little.
+/// Returns the two methods of `rapier3d`: one with the default settings of `rapier3d`, and one with settings that make it
+/// more accurate. The accurate one has friction at every contact point and no contact recycling.
 #[cfg(feature = "peers")]
 fn rapier_methods() -> Vec<DepthMethod> {
     let default = DepthMethod {
@@ -83,8 +84,8 @@ fn rapier_methods() -> Vec<DepthMethod> {
     vec![default, accurate]
 }
 
-/// On a map the usual number of passes at a long step, the usual one and a short one, and others at the last two. In the
-/// table of first failures is the usual number at these two.
+/// Returns the columns of a stability map. The `usual` number of iterations has a column at 1/30, 1/60 and 1/200 s; each
+/// number in `others` has one at 1/60 and 1/200 s. The table of first failures shows `usual` at 1/60 and 1/200 s.
 fn on_map(usual: u32, others: &[u32]) -> Vec<Mapped> {
     let [long, common, short] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 200.0];
     let first = [long, common, short].map(|dt| Setting::fixed(dt, usual));
@@ -92,12 +93,14 @@ fn on_map(usual: u32, others: &[u32]) -> Vec<Mapped> {
     mapped(first.into_iter().chain(more), &first[1..])
 }
 
-/// Steps that games take, each with the default iterations; fewer at the longest step, and more at the usual one.
+/// Returns the settings of a chart's line for the faithful and the thesis scheme: steps that games take, each with the
+/// default 5 iterations. The longest step (1/30 s) also has 2 iterations, and 1/60 s up to 40.
 fn our_settings(effort: Effort) -> Vec<Setting> {
     settings(effort, 5, 2, [10, 20, 40])
 }
 
-/// The same; an iteration of `rapier3d` is a short step of its own.
+/// Returns the settings of a chart's line for `rapier3d`, by default with 4 iterations. Each solver iteration of `rapier3d`
+/// is a substep.
 #[cfg(feature = "peers")]
 fn rapier_settings(effort: Effort) -> Vec<Setting> {
     settings(effort, 4, 1, [2, 8, 16])

@@ -1,10 +1,11 @@
-//! The same for the 2.5D engine: its scenes, the methods that run them, and what is measured.
+//! Scenes, methods and measurements of the 2.5D engine.
 //!
 //! Chart scenes are entries of [`depth_chart_scenes`], families entries of [`depth_families`], methods entries of
-//! [`depth_methods`]. What comes of a run is a point of the same [`sweep`](super::sweep) and a cell of the same
+//! [`depth_methods`]. The outcome of a run is a point of the same [`sweep`](super::sweep) and a cell of the same
 //! [`map`](super::stability::map) as those of the 2D engine, so that the same code draws and reports it.
 //!
-//! Scenes are those of [`crate::scenes::depth`]: px, X to the right, Y up, Z into the picture, gravity 100 px/s².
+//! Scenes are built by [`crate::scenes::depth`]. Lengths are px; X points to the right, Y up, Z into the picture; gravity
+//! is 100 px/s².
 
 mod charts;
 mod families;

@@ -1,4 +1,4 @@
-//! The same scene in 2D and in 2.5D, as the thesis compared them: circles that fall into a pit, all at one depth.
+//! One scene in 2D and in 2.5D, as the thesis compared them: circles that fall into a pit, all at the same Z.
 
 use crate::charts::ChartScene;
 use crate::engines::plane::FarseerWorld;
@@ -12,31 +12,32 @@ use conformance::scenes::circles_in_a_pit;
 use farseer_core::GeomPlacement;
 use twohalf::{DepthScheme, TwoHalfPhysicsSimulator};
 
-/// Name of the scene.
+/// Name of the scene that is compared in 2D and in 2.5D.
 pub const PLANES: &str = "pit_in_2d_and_2.5d";
-/// The setting: what is compared is time.
+/// The only setting of the comparison of 2D and 2.5D: 1/60 s with 5 iterations. The comparison is one of CPU time.
 const SETTING: Setting = Setting::fixed(1.0 / 60.0, 5);
 
-/// The comparison. Its error is the largest distance that a circle ever has from where it is in the 2D engine at the
-/// same time.
+/// The comparison of 2D and 2.5D. Its error is the largest distance in px, at any time, of a circle from the position of
+/// that circle in the 2D engine.
 pub const PLANE_SCENE: ChartScene = ChartScene {
     name: PLANES,
     about: "Circles that fall into a pit, all at one depth, with and without the third axis.",
-    // Those of the thesis' comparison, and more.
+    // The numbers of circles in the thesis' comparison, and 2000.
     sizes: &[20, 40, 200, 2000],
     build: circles_in_a_pit,
-    // The circles fall and come to lie.
+    // The circles fall and come to rest.
     seconds: 5.0,
     watch: against_2d,
     error: "largest distance from the 2D engine's circles",
     unit: "px",
-    // Less than a pixel cannot be seen.
+    // An error of less than a pixel is invisible.
     tolerance: 1.0,
     broad_phases_matter: false,
     peers_too: false,
 };
 
-/// The simulators that are compared: the first is the 2D engine itself.
+/// Returns the three methods that are compared: the 2D engine, then the 2.5D engine with the faithful and with the thesis
+/// scheme.
 pub fn plane_methods() -> [Method; 3] {
     let flat = Method {
         name: "2D",
@@ -58,23 +59,24 @@ pub fn plane_methods() -> [Method; 3] {
     [flat, faithful, thesis]
 }
 
-/// CPU time of a step in µs.
+/// Returns the CPU time of a step of the run `point` in µs.
 pub fn time_per_step(point: &Point) -> f64 {
     point.microseconds_per_simulated_second * f64::from(point.setting.dt.mean())
 }
 
-/// The comparison's points among others, of a size and a method.
+/// Returns the point of the 2D and 2.5D comparison with this number of circles and this method; `None` if `points` has
+/// none.
 pub fn plane_point<'a>(points: &'a [Point], size: usize, method: &str) -> Option<&'a Point> {
     points.iter().find(|point| point.scene == PLANES && point.size == size && point.method == method)
 }
 
-/// The sizes that there are points of.
+/// Returns the numbers of circles for which `points` has a point of the 2D and 2.5D comparison.
 pub fn plane_sizes(points: &[Point]) -> impl Iterator<Item = usize> {
     let is_there = move |size| points.iter().any(|point| point.scene == PLANES && point.size == size);
     PLANE_SCENE.sizes.iter().copied().filter(move |&size| is_there(size))
 }
 
-/// The bodies and geoms of a scene, all in one plane of the 2.5D engine.
+/// The bodies and geoms of a 2D scene in the 2.5D engine, all at the same Z.
 struct Deep {
     simulator: TwoHalfPhysicsSimulator,
     bodies: Vec<twohalf::BodyId>,
@@ -87,8 +89,9 @@ impl Deep {
         Ok(Box::new(deep))
     }
 
-    /// Those of a run, made anew in the same order: the scheme is chosen before anything takes part. Seen straight from
-    /// above the ground, and without a ground, so that nothing but what is in the plane acts.
+    /// Copies the bodies and geoms of the 2D scene `run` into a new 2.5D simulator, in order. The scheme is set first,
+    /// while the simulator is empty. The screen angle is 90 degrees and there is no ground, so the 2.5D simulation has
+    /// the forces of the 2D one.
     fn of(run: &Run<'_>, scheme: DepthScheme) -> twohalf::Result<Self> {
         let flat = run.simulator();
         let mut simulator = TwoHalfPhysicsSimulator::with_angle_and_gravity(600, 90, flat.gravity())?;

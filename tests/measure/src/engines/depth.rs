@@ -1,13 +1,13 @@
-//! Scenes in the 2.5D engine.
+//! Runs 2.5D scenes in `twohalf`.
 
 use std::collections::HashMap;
 use twohalf::{BodyId, ContactTarget, DepthScheme, TwoHalfPhysicsSimulator};
 
 use super::wrapped;
 use crate::scenes::depth::{DepthScene, build_with};
-use crate::world::{BodyState, Met, World};
+use crate::world::{BodyState, ContactPartner, World};
 
-/// A scene in the 2.5D engine.
+/// A 2.5D scene in the simulator of `twohalf`, with its objects as bodies by index.
 #[derive(Debug)]
 pub struct TwoHalf {
     simulator: TwoHalfPhysicsSimulator,
@@ -16,7 +16,7 @@ pub struct TwoHalf {
 }
 
 impl TwoHalf {
-    /// Builds a scene with the scheme that a new simulator has.
+    /// Builds a scene with the default depth scheme of a new simulator. Sleep is disabled.
     pub fn new(scene: &DepthScene) -> Self {
         Self::of(scene, DepthScheme::default())
     }
@@ -27,10 +27,11 @@ impl TwoHalf {
         TwoHalf { simulator, bodies, objects }
     }
 
-    /// Builds a scene with a scheme, and a number of iterations per step. Nothing sleeps.
+    /// Builds a scene with a depth scheme and a number of iterations (in the precise scheme: substeps) per step. Sleep
+    /// is disabled.
     ///
     /// # Panics
-    /// A scene with values that the engine refuses.
+    /// The scene has values that the engine rejects.
     pub fn with_scheme(scene: &DepthScene, scheme: DepthScheme, iterations: i32) -> Self {
         let mut engine = Self::of(scene, scheme);
         engine.simulator.set_iterations(iterations);
@@ -38,26 +39,26 @@ impl TwoHalf {
         engine
     }
 
-    /// What has come to rest may sleep.
+    /// Enables sleep of bodies at rest.
     pub fn with_sleep(mut self) -> Self {
         self.simulator.set_sleep_enabled(true);
         self
     }
 
-    /// The simulator.
+    /// Returns the simulator of `twohalf`.
     pub fn simulator(&self) -> &TwoHalfPhysicsSimulator {
         &self.simulator
     }
 
-    fn met(&self, partner: ContactTarget) -> Option<Met> {
+    fn met(&self, partner: ContactTarget) -> Option<ContactPartner> {
         match partner {
-            ContactTarget::Ground => Some(Met::Ground),
+            ContactTarget::Ground => Some(ContactPartner::Ground),
             ContactTarget::Geom(geom) => {
                 let body = self.simulator.geom(geom)?.body();
-                self.objects.get(&body).copied().map(Met::Object)
+                self.objects.get(&body).copied().map(ContactPartner::Object)
             }
             ContactTarget::Platform(id) => {
-                self.simulator.platforms().position(|known| known == id).map(Met::Platform)
+                self.simulator.platforms().position(|known| known == id).map(ContactPartner::Platform)
             }
         }
     }
@@ -83,17 +84,18 @@ impl World for TwoHalf {
         self.bodies.len()
     }
 
-    /// Where its shadow is drawn. `None` below the ground.
+    /// Returns the height in px of the surface on which the shadow of object `index` is drawn; `None` for an object
+    /// below the ground.
     fn height_beneath(&self, index: usize) -> Option<f64> {
         self.simulator.surface_beneath_body(self.bodies[index]).map(|surface| f64::from(surface.height))
     }
 
-    fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
+    fn touching(&self, pairs: &mut Vec<(ContactPartner, ContactPartner)>) {
         for contact in self.simulator.contacts().filter(|contact| contact.normal_impulse > 0.0) {
             if let (Some(a), Some(b)) =
                 (self.met(ContactTarget::Geom(contact.this)), self.met(contact.partner))
             {
-                pairs.push(Met::pair(a, b));
+                pairs.push(ContactPartner::pair(a, b));
             }
         }
     }

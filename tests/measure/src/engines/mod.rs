@@ -1,4 +1,4 @@
-//! Scenes in engines: those of this workspace, and behind the feature `peers` those of others.
+//! Runs scenes in engines: those of this workspace and, behind the feature `peers`, those of other projects.
 
 pub mod depth;
 #[cfg(feature = "peers")]
@@ -7,7 +7,7 @@ pub mod plane;
 #[cfg(feature = "peers")]
 pub mod rapier3d;
 
-/// An angle between -pi and pi.
+/// Returns the angle, in radians, reduced by full turns to -pi..=pi.
 fn wrapped(angle: f64) -> f64 {
     angle - std::f64::consts::TAU * (angle / std::f64::consts::TAU).round()
 }

@@ -1,4 +1,4 @@
-//! Scenes in the 2D engine of this workspace.
+//! Runs 2D scenes in the 2D engine of this workspace.
 
 use crate::method::{Built, Effort, Family, Mapped, Method, Setting, mapped};
 use crate::world::{BodyState, World};
@@ -7,7 +7,8 @@ use conformance::scene::{BroadPhase, NarrowPhase, Scene};
 use farseer_core::math::Vector2;
 use farseer_core::{BodyId, Methods, PhysicsSimulator};
 
-/// A scene in [`PhysicsSimulator`], without the log that a run keeps: a measured step does what a game's does.
+/// A 2D scene in [`PhysicsSimulator`], without the log that a conformance run keeps: a measured step costs what it costs in
+/// a game.
 #[derive(Debug)]
 pub struct FarseerWorld {
     simulator: PhysicsSimulator,
@@ -15,11 +16,11 @@ pub struct FarseerWorld {
 }
 
 impl FarseerWorld {
-    /// Builds a scene.
+    /// Builds a scene in the 2D engine.
     ///
     /// # Errors
     ///
-    /// When the scene cannot be built, or has a script, which no engine but this would play.
+    /// The scene cannot be built, or has a script, which no other engine could play.
     pub fn new(scene: &Scene) -> Result<Self, String> {
         if !scene.script.is_empty() {
             return Err("the scene has a script".to_owned());
@@ -30,12 +31,12 @@ impl FarseerWorld {
         Ok(FarseerWorld { simulator: std::mem::replace(run.simulator_mut(), empty), bodies })
     }
 
-    /// A simulator that is built already, and its bodies in their order.
+    /// Wraps a simulator that is built already. `bodies` are its bodies in the order of the scene.
     pub fn with_bodies(simulator: PhysicsSimulator, bodies: Vec<BodyId>) -> Self {
         FarseerWorld { simulator, bodies }
     }
 
-    /// The simulator.
+    /// Returns the simulator of the 2D engine.
     pub fn simulator(&self) -> &PhysicsSimulator {
         &self.simulator
     }
@@ -83,14 +84,14 @@ fn vector(value: [f64; 2]) -> Vector2 {
     Vector2::new(value[0] as f32, value[1] as f32)
 }
 
-/// The methods of this workspace, the original's default first.
+/// Returns the methods of this workspace's 2D engine; the default of the original engine is the first.
 pub fn our_methods() -> Vec<Method> {
     let method = Method {
         name: "Farseer, distance grid",
         family: Family::Ours,
         is_broad_phase_variant: false,
         sleeps: false,
-        // The original's default iterations (behaviour chapter 06).
+        // 5 iterations is the default of the original engine (behaviour chapter 06).
         recommended: Setting::fixed(1.0 / 60.0, 5),
         settings,
         mapped: |effort| if effort == Effort::Full { all_mapped() } else { few_mapped() },
@@ -148,12 +149,13 @@ fn build_precise(scene: &Scene, setting: Setting) -> Built {
     let mut world = FarseerWorld::new(&scene)?;
     world.simulator.set_iterations(i32::try_from(setting.passes).map_err(|error| error.to_string())?);
     world.simulator.set_methods(Methods::PRECISE).map_err(|error| error.to_string())?;
-    // Neither do the peers sleep where it is measured what a step costs, and what it leaves.
+    // Sleep is disabled in other engines, too, when the cost and the error of a step are measured.
     world.set_sleep_enabled(false);
     Ok(Box::new(world))
 }
 
-/// Substeps as of the peers.
+/// Returns the settings of a chart's line for the precise set, with the numbers of substeps that other engines are run
+/// with.
 fn precise_settings(effort: Effort) -> Vec<Setting> {
     let quick = [(1.0 / 30.0, 4), (1.0 / 60.0, 2), (1.0 / 60.0, 4), (1.0 / 60.0, 8), (1.0 / 240.0, 4)];
     let full = [(0.016, 4), (0.01, 4), (1.0 / 120.0, 4), (1.0 / 60.0, 16)];
@@ -162,12 +164,13 @@ fn precise_settings(effort: Effort) -> Vec<Setting> {
     fixed.chain([Setting::jitter(1.0 / 60.0, 4)]).collect()
 }
 
-/// The steps on a map in s: the usual one, that of games which read whole milliseconds, and a short one.
+/// Steps of a stability map in s: the usual one, the one of games that read integer milliseconds, and a short one.
 pub(crate) const STEPS: [f32; 3] = [1.0 / 60.0, 0.016, 1.0 / 200.0];
-/// In the table of first failures are the usual setting and the most careful one.
+/// Settings that the table of first failures shows: the usual one (1/60 s, 5 iterations) and the most careful one (1/200 s,
+/// 40 iterations).
 const IN_TABLE: [Setting; 2] = [Setting::fixed(STEPS[0], 5), Setting::fixed(STEPS[2], 40)];
 
-/// The columns of the original's default methods: more than others have.
+/// Returns the columns of a stability map for the default methods of the original engine; other methods have fewer columns.
 fn all_mapped() -> Vec<Mapped> {
     let settings = STEPS.into_iter().flat_map(|dt| [5, 10, 20, 40].map(|passes| Setting::fixed(dt, passes)));
     mapped(settings, &IN_TABLE)
@@ -179,8 +182,9 @@ fn few_mapped() -> Vec<Mapped> {
     mapped(settings, &IN_TABLE)
 }
 
-/// Steps that games take, each with the original's default iterations; fewer iterations at the longest and the usual
-/// step, more at the usual one and, since a hard scene needs both, at the shorter ones.
+/// Returns the settings of a chart's line: steps that games take, each with the original's default of 5 iterations. The
+/// longest and the usual step also have fewer, the usual and the shorter steps more iterations; hard scenes need short
+/// steps and many iterations together.
 fn settings(effort: Effort) -> Vec<Setting> {
     let quick = vec![
         Setting::fixed(1.0 / 30.0, 2),

@@ -1,4 +1,4 @@
-//! Scenes in `rapier3d`: X, Y up and Z as in the scene. What is no ball turns about Z only.
+//! Runs 2.5D scenes in `rapier3d`: X, Y up and Z as in the scene, in px. Bodies other than balls rotate about Z only.
 
 use rapier3d::prelude::{
     CoefficientCombineRule, Collider, ColliderBuilder, ColliderHandle, FrictionModel, Group,
@@ -8,33 +8,33 @@ use rapier3d::prelude::{
 
 use super::wrapped;
 use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Surface};
-use crate::world::{BodyState, Met, World};
+use crate::world::{BodyState, ContactPartner, World};
 
-/// Px that stand for a metre: `rapier3d` scales its tolerances with it. The size of a large object.
+/// Length unit of `rapier3d` in px, with which it scales its tolerances: the size of a large object.
 const LENGTH_UNIT: f32 = 40.0;
 
-/// A scene in `rapier3d`. Nothing sleeps.
+/// A 2.5D scene in `rapier3d`. Sleep is disabled at first.
 #[expect(missing_debug_implementations, reason = "the world in it has none")]
 pub struct Rapier {
     world: PhysicsWorld,
     objects: Vec<RigidBodyHandle>,
-    /// Distance from the origin down to the lowest point, by rotation.
+    /// Distance in px from each object's origin down to its lowest point, as a function of its rotation.
     outlines: Vec<Lowest>,
-    /// By the index of a collider.
-    met: Vec<(ColliderHandle, Met)>,
+    /// Object or platform of each collider, by the index of the collider.
+    met: Vec<(ColliderHandle, ContactPartner)>,
 }
 
 enum Lowest {
     Ball(f64),
-    /// Outline, y down.
+    /// A prism: corners of its outline about the origin, px, y down.
     Prism(Vec<[f64; 2]>),
 }
 
 impl Rapier {
-    /// Builds a scene with the settings that `rapier3d` has by default.
+    /// Builds a scene with the default settings of `rapier3d`.
     ///
     /// # Panics
-    /// A shape that has no volume.
+    /// A shape has no volume.
     pub fn new(scene: &DepthScene) -> Self {
         let mut world = PhysicsWorld::new();
         world.gravity = Vector::new(0.0, -scene.gravity, 0.0);
@@ -43,22 +43,25 @@ impl Rapier {
         let up = rapier3d::na::Unit::new_unchecked(Vector::Y);
         let ground = with_surface(ColliderBuilder::halfspace(up), scene.ground);
         let (_, ground) = world.insert(RigidBodyBuilder::fixed(), ground);
-        let mut rapier =
-            Rapier { world, objects: Vec::new(), outlines: Vec::new(), met: vec![(ground, Met::Ground)] };
+        let mut rapier = Rapier {
+            world,
+            objects: Vec::new(),
+            outlines: Vec::new(),
+            met: vec![(ground, ContactPartner::Ground)],
+        };
         for object in &scene.objects {
             rapier.add_object(object);
         }
         for (index, platform) in scene.platforms.iter().enumerate() {
             let (_, collider) = rapier.world.insert(fixed(platform), platform_collider(platform));
-            rapier.met.push((collider, Met::Platform(index)));
+            rapier.met.push((collider, ContactPartner::Platform(index)));
         }
-        scene.ropes.iter().for_each(|rope| rapier.tie(rope));
+        scene.ropes.iter().for_each(|rope| rapier.connect_rope(rope));
         rapier.met.sort_unstable_by_key(|(collider, _)| collider.into_raw_parts());
         rapier
     }
 
-    /// Builds a scene with settings for accuracy: friction at every point of contact, and no contacts that are
-    /// kept while a pair moves little.
+    /// Builds a scene with settings of `rapier3d` for accuracy: friction at every contact point, and no contact recycling.
     pub fn accurate(scene: &DepthScene) -> Self {
         let mut rapier = Self::new(scene);
         rapier.world.integration_parameters.friction_model = FrictionModel::Coulomb;
@@ -66,13 +69,13 @@ impl Rapier {
         rapier
     }
 
-    /// With another number of the solver's iterations per step; 4 is `rapier3d`'s default.
+    /// Sets the number of solver iterations per step; the default of `rapier3d` is 4.
     pub fn with_iterations(mut self, iterations: usize) -> Self {
         self.world.integration_parameters.num_solver_iterations = iterations;
         self
     }
 
-    /// What has come to rest may sleep.
+    /// Enables sleep of bodies at rest.
     pub fn with_sleep(mut self) -> Self {
         for &body in &self.objects {
             if let Some(body) = self.world.bodies.get_mut(body).filter(|body| body.is_dynamic()) {
@@ -94,14 +97,14 @@ impl Rapier {
         let body = body.pose(Pose::from_parts(centre, Rotation::from_rotation_z(-object.rotation)));
         let collider = with_surface(shape(object).density(0.0), object.surface);
         let (body, collider) = self.world.insert(body, collider);
-        self.met.push((collider, Met::Object(self.objects.len())));
+        self.met.push((collider, ContactPartner::Object(self.objects.len())));
         self.objects.push(body);
         self.outlines.push(lowest);
     }
 
-    /// Ties objects by ball joints at the centres of the first of each two, as `rapier3d`'s example of ball joints does.
-    /// Balls of a rope turn about all axes, and collide with no ball of any rope.
-    fn tie(&mut self, rope: &[usize]) {
+    /// Connects the objects of a rope by ball joints. The joint of two neighbours is at the centre of the first one, as in
+    /// `rapier3d`'s example of ball joints. Balls of a rope turn about all axes and collide with no ball of any rope.
+    fn connect_rope(&mut self, rope: &[usize]) {
         let groups = InteractionGroups::new(Group::GROUP_1, !Group::GROUP_1, InteractionTestMode::And);
         for &object in rope {
             for &collider in self.world.bodies[self.objects[object]].colliders() {
@@ -118,7 +121,7 @@ impl Rapier {
         }
     }
 
-    fn met(&self, collider: ColliderHandle) -> Met {
+    fn met(&self, collider: ColliderHandle) -> ContactPartner {
         let key = collider.into_raw_parts();
         match self.met.binary_search_by_key(&key, |(known, _)| known.into_raw_parts()) {
             Ok(index) => self.met[index].1,
@@ -139,7 +142,8 @@ impl Lowest {
     }
 }
 
-/// A body with the mass and the moment of inertia that the object has in the 2D engine, about all axes.
+/// Returns a movable body with the object's mass (kg). About all axes it has the moment of inertia (kg px²) that the object has
+/// in the 2D engine.
 fn movable(object: &DepthObject) -> RigidBodyBuilder {
     let body = object.body().unwrap_or_else(|error| panic!("{error}"));
     let inertia = Vector::splat(body.moment_of_inertia());
@@ -174,14 +178,15 @@ fn fixed(platform: &DepthPlatform) -> RigidBody {
     RigidBodyBuilder::fixed().pose(Pose::from_parts(centre, rotation)).build()
 }
 
-/// A cuboid, or the convex hull of its corners when its edges in depth do not run as the Z axis does.
+/// Returns the collider of a platform: a cuboid, or the convex hull of the eight corners if the platform's edges in depth are
+/// not parallel to Z.
 fn platform_collider(platform: &DepthPlatform) -> ColliderBuilder {
     if platform.angle_in_z_axis == SCREEN_ANGLE {
         return with_surface(cuboid(platform.size), platform.surface);
     }
     let cotangent = |degrees: i32| 1.0 / f64::from(degrees).to_radians().tan();
     let shear = (cotangent(platform.angle_in_z_axis) - cotangent(SCREEN_ANGLE)) as f32;
-    // The shift along X of the world, in the axes of the tilted box.
+    // The shift of the edges along X of the world, in the axes of the tilted box.
     let (sine, cosine) = platform.rotation.sin_cos();
     let half = platform.size.map(|extent| extent / 2.0);
     let corners = std::array::from_fn::<_, 8, _>(|index| {
@@ -223,21 +228,21 @@ impl World for Rapier {
         self.objects.len()
     }
 
-    /// What a ray from the middle straight down meets first.
+    /// Returns the height in px of the first surface below the centre of object `index`; `None` if there is none.
     fn height_beneath(&self, index: usize) -> Option<f64> {
         let middle = self.world.bodies[self.objects[index]].translation();
         let is_surface =
-            |collider: ColliderHandle, _: &Collider| !matches!(self.met(collider), Met::Object(_));
+            |collider: ColliderHandle, _: &Collider| !matches!(self.met(collider), ContactPartner::Object(_));
         let filter = QueryFilter::new().predicate(&is_surface);
         let ray = Ray::new(middle, -Vector::Y);
         let (_, distance) = self.world.cast_ray(&ray, f32::MAX, true, filter)?;
         Some(f64::from(middle.y - distance))
     }
 
-    fn touching(&self, pairs: &mut Vec<(Met, Met)>) {
+    fn touching(&self, pairs: &mut Vec<(ContactPartner, ContactPartner)>) {
         for pair in self.world.narrow_phase.contact_pairs() {
             if pair.total_impulse_magnitude() > 0.0 {
-                pairs.push(Met::pair(self.met(pair.collider1), self.met(pair.collider2)));
+                pairs.push(ContactPartner::pair(self.met(pair.collider1), self.met(pair.collider2)));
             }
         }
     }

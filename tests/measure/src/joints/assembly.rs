@@ -1,30 +1,30 @@
 //! The description of a joint scene: bodies, joints and springs, in px, kg, s and rad, y down.
 //!
-//! The scene format of the tests is that of the original, which has no prismatic joints, and no limits and motors of
-//! joints. An assembly has these, and no settings that other engines lack.
+//! The scene format of the conformance tests follows the original engine, which has neither prismatic joints nor limits and
+//! motors. An assembly has these, and no settings that other engines lack.
 
 use crate::world::BodyState;
 
-/// Greatest distance in px from the centre of a body without shape that counts for its speed.
+/// Distance in px that replaces the distance to the farthest point in speeds of bodies without a shape.
 const POINT_REACH: f32 = 8.0;
-/// Size in px of the static floor, whose surface is y = 0: wider than any run reaches, thicker than anything falls in an
-/// update.
+/// Width and height in px of the static floor, whose surface is y = 0: wider than any run reaches, thicker than any fall in
+/// one update.
 const FLOOR: [f32; 2] = [12_800.0, 64.0];
 
-/// The one shape of a body. Its centroid is the centre of mass.
+/// Shape of a body. Its centroid is the centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Form {
-    /// No shape: the body collides with nothing.
+    /// The body has no shape and does not collide.
     None,
-    /// Width and height in px, > 0.
+    /// The body is a rectangle: width and height in px, > 0.
     Rectangle([f32; 2]),
-    /// Radius in px, > 0.
+    /// The body is a circle: radius in px, > 0.
     Circle(f32),
 }
 
 impl Form {
-    /// Moment of inertia about the centroid in kg px² of a homogeneous shape. A body without shape has a radius of
-    /// gyration of 10 px.
+    /// Returns the moment of inertia about the centroid in kg px² of a homogeneous shape; `mass` in kg. A body without a
+    /// shape has a radius of gyration of 10 px.
     pub fn inertia(self, mass: f32) -> f32 {
         match self {
             Form::None => 100.0 * mass,
@@ -33,7 +33,7 @@ impl Form {
         }
     }
 
-    /// Distance in px from the centre to the farthest point.
+    /// Returns the distance in px from the centre of mass to the farthest point of the shape.
     pub fn reach(self) -> f32 {
         match self {
             Form::None => POINT_REACH,
@@ -43,33 +43,33 @@ impl Form {
     }
 }
 
-/// A body, static or dynamic.
+/// A static or dynamic body of a joint scene: state at the start, mass and shape.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyDef {
-    /// Centre of mass in px.
+    /// Position of the centre of mass at the start, in px.
     pub position: [f32; 2],
-    /// In rad, clockwise on the screen.
+    /// Angle at the start in rad, clockwise on the screen.
     pub angle: f32,
-    /// In px/s.
+    /// Velocity of the centre of mass at the start, in px/s.
     pub velocity: [f32; 2],
-    /// In rad/s.
+    /// Angular velocity at the start in rad/s, clockwise on the screen.
     pub angular_velocity: f32,
-    /// In kg, > 0.
+    /// Mass in kg, > 0.
     pub mass: f32,
     /// Moment of inertia about the centre of mass in kg px², > 0.
     pub inertia: f32,
-    /// Its shape.
+    /// Shape of the body.
     pub form: Form,
-    /// Whether nothing moves it.
+    /// Whether the body is static.
     pub is_static: bool,
-    /// Bodies of one group do not collide; 0 is no group.
+    /// Collision group number: bodies of one group do not collide; 0 is no group.
     pub group: i32,
     /// Coefficient of friction, >= 0.
     pub friction: f32,
 }
 
 impl BodyDef {
-    /// The state at the start.
+    /// Returns the state of the body at the start.
     pub fn state(&self) -> BodyState {
         let ([x, y], [vx, vy]) = (self.position.map(f64::from), self.velocity.map(f64::from));
         BodyState {
@@ -81,86 +81,88 @@ impl BodyDef {
     }
 }
 
-/// A joint or spring between two bodies, which may collide.
+/// A joint or spring between two bodies. The two bodies may collide with each other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointDef {
-    /// Index of the first body.
+    /// Index of the first body into `Assembly::bodies`.
     pub body1: usize,
-    /// Index of the second body.
+    /// Index of the second body into `Assembly::bodies`.
     pub body2: usize,
-    /// Its kind.
+    /// Kind of the joint with its dimensions.
     pub kind: JointKind,
 }
 
-/// Anchors are in the world at the start, in px.
+/// Kind and dimensions of a joint. Anchors are world positions at the start, in px.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum JointKind {
-    /// A revolute joint.
+    /// A revolute joint: the bodies share a point and rotate about it.
     Hinge {
-        /// The point that both bodies share.
+        /// World position at the start, in px, of the point that both bodies share.
         anchor: [f32; 2],
-        /// Least and greatest angle in rad of the second body against the first, from that at the start.
+        /// Least and greatest angle in rad of the second body relative to the first; 0 at the start.
         limits: Option<[f32; 2]>,
-        /// Speed in rad/s of the second body against the first, and greatest torque in kg px²/s².
+        /// Angular velocity in rad/s of the second body relative to the first that the motor seeks, and its greatest torque
+        /// in kg px²/s².
         motor: Option<[f32; 2]>,
     },
-    /// The bodies move as one.
+    /// A weld joint: the bodies share a point and keep their relative angle.
     Weld {
-        /// The point that both bodies share.
+        /// World position at the start, in px, of the point that both bodies share.
         anchor: [f32; 2],
     },
-    /// A prismatic joint: the second body moves along a line of the first, and does not turn against it.
+    /// A prismatic joint: the second body moves along a line that is fixed in the first, and does not rotate relative to it.
     Slider {
-        /// A point of that line.
+        /// World position at the start, in px, of a point of that line.
         anchor: [f32; 2],
-        /// Its direction, of length 1.
+        /// Direction of that line at the start: a unit vector in the world, dimensionless.
         axis: [f32; 2],
     },
-    /// A distance joint between the centres.
+    /// A distance joint between the two centres of mass.
     Rod {
-        /// In px, > 0.
+        /// Distance in px that the joint keeps, > 0.
         length: f32,
     },
-    /// A spring from a point of the first body to the centre of the second.
+    /// A spring from a point of the first body to the centre of mass of the second.
     Spring {
-        /// The point in the axes of the first body, in px.
+        /// Point at which the spring holds the first body, in local coordinates of that body, in px.
         arm: [f32; 2],
-        /// Rest length in px: the length at the start.
+        /// Rest length of the spring in px: its length at the start.
         length: f32,
-        /// In kg/s², > 0.
+        /// Stiffness of the spring in kg/s², > 0.
         stiffness: f32,
-        /// In kg/s, >= 0.
+        /// Damping of the spring in kg/s, >= 0.
         damping: f32,
     },
 }
 
-/// Bodies, joints and springs under gravity. All restitutions are 0.
+/// A joint scene: bodies, joints and springs under gravity. All restitutions are 0.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Assembly {
-    /// Downwards, in px/s².
+    /// Gravity in px/s², downwards.
     pub gravity: f32,
-    /// Coefficient of friction of bodies that are added.
+    /// Coefficient of friction of bodies that are added later.
     pub friction: f32,
-    /// In the order of creation.
+    /// Bodies in the order of creation.
     pub bodies: Vec<BodyDef>,
-    /// In the order of creation.
+    /// Joints and springs in the order of creation.
     pub joints: Vec<JointDef>,
 }
 
 impl Assembly {
-    /// An empty scene.
+    /// Creates an empty scene; `gravity` in px/s², downwards; `friction` is the coefficient of all bodies that are added.
     pub fn new(gravity: f32, friction: f32) -> Self {
         Assembly { gravity, friction, ..Assembly::default() }
     }
 
-    /// A scene with a static floor whose surface is y = 0.
+    /// Creates a scene with a static floor whose surface is y = 0; `gravity` in px/s², `friction` as a coefficient.
     pub fn with_floor(gravity: f32, friction: f32) -> Self {
         let mut assembly = Assembly::new(gravity, friction);
         assembly.wall([0.0, FLOOR[1] / 2.0], FLOOR);
         assembly
     }
 
-    /// Adds a dynamic body and returns its index.
+    /// Adds a dynamic body and returns its index. `position` in px, `mass` in kg; bodies of one `group` do not collide, 0 is
+    /// no group.
     pub fn body(&mut self, position: [f32; 2], form: Form, mass: f32, group: i32) -> usize {
         let inertia = form.inertia(mass);
         let (angle, friction, is_static) = (0.0, self.friction, false);
@@ -180,70 +182,74 @@ impl Assembly {
         self.bodies.len() - 1
     }
 
-    /// Adds a dynamic rectangle.
+    /// Adds a dynamic rectangle and returns its index. `position` of the centre and `size` in px, `mass` in kg.
     pub fn rectangle(&mut self, position: [f32; 2], size: [f32; 2], mass: f32, group: i32) -> usize {
         self.body(position, Form::Rectangle(size), mass, group)
     }
 
-    /// Adds a dynamic circle.
+    /// Adds a dynamic circle and returns its index. `position` of the centre and `radius` in px, `mass` in kg.
     pub fn circle(&mut self, position: [f32; 2], radius: f32, mass: f32, group: i32) -> usize {
         self.body(position, Form::Circle(radius), mass, group)
     }
 
-    /// Adds a static rectangle.
+    /// Adds a static rectangle and returns its index. `position` of the centre and `size` in px.
     pub fn wall(&mut self, position: [f32; 2], size: [f32; 2]) -> usize {
         let wall = self.rectangle(position, size, 1.0, 0);
         self.bodies[wall].is_static = true;
         wall
     }
 
-    /// Adds a static body without shape.
+    /// Adds a static body without a shape and returns its index. `position` in px.
     pub fn post(&mut self, position: [f32; 2]) -> usize {
         let post = self.body(position, Form::None, 1.0, 0);
         self.bodies[post].is_static = true;
         post
     }
 
-    /// Adds a joint.
+    /// Adds a joint or spring between two bodies, given by index.
     pub fn joint(&mut self, body1: usize, body2: usize, kind: JointKind) {
         self.joints.push(JointDef { body1, body2, kind });
     }
 
-    /// Adds a hinge without limits and motor.
+    /// Adds a hinge without limits and motor; `anchor` is a world position in px.
     pub fn hinge(&mut self, body1: usize, body2: usize, anchor: [f32; 2]) {
         self.joint(body1, body2, JointKind::Hinge { anchor, limits: None, motor: None });
     }
 
-    /// Adds a weld.
+    /// Adds a weld; `anchor` is a world position in px.
     pub fn weld(&mut self, body1: usize, body2: usize, anchor: [f32; 2]) {
         self.joint(body1, body2, JointKind::Weld { anchor });
     }
 
-    /// Adds a slider.
+    /// Adds a slider; `anchor` is a world position in px, `axis` a unit vector in the world.
     pub fn slider(&mut self, body1: usize, body2: usize, anchor: [f32; 2], axis: [f32; 2]) {
         self.joint(body1, body2, JointKind::Slider { anchor, axis });
     }
 
-    /// Adds a rod as long as the centres are apart.
+    /// Adds a rod whose length is the present distance of the two centres of mass.
     pub fn rod(&mut self, body1: usize, body2: usize) {
         let length = self.distance(body1, [0.0; 2], body2);
         self.joint(body1, body2, JointKind::Rod { length });
     }
 
-    /// Adds a spring as long as its ends are apart.
+    /// Adds a spring whose rest length is its present length. `arm` is the point on the first body in px (local
+    /// coordinates), `stiffness` in kg/s², `damping` in kg/s.
     pub fn spring(&mut self, body1: usize, arm: [f32; 2], body2: usize, stiffness: f32, damping: f32) {
         let length = self.distance(body1, arm, body2);
         self.joint(body1, body2, JointKind::Spring { arm, length, stiffness, damping });
     }
 
-    /// From a point in the axes of the first body to the centre of the second, in px.
+    /// Returns the distance in px from the point `arm` of the first body (local coordinates, px) to the centre of the second
+    /// body.
     fn distance(&self, body1: usize, arm: [f32; 2], body2: usize) -> f32 {
-        let ends =
-            [self.bodies[body1].state().to_world(arm.map(f64::from)), self.bodies[body2].state().place()];
+        let ends = [
+            self.bodies[body1].state().to_world(arm.map(f64::from)),
+            self.bodies[body2].state().position_in_plane(),
+        ];
         crate::world::distance(ends[0], ends[1]) as f32
     }
 
-    /// Whether a motor adds energy.
+    /// Returns whether a motor of a joint adds energy.
     pub fn is_driven(&self) -> bool {
         self.joints.iter().any(|joint| matches!(joint.kind, JointKind::Hinge { motor: Some(_), .. }))
     }

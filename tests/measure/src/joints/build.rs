@@ -1,4 +1,4 @@
-//! An assembly in the 2D engine of this workspace, with the precise set.
+//! Builds an assembly in the 2D engine of this workspace, with the precise set.
 
 use super::assembly::{Assembly, BodyDef, Form, JointDef, JointKind};
 use crate::engines::plane::FarseerWorld;
@@ -9,14 +9,15 @@ use farseer_core::{
     PhysicsSimulator, PinJoint, Result, SpringFactory,
 };
 
-/// Edges of the outline of a circle, which the precise set solves as a true circle.
+/// Number of edges of the outline of a circle. The precise set solves circles exactly, so the number has no effect on
+/// contacts.
 const EDGES: i32 = 16;
 
-/// Builds a simulator that is awake throughout, and the ids of the bodies in their order.
+/// Returns a simulator without sleep, and the ids of the bodies in the order of the assembly.
 ///
 /// # Errors
 ///
-/// A body or joint that the engine refuses.
+/// The engine refuses a body or joint.
 pub fn simulator(assembly: &Assembly, substeps: i32) -> Result<(PhysicsSimulator, Vec<BodyId>)> {
     let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, assembly.gravity))?;
     simulator.set_methods(Methods::PRECISE)?;
@@ -28,11 +29,11 @@ pub fn simulator(assembly: &Assembly, substeps: i32) -> Result<(PhysicsSimulator
     Ok((simulator, bodies))
 }
 
-/// Builds a world of a setting with fixed step.
+/// Builds the world of an assembly with the substeps of `setting`; its time step must be fixed.
 ///
 /// # Errors
 ///
-/// A body or joint that the engine refuses, as text.
+/// The engine refuses a body or joint; the text has the reason.
 pub fn build_ours(assembly: &Assembly, setting: Setting) -> Built {
     let substeps = i32::try_from(setting.passes).map_err(|error| error.to_string())?;
     let (simulator, bodies) = simulator(assembly, substeps).map_err(|error| error.to_string())?;

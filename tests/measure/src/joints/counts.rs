@@ -1,4 +1,5 @@
-//! Random joint scenes in an engine: how many of them blow up, gape or do not rest.
+//! Counts, among random joint scenes in an engine, those that blow up, have wide joint gaps, gain energy or do not come to
+//! rest.
 
 use super::engines::{Engine, SETTING};
 use super::gauge::{Gauge, worst};
@@ -8,72 +9,72 @@ use crate::stopwatch::Stopwatch;
 use serde::Serialize;
 use std::time::Duration;
 
-/// Speed in px/s that falls and swings of these scenes do not reach.
-const WILD: f64 = 3000.0;
-/// A gap at the end that a player sees, in px: a tenth of a metre.
+/// Least speed in px/s of a point that counts as wild: no fall or swing in these scenes reaches it.
+const WILD_SPEED: f64 = 3000.0;
+/// Least joint gap at the end of a run that a player sees, in px: a tenth of a metre.
 const GAPING: f64 = 3.2;
-/// Speed at the end in px/s of a scene that does not rest: half a metre per second.
+/// Least speed of a point, in px/s, for which a scene counts as not at rest at the end: half a metre per second.
 const RESTLESS: f64 = 16.0;
-/// Most that the gap of a scene counts in the mean, in px.
+/// Greatest gap in px that enters the mean over scenes; wider gaps are clamped to it.
 const GREATEST_GAP: f64 = 100.0;
-/// Updates at the end whose speeds and gaps count.
-const END: u32 = 60;
+/// Number of updates at the end of a run (1 s) whose speeds and gaps count.
+const END_UPDATES: u32 = 60;
 
-/// Scenes of a variant in an engine.
+/// Failures of the random scenes of one variant in an engine: one line of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Counts {
     /// Name of the variant.
     pub variant: String,
     /// Name of the engine.
     pub engine: &'static str,
-    /// Number of scenes.
+    /// Number of scenes that were run.
     pub scenes: u32,
-    /// Scenes in which a point of a body is faster than 3,000 px/s after any update.
+    /// Number of scenes in which a point of a body is faster than 3,000 px/s after any update.
     pub wild: u32,
-    /// Scenes that win more energy than the variant [may](Variant::energy_bound).
+    /// Number of scenes that gain more energy than [the variant permits](Variant::energy_bound).
     pub gaining: u32,
-    /// Scenes with a gap of 3.2 px or more in the last second.
+    /// Number of scenes with a joint gap of 3.2 px or more in the last second.
     pub gaping: u32,
-    /// Scenes with gravity in which a point of a body is faster than 16 px/s in the last second.
+    /// Number of scenes with gravity in which a point of a body is faster than 16 px/s in the last second.
     pub restless: u32,
-    /// Mean of the widest gaps in the last second in px, each at most 100.
+    /// Mean over the scenes of the widest joint gap in the last second, in px; each gap is clamped to 100 px.
     pub mean_gap_px: f64,
     /// Mean CPU time of an update in µs.
     pub us_per_update: f64,
 }
 
-/// One random scene in an engine.
+/// Errors of one random scene in an engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
-    /// The greatest speed of a point after any update, and in the last second, in px/s.
+    /// Greatest speed of a point of a body after any update, in px/s.
     pub speed: f64,
-    /// See [`speed`](Self::speed).
+    /// Greatest speed of a point of a body in the last second, in px/s.
     pub speed_at_end: f64,
-    /// Most energy above that at the start, by the mass of all bodies, in px²/s².
+    /// Greatest increase of the total energy since the start, divided by the mass of all bodies, in px²/s².
     pub gain: f64,
-    /// The widest gap in the last second in px.
+    /// Widest joint gap in the last second, in px.
     pub gap: f64,
-    /// CPU time of all updates.
+    /// CPU time of all updates together.
     pub time: Duration,
 }
 
 impl Outcome {
-    /// Whether a point is faster than anything that falls and swings.
+    /// Returns whether a point was faster than any fall or swing of the scene.
     pub fn is_wild(&self) -> bool {
-        self.speed >= WILD
+        self.speed >= WILD_SPEED
     }
 
-    /// Whether the scene wins energy.
+    /// Returns whether the scene gained more energy than the variant permits.
     pub fn is_gaining(&self, variant: Variant) -> bool {
         self.gain >= variant.energy_bound()
     }
 }
 
-/// Plays the scene of a seed.
+/// Runs the random scene of a seed in an engine.
 ///
 /// # Errors
 ///
-/// When the engine refuses it.
+/// The engine refuses the scene.
 pub fn outcome(seed: u64, variant: Variant, engine: &Engine) -> Result<Outcome, String> {
     let assembly = scene(seed, variant);
     let mut world = (engine.build)(&assembly, SETTING)?;
@@ -87,7 +88,7 @@ pub fn outcome(seed: u64, variant: Variant, engine: &Engine) -> Result<Outcome, 
         let speed = gauge.speed(&*world);
         outcome.speed = worst(outcome.speed, speed);
         outcome.gain = worst(outcome.gain, (gauge.energy(&*world).total - start) / mass);
-        if update + END >= UPDATES {
+        if update + END_UPDATES >= UPDATES {
             outcome.speed_at_end = worst(outcome.speed_at_end, speed);
             outcome.gap = worst(outcome.gap, gauge.gap(&*world));
         }
@@ -95,7 +96,7 @@ pub fn outcome(seed: u64, variant: Variant, engine: &Engine) -> Result<Outcome, 
     Ok(outcome)
 }
 
-/// Plays the scenes of the seeds from 0 on.
+/// Runs the random scenes of the seeds 0 to `scenes - 1` in an engine, and counts the failures.
 fn count(scenes: u32, variant: Variant, engine: &Engine) -> Result<Counts, String> {
     let outcomes = (0..scenes).map(|seed| outcome(u64::from(seed), variant, engine));
     let outcomes = outcomes.collect::<Result<Vec<_>, _>>()?;
@@ -116,7 +117,8 @@ fn count(scenes: u32, variant: Variant, engine: &Engine) -> Result<Counts, Strin
     })
 }
 
-/// The sum of the counts of an engine, whose variants have equal numbers of scenes.
+/// Returns the sums of the counts of an engine, and the means of gap and time. Variants must have equal numbers of scenes.
+/// `None` if `counts` is empty.
 fn total(counts: &[Counts]) -> Option<Counts> {
     let sum = |of: fn(&Counts) -> u32| counts.iter().map(of).sum();
     let mean = |of: fn(&Counts) -> f64| counts.iter().map(of).sum::<f64>() / counts.len() as f64;
@@ -133,11 +135,12 @@ fn total(counts: &[Counts]) -> Option<Counts> {
     })
 }
 
-/// Plays so many scenes of every variant in some engines, and appends their sum for each engine.
+/// Runs `scenes` random scenes of every variant in each engine. Returns the counts of the variants, and after them the sum
+/// for each engine.
 ///
 /// # Errors
 ///
-/// When an engine refuses a scene.
+/// An engine refuses a scene.
 pub fn counts(scenes: u32, engines: &[Engine]) -> Result<Vec<Counts>, String> {
     let mut all = Vec::new();
     for engine in engines {
@@ -149,7 +152,7 @@ pub fn counts(scenes: u32, engines: &[Engine]) -> Result<Vec<Counts>, String> {
     Ok(all)
 }
 
-/// A line for every variant and engine.
+/// Returns the counts as a table with one line for every variant and engine.
 pub fn counts_csv(counts: &[Counts]) -> String {
     table(counts)
 }

@@ -1,4 +1,4 @@
-//! The engines that play joint scenes.
+//! Engines in which joint scenes are run.
 
 use super::assembly::Assembly;
 use super::build::build_ours;
@@ -6,24 +6,24 @@ use super::build::build_ours;
 use crate::engines::peers_2d::{assemble_box2d, assemble_rapier};
 use crate::method::{Built, Family, Setting};
 
-/// The recommendation of the authors of all three engines: updates of 1/60 s with 4 substeps.
+/// Setting of all runs, recommended by the authors of all three engines: time step 1/60 s with 4 substeps.
 pub const SETTING: Setting = Setting::fixed(1.0 / 60.0, 4);
 
-/// An engine.
+/// An engine in which joint scenes are run.
 #[derive(Debug, Clone, Copy)]
 pub struct Engine {
-    /// Its name in tables.
+    /// Name of the engine in tables.
     pub name: &'static str,
-    /// Its project.
+    /// Origin of the engine: this workspace or another project.
     pub family: Family,
-    /// Builds a scene that is awake throughout.
+    /// Builds the world of a scene, with sleep disabled.
     pub build: fn(&Assembly, Setting) -> Built,
 }
 
-/// The engine of this workspace with the precise set.
+/// Our engine: the 2D engine of this workspace with the precise set.
 pub const OURS: Engine = Engine { name: "Precise", family: Family::Ours, build: build_ours };
 
-/// All engines, ours first. Without the feature `peers` there are no others.
+/// Returns all engines, ours first. Without the feature `peers` it is the only one.
 pub fn engines() -> Vec<Engine> {
     #[allow(unused_mut)]
     let mut engines = vec![OURS];

@@ -1,38 +1,39 @@
-//! Errors of a joint scene: gaps of joints, speed and energy.
+//! Errors of a joint scene: gaps of its joints, speed and energy.
 
 use super::assembly::{Assembly, JointDef, JointKind};
 use crate::world::{World, distance, turned};
 
-/// Kinetic and total energy in kg px²/s². The potential energy counts from y = 0.
+/// Kinetic and total energy in kg px²/s². Potential energy is 0 at y = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Energy {
-    /// Of all dynamic bodies, >= 0.
+    /// Kinetic energy of all dynamic bodies in kg px²/s², >= 0.
     pub kinetic: f64,
-    /// Kinetic energy, potential energy of gravity, and energy of the springs.
+    /// Sum of kinetic energy, potential energy of gravity and energy of the springs, in kg px²/s².
     pub total: f64,
 }
 
-/// Measures a scene in any engine.
+/// Measures gaps, speed and energy of a scene in any engine.
 #[derive(Debug)]
 pub struct Gauge<'a> {
     assembly: &'a Assembly,
-    /// Of each joint: its anchors in the axes of its two bodies, in px.
+    /// Two anchors for each joint, in local coordinates of its first and second body, in px.
     anchors: Vec<[[f64; 2]; 2]>,
 }
 
-/// The greater of two errors: infinite if one is not a number.
+/// Returns the greater of two errors in the unit of both; infinity if one is NaN.
 pub fn worst(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 impl<'a> Gauge<'a> {
-    /// For a scene.
+    /// Creates a gauge for worlds that are built from `assembly`.
     pub fn new(assembly: &'a Assembly) -> Self {
         Gauge { assembly, anchors: assembly.joints.iter().map(|joint| anchors(assembly, joint)).collect() }
     }
 
-    /// The widest gap of a joint in px. The gap of a hinge or a weld is the distance between its anchors, that of a
-    /// slider the distance from the axis, that of a rod the error of its length. Springs have none.
+    /// Returns the widest gap of all joints in px. The gap of a hinge or weld is the distance between its anchors. That of a
+    /// slider is the distance of the second anchor from the axis, that of a rod the error of its length. Springs have no
+    /// gap.
     pub fn gap(&self, world: &dyn World) -> f64 {
         let joints = self.assembly.joints.iter().zip(&self.anchors);
         joints.fold(0.0, |most, (joint, anchors)| worst(most, self.gap_of(world, joint, anchors)))
@@ -53,7 +54,8 @@ impl<'a> Gauge<'a> {
         }
     }
 
-    /// The greatest speed of a point of a dynamic body in px/s: speed of the centre and of the farthest point around it.
+    /// Returns the greatest speed of any dynamic body in px/s: speed of the centre plus angular velocity times the distance
+    /// to the farthest point.
     pub fn speed(&self, world: &dyn World) -> f64 {
         self.dynamic().fold(0.0, |most, index| {
             let body = world.body(index);
@@ -62,7 +64,7 @@ impl<'a> Gauge<'a> {
         })
     }
 
-    /// The energy now.
+    /// Returns the present energy of the scene.
     pub fn energy(&self, world: &dyn World) -> Energy {
         let (mut kinetic, mut potential) = (0.0, 0.0);
         for index in self.dynamic() {
@@ -76,12 +78,12 @@ impl<'a> Gauge<'a> {
         Energy { kinetic, total: kinetic + potential }
     }
 
-    /// Mass of all dynamic bodies in kg.
+    /// Returns the mass of all dynamic bodies in kg.
     pub fn mass(&self) -> f64 {
         self.dynamic().map(|index| f64::from(self.assembly.bodies[index].mass)).sum()
     }
 
-    /// Whether all dynamic bodies sleep.
+    /// Returns whether all dynamic bodies sleep.
     pub fn is_asleep(&self, world: &dyn World) -> bool {
         self.dynamic().all(|index| world.is_asleep(index))
     }

@@ -1,22 +1,24 @@
-//! Whether a joint scene holds: no error is greater than the better peer's, or all are too small to be seen.
+//! Judges joint scenes: an error is a fault if it is visible and greater than that of the better peer. A peer is an engine
+//! of another project.
 
 use super::table::Figures;
 
-/// Errors below these are never faults: gap and displacement in px, speed in px/s, energy gained as a part of the greatest
-/// kinetic energy. A game does not show them.
+/// Greatest joint gap in px that is never a fault: smaller gaps are not visible in a game. Value chosen; its sensitivity is
+/// not measured.
 pub const GAP: f64 = 0.02;
-/// See [`GAP`].
+/// Greatest displacement of the watched body in px that is never a fault: smaller ones are not visible in a game.
 pub const DISPLACEMENT: f64 = 0.2;
-/// See [`GAP`]. Peers that end slower than this have come to rest.
+/// Greatest speed at the end in px/s that is never a fault. Peers that end slower than this have come to rest.
 pub const SPEED: f64 = 0.5;
-/// See [`GAP`].
+/// Greatest energy gain that is never a fault, as a fraction of the greatest kinetic energy.
 pub const ENERGY: f64 = 0.01;
 
-/// The names of all faults: a joint gapes; the watched body is out of place; the scene moves where both peers rest; it wins
-/// energy; it stays awake where both peers sleep.
+/// Names of all faults. Gap: a joint is open. Displacement: the watched body is out of place. Speed: the scene moves where
+/// all peers rest. Energy: the scene gains energy. Awake: the scene stays awake where all peers sleep.
 pub const FAULTS: [&str; 5] = ["gap", "displacement", "speed", "energy", "awake"];
 
-/// The faults of a scene in our engine beside those of the peers. Without peers nobody knows whether it should rest.
+/// Returns the names of the faults of a scene in our engine in comparison with the peers. Without peers, rest and sleep are
+/// not expected.
 pub fn faults(ours: &Figures, peers: &[&Figures]) -> Vec<&'static str> {
     let least = |error: fn(&Figures) -> Option<f64>| {
         peers.iter().filter_map(|peer| error(peer)).fold(f64::INFINITY, f64::min)
@@ -37,7 +39,7 @@ pub fn faults(ours: &Figures, peers: &[&Figures]) -> Vec<&'static str> {
     FAULTS.into_iter().zip(has).filter_map(|(name, has)| has.then_some(name)).collect()
 }
 
-/// Time of the whole run as a part of the faster peer's.
+/// Returns the CPU time of our complete run divided by that of the fastest peer, dimensionless; `None` without peers.
 pub fn part_of_faster_peer(ours: &Figures, peers: &[&Figures]) -> Option<f64> {
     let times = peers.iter().map(|peer| peer.ms_whole);
     times.reduce(f64::min).map(|fastest| ours.ms_whole / fastest)

@@ -1,9 +1,9 @@
-//! Scenes of joints beside other engines: how exactly joints hold, whether scenes rest, and the time of an update.
+//! Comparison of joint scenes with other engines: gaps of joints, whether scenes come to rest, and the time of an update.
 //!
 //! An [`assembly`] describes bodies, joints and springs for any 2D engine. [`family`] lists the scenes with fixed
-//! dimensions. [`run`] plays a scene in several [`engines`] by turns, [`gauge`] measures errors, [`judge`] says where ours
-//! is behind, and [`table`] writes the figures. [`random`] makes as many other scenes as one likes, and [`counts`] says how
-//! many of them fail.
+//! dimensions. [`run`] runs a scene in several [`engines`] by turns, [`gauge`] measures errors, and [`judge`] finds errors
+//! that are greater than those of other engines. [`table`] writes the figures. [`random`] creates random scenes, and
+//! [`counts`] counts the failures in these.
 
 pub mod assembly;
 pub mod build;

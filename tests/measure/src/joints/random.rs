@@ -1,58 +1,58 @@
-//! Random joint scenes: figures of a few parts with joints of every kind and loops, of any mass ratio.
+//! Random joint scenes: articulated figures of 3 to 9 bodies, with joints of every kind, loops, and any mass ratio.
 
 use super::assembly::{Assembly, JointKind};
 use crate::method::unit;
 use std::f32::consts::TAU;
 
-/// Length of a run in updates of 1/60 s.
+/// Length of a run in updates of 1/60 s each.
 pub const UPDATES: u32 = 360;
-/// Most random numbers of a scene: seeds share none.
+/// Greatest number of random numbers that a scene uses, so that two seeds use none in common.
 const NUMBERS: u64 = 1 << 20;
-/// Limits of a hinge in rad.
+/// Least and greatest angle of a hinge with limits, in rad.
 const LIMITS: [f32; 2] = [-0.5, 0.5];
 
-/// Collisions in a random scene.
+/// Number of figures in a random scene, and which of the bodies collide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Crowd {
-    /// One figure whose parts do not collide, in a room.
+    /// One figure in a room; bodies of the figure do not collide with each other.
     One,
-    /// One figure whose parts collide, in a room.
+    /// One figure in a room; bodies of the figure collide with each other.
     Colliding,
-    /// Four figures that collide, and whose parts do not, in a room.
+    /// Four figures in a room; figures collide, bodies of the same figure do not.
     Four,
-    /// One figure whose parts overlap and collide, without gravity and room.
+    /// One figure without gravity and room; bodies of the figure overlap at the start and collide with each other.
     Weightless,
 }
 
-/// How a random scene is made.
+/// Parameters of a random scene apart from its seed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variant {
-    /// The collisions of the scene.
+    /// Figures and collisions of the scene.
     pub crowd: Crowd,
-    /// The greatest mass by the least: 1 or more.
+    /// Ratio of the greatest possible mass to the least, dimensionless, >= 1.
     pub mass_ratio: f32,
 }
 
-/// All variants.
+/// Returns all twelve combinations of [`Crowd`] and mass ratio 1, 20 or 400.
 pub fn variants() -> impl Iterator<Item = Variant> {
     let crowds = [Crowd::One, Crowd::Colliding, Crowd::Four, Crowd::Weightless];
     crowds.into_iter().flat_map(|crowd| [1.0, 20.0, 400.0].map(|mass_ratio| Variant { crowd, mass_ratio }))
 }
 
 impl Variant {
-    /// Its name in tables.
+    /// Returns the name of the variant in tables.
     pub fn name(self) -> String {
         format!("{:?}, mass ratio {}", self.crowd, self.mass_ratio).to_lowercase()
     }
 
-    /// Energy in kg px²/s² of 1 kg that a scene may win: that of a fall of a room's 60 px, or of a figure without gravity
-    /// that moves at 140 px/s.
+    /// Returns the greatest permitted energy gain per mass, in px²/s²: 600 px/s² times a fall of 60 px. Without gravity it
+    /// is the square of 100 px/s, the kinetic energy of motion at 141 px/s.
     pub fn energy_bound(self) -> f64 {
         if self.crowd == Crowd::Weightless { 100.0 * 100.0 } else { 600.0 * 60.0 }
     }
 }
 
-/// Numbers that follow from a seed.
+/// Generator of pseudo-random numbers that depend on the seed alone.
 struct Random {
     next: u64,
 }
@@ -72,7 +72,7 @@ impl Random {
     }
 }
 
-/// The scene of a seed: equal seeds give equal scenes.
+/// Returns the scene of a seed: equal seeds give equal scenes.
 pub fn scene(seed: u64, variant: Variant) -> Assembly {
     let mut random = Random { next: seed.wrapping_mul(NUMBERS) };
     let friction = random.between(0.2, 0.9);
@@ -89,7 +89,7 @@ pub fn scene(seed: u64, variant: Variant) -> Assembly {
     assembly
 }
 
-/// A figure of 3 to 9 parts, with up to two loops, and in three of ten scenes held by a post.
+/// Adds a figure of 3 to 9 bodies with up to two loops; with a probability of 0.3 it is joined to a static post.
 fn figure(assembly: &mut Assembly, variant: Variant, index: i32, random: &mut Random) {
     let does_collide = matches!(variant.crowd, Crowd::Colliding | Crowd::Weightless);
     let group = if does_collide { 0 } else { index + 1 };
@@ -124,7 +124,7 @@ fn figure(assembly: &mut Assembly, variant: Variant, index: i32, random: &mut Ra
     }
 }
 
-/// A circle in three of ten cases, else a rectangle.
+/// Adds a body with a mass in kg and returns its index: a circle with a probability of 0.3, else a rectangle. `place` in px.
 fn part(assembly: &mut Assembly, place: [f32; 2], mass: f32, group: i32, random: &mut Random) -> usize {
     if random.chance(0.3) {
         return assembly.circle(place, random.between(6.0, 20.0), mass, group);
@@ -135,8 +135,8 @@ fn part(assembly: &mut Assembly, place: [f32; 2], mass: f32, group: i32, random:
     body
 }
 
-/// A joint midway between two bodies: three of eight are hinges, one a hinge with limits, two welds, one a rod, one a
-/// slider.
+/// Adds a joint between two bodies, midway between the centres. Of eight joints, on average three are hinges, one is a hinge
+/// with limits, two are welds, one is a rod and one a slider.
 fn join(assembly: &mut Assembly, one: usize, two: usize, random: &mut Random) {
     let [[x1, y1], [x2, y2]] = [one, two].map(|body| assembly.bodies[body].position);
     let anchor = [0.5 * (x1 + x2), 0.5 * (y1 + y2)];
@@ -152,7 +152,7 @@ fn join(assembly: &mut Assembly, one: usize, two: usize, random: &mut Random) {
     }
 }
 
-/// A second joint between two bodies of a figure, which may close a loop.
+/// Adds another joint between two bodies of a figure, which may close a loop; none if both are the same body.
 fn close(assembly: &mut Assembly, one: usize, two: usize, is_rod: bool) {
     match (one == two, is_rod) {
         (true, _) => {}

@@ -1,4 +1,4 @@
-//! Plays a joint scene: once to measure errors, by turns to measure time, and once with sleep.
+//! Runs a joint scene: once to measure errors, by turns to measure time, and once with sleep.
 
 use super::engines::{Engine, SETTING};
 use super::family::JointScene;
@@ -9,22 +9,22 @@ use crate::world::{World, distance};
 use std::ops::Range;
 use std::time::Duration;
 
-/// Updates in a second: the first second, and the last one in which errors count.
+/// Number of updates in 1 s. Times of the first second are separate; errors count in the last second.
 const SECOND: u32 = 60;
-/// Least kinetic energy that an energy gain is compared with: that of the whole scene at 1 m/s, in px/s.
+/// Reference speed in px/s (1 m/s): an energy gain is a fraction of at least the kinetic energy of all bodies at this speed.
 const REFERENCE_SPEED: f64 = 32.0;
 
-/// A scene in an engine.
+/// A joint scene in the world of an engine, which is stepped.
 struct Player<'a> {
     scene: &'a JointScene,
     world: Box<dyn World>,
 }
 
-/// CPU time of a run.
+/// CPU times of one run.
 #[derive(Debug, Clone, Copy)]
 struct Times {
     first_step: Duration,
-    /// The first update included.
+    /// CPU time of the first second, including the first update.
     first_second: Duration,
     whole: Duration,
 }
@@ -57,7 +57,8 @@ impl<'a> Player<'a> {
         Times { first_step, first_second, whole }
     }
 
-    /// All errors. Energy is looked at after every update, which counts the turns of all bodies as well.
+    /// Runs the scene and returns gap, displacement, speed and energy gain; other fields have default values. Energy is
+    /// measured after every update.
     fn errors(mut self) -> Figures {
         let (scene, gauge) = (self.scene, Gauge::new(&self.scene.assembly));
         let start = gauge.energy(&*self.world);
@@ -74,9 +75,9 @@ impl<'a> Player<'a> {
                 speed = worst(speed, gauge.speed(&*self.world));
             }
         }
-        // A scene that blows up to infinity has won all that it has.
+        // If an energy is infinite or NaN, the gain counts as infinite.
         let part = if gain.is_finite() && kinetic.is_finite() { gain / kinetic } else { f64::INFINITY };
-        let place = |body: usize| self.world.body(body).place();
+        let place = |body: usize| self.world.body(body).position_in_plane();
         let off = scene.watched.map(|(body, at)| worst(0.0, distance(place(body), at.map(f64::from))));
         Figures {
             gap_px: four_digits(gap),
@@ -94,11 +95,12 @@ impl<'a> Player<'a> {
     }
 }
 
-/// Plays a scene in some engines, timed so many times by turns, and returns their figures in that order.
+/// Runs a scene in each of `engines`, `turns` times by turns for the times, and returns the figures in the order of
+/// `engines`.
 ///
 /// # Errors
 ///
-/// When an engine refuses the scene.
+/// An engine refuses the scene.
 pub fn run(scene: &JointScene, engines: &[Engine], turns: usize) -> Result<Vec<Figures>, String> {
     let mut times = vec![Vec::new(); engines.len()];
     for turn in 0..turns {

@@ -1,11 +1,11 @@
-//! The figures of joint scenes as a table, and back.
+//! Figures of joint scenes, written as a table and read from it.
 
 use super::engines::OURS;
 use super::judge::{faults, part_of_faster_peer};
 use crate::csv::{rows, table};
 use serde::{Deserialize, Serialize};
 
-/// The figures of a scene in an engine: a line of the table.
+/// Figures of a joint scene in an engine: one line of the table.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Figures {
     /// Name of the scene.
@@ -14,41 +14,43 @@ pub struct Figures {
     pub engine: String,
     /// Number of bodies, static ones included.
     pub bodies: usize,
-    /// Number of joints without springs.
+    /// Number of joints; springs do not count.
     pub joints: usize,
-    /// Length of the run in s of the simulation.
+    /// Simulated time of the run in s.
     pub seconds: f64,
-    /// The widest gap of a joint in the last second, in px.
+    /// Widest gap of a joint in the last second, in px.
     pub gap_px: f64,
-    /// Distance of the watched body from its correct place at the end, in px; nothing if none is watched.
+    /// Distance of the watched body from its expected position at the end, in px; `None` if no body is watched.
     pub displacement_px: Option<f64>,
-    /// The greatest speed of a point of a body in the last second, in px/s.
+    /// Greatest speed of a point of a dynamic body in the last second, in px/s.
     pub speed_px_per_s: f64,
-    /// The most energy above that at the start, as a part of the greatest kinetic energy, or of the kinetic energy of all
-    /// bodies at 1 m/s if that is greater; nothing if a motor or the script adds energy.
+    /// Greatest increase of the total energy since the start, as a fraction of the greatest kinetic energy. The divisor is
+    /// at least the kinetic energy of all bodies at 1 m/s. `None` if a motor or the script adds energy.
     pub energy_gained: Option<f64>,
-    /// Whether all dynamic bodies sleep at the end of a run with sleep. All other figures are of runs without.
+    /// Whether all dynamic bodies sleep at the end of a run with sleep. All other figures are from runs without sleep.
     pub is_asleep: bool,
     /// CPU time of the first update, in µs.
     pub us_first_step: f64,
-    /// CPU time of an update in the first second, in µs.
+    /// Mean CPU time of an update in the first second, in µs.
     pub us_first_second: f64,
-    /// CPU time of an update after that, in µs.
+    /// Mean CPU time of an update after the first second, in µs.
     pub us_later: f64,
-    /// CPU time of the whole run, in ms.
+    /// CPU time of the complete run, in ms.
     pub ms_whole: f64,
-    /// Of our engine: that time as a part of the faster peer's.
+    /// CPU time of our complete run divided by that of the fastest peer, dimensionless; `None` for other engines or without
+    /// peers.
     pub part_of_faster_peer: Option<f64>,
-    /// Of our engine: its [faults](super::judge::FAULTS), with commas between them.
+    /// [Faults](super::judge::FAULTS) of our engine, separated by commas; empty for other engines.
     pub faults: String,
 }
 
-/// With four digits: more are noise.
+/// Rounds a value to four significant digits; further digits of a measurement are noise.
 pub(super) fn four_digits(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
 
-/// Judges our engine by the peers, which are among the figures of the scene or of an older table.
+/// Sets faults and relative time of our engine in `figures`, the figures of one scene. Peers that are missing there are
+/// taken from `older`.
 pub fn judge(figures: &mut [Figures], older: &[Figures]) {
     let Some(index) = figures.iter().position(|figures| figures.engine == OURS.name) else { return };
     let scene = &figures[index].scene;
@@ -62,16 +64,16 @@ pub fn judge(figures: &mut [Figures], older: &[Figures]) {
     (figures[index].faults, figures[index].part_of_faster_peer) = (names.join(", "), part);
 }
 
-/// A line for every scene and engine.
+/// Returns the figures as a table with one line for every scene and engine.
 pub fn figures_csv(figures: &[Figures]) -> String {
     table(figures)
 }
 
-/// The figures of a table that [`figures_csv`] has written.
+/// Reads the figures from a table that [`figures_csv`] has written.
 ///
 /// # Errors
 ///
-/// The first line that is none.
+/// A line does not hold figures; the text names the first such line.
 pub fn read_figures(text: &str) -> Result<Vec<Figures>, String> {
     rows(text)
 }

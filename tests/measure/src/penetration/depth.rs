@@ -1,26 +1,26 @@
-//! The depth of two convex shapes in each other.
+//! Computes the penetration depth of two convex shapes.
 
 use crate::world::turned;
 
 pub(crate) type Point = [f64; 2];
 
-/// A convex shape.
+/// A convex shape in px: a disc or a polygon.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Form {
     Disc {
         centre: Point,
         radius: f64,
     },
-    /// Corners in order, their edges turning right on a screen with y down.
+    /// Corners of a convex polygon in px, in order: edges turn right on a screen with y down.
     Polygon(Vec<Point>),
 }
 
 impl Form {
-    /// A polygon from the vertices of a convex outline.
+    /// Returns the polygon with the vertices of a convex outline, px.
     ///
     /// # Panics
     ///
-    /// When the outline is not convex.
+    /// The outline is not convex.
     pub(crate) fn polygon(outline: &[Point]) -> Self {
         let corners = hull(outline);
         let (whole, given) = (area(&corners), area(outline).abs());
@@ -28,7 +28,7 @@ impl Form {
         Form::Polygon(corners)
     }
 
-    /// Turned by an angle and moved.
+    /// Returns the shape rotated by `angle` radians about the origin and then moved by `position` px.
     pub(crate) fn placed(&self, position: Point, angle: f64) -> Self {
         let place = |point: Point| {
             let turned = turned(point, angle);
@@ -40,7 +40,7 @@ impl Form {
         }
     }
 
-    /// Where it begins and ends along a unit vector.
+    /// Returns the least and the greatest coordinate of the shape along the unit vector `axis`, px.
     pub(crate) fn extent(&self, axis: Point) -> (f64, f64) {
         match self {
             Form::Disc { centre, radius } => (dot(*centre, axis) - radius, dot(*centre, axis) + radius),
@@ -54,7 +54,8 @@ impl Form {
     }
 }
 
-/// How far two shapes would have to be moved to part them; 0 or less when they are apart.
+/// Returns the penetration depth in px: the length of the least displacement that separates two shapes. It is 0 or negative if
+/// they do not overlap.
 pub(crate) fn depth(one: &Form, other: &Form) -> f64 {
     match (one, other) {
         (Form::Disc { centre: a, radius: ra }, Form::Disc { centre: b, radius: rb }) => {
@@ -66,7 +67,8 @@ pub(crate) fn depth(one: &Form, other: &Form) -> f64 {
     }
 }
 
-/// The least way out along the outward normals of a polygon's edges.
+/// Returns the length in px of the least displacement, along the outward normal of one of the polygon's edges, that separates
+/// the polygon from `other`.
 fn parting(corners: &[Point], other: &Form) -> f64 {
     let ways = edges(corners).map(|(from, to)| {
         let normal = outward(from, to);
@@ -75,7 +77,7 @@ fn parting(corners: &[Point], other: &Form) -> f64 {
     ways.fold(f64::INFINITY, f64::min)
 }
 
-/// Distance of a point from a polygon; negative inside.
+/// Returns the distance in px of a point from a polygon; negative inside.
 fn distance(corners: &[Point], point: Point) -> f64 {
     let inside = edges(corners)
         .map(|(from, to)| dot(minus(point, from), outward(from, to)))
@@ -97,14 +99,15 @@ fn edges(corners: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     (0..corners.len()).map(|index| (corners[index], corners[(index + 1) % corners.len()]))
 }
 
-/// Unit normal of an edge of a hull, pointing out of it.
+/// Returns the unit normal of an edge of a polygon, pointing outwards.
 fn outward(from: Point, to: Point) -> Point {
     let along = minus(to, from);
     let length = along[0].hypot(along[1]);
     [along[1] / length, -along[0] / length]
 }
 
-/// The corners of the convex hull, without points on its edges: sorted by x, then the lower and the upper chain.
+/// Returns the corners of the convex hull of `points` in px, without points on its edges. Algorithm: points sorted by x, then
+/// the lower and the upper chain.
 pub(crate) fn hull(points: &[Point]) -> Vec<Point> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
@@ -114,15 +117,15 @@ pub(crate) fn hull(points: &[Point]) -> Vec<Point> {
     corners
 }
 
-/// Half of a hull, without its last point. `size` is that of the coordinates: a corner that sticks out less than
-/// their rounding is none.
+/// Returns half of a convex hull, without its last point, px. `size` is the magnitude of the coordinates, px: a corner that
+/// sticks out less than the rounding error of `size` is omitted.
 fn chain(points: impl Iterator<Item = Point>, size: f64) -> Vec<Point> {
     let mut chain: Vec<Point> = Vec::new();
     for point in points {
         while let [.., before, last] = chain[..] {
             let along = minus(point, before);
             let sticks_out = cross(minus(last, before), along) / along[0].hypot(along[1]);
-            // NaN, where two points are the same, does not stick out either.
+            // If two points are equal, the value is NaN, and the point does not count as a corner either.
             if sticks_out > size * f64::from(f32::EPSILON) {
                 break;
             }

@@ -5,7 +5,7 @@ pub(crate) mod stage;
 
 use conformance::scene::Scene;
 
-/// The indices of the bodies that move.
+/// Returns the indices of the bodies that are not static.
 pub(crate) fn movable(scene: &Scene) -> Vec<usize> {
     let is_movable = |&index: &usize| scene.bodies[index].is_static != Some(true);
     (0..scene.bodies.len()).filter(is_movable).collect()

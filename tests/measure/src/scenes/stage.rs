@@ -1,4 +1,4 @@
-//! Scenes in the plane put together by programs, thing by thing.
+//! Builds 2D scenes body by body.
 
 use super::depth::Surface;
 use conformance::scene::{
@@ -8,19 +8,19 @@ use conformance::scene::{
 use conformance::scenes::triangle;
 use farseer_core::math::Vector2;
 
-/// A metre in px.
+/// Length of a metre in px.
 pub(crate) const METRE: f32 = 32.0;
-/// Gravity in px/s²: 10 m/s².
+/// Acceleration of gravity in px/s², downwards: 10 m/s².
 pub(crate) const GRAVITY: f32 = 320.0;
-/// Friction of everything, unless a scene says otherwise.
+/// Friction coefficient of all geoms, dimensionless, unless a scene sets another one.
 pub(crate) const FRICTION: f32 = 0.5;
-/// Edges of a circle's outline.
+/// Number of edges of the polygon that stands for a circle.
 const EDGES: i32 = 24;
-/// Thickness of the floor in px: more than anything falls in a step.
+/// Thickness of the floor in px: more than a body falls in a step.
 const FLOOR: f32 = 2.0 * METRE;
 
-/// A scene being put together. Lengths in px, angles in rad, masses in kg, in either precision: what is computed in double
-/// precision is rounded once.
+/// A 2D scene under construction. Lengths are px with y down, angles radians, masses kg. Arguments may be single or double
+/// precision; double precision is rounded once.
 pub(crate) struct Stage {
     scene: Scene,
     surface: Surface,
@@ -28,62 +28,64 @@ pub(crate) struct Stage {
 }
 
 impl Stage {
-    /// An empty scene with gravity.
+    /// Returns an empty scene with gravity [`GRAVITY`].
     pub(crate) fn new() -> Self {
         let mut stage = Stage::without_gravity();
         stage.scene.simulator.gravity = Some(Vector2::new(0.0, GRAVITY));
         stage
     }
 
-    /// An empty scene without gravity.
+    /// Returns an empty scene without gravity.
     pub(crate) fn without_gravity() -> Self {
         let surface = Surface { friction: FRICTION, restitution: 0.0 };
         Stage { scene: Scene::empty("stage", ""), surface, has_drag: true }
     }
 
-    /// With a name.
+    /// Returns the scene with a name.
     pub(crate) fn named(mut self, name: impl Into<String>) -> Self {
         self.scene.name = name.into();
         self
     }
 
-    /// Without the drag that bodies have by default.
+    /// Sets the default drag of bodies to 0.
     pub(crate) fn without_drag(mut self) -> Self {
         self.has_drag = false;
         self
     }
 
-    /// Friction of everything that is added from now on.
+    /// Sets the friction coefficient of the geoms that are added afterwards.
     pub(crate) fn with_friction(mut self, friction: f32) -> Self {
         self.surface.friction = friction;
         self
     }
 
-    /// Friction and restitution of everything that is added from now on.
+    /// Sets friction and restitution of the geoms that are added afterwards.
     pub(crate) fn with_surface(mut self, friction: f64, restitution: f64) -> Self {
         self.surface = Surface { friction: friction as f32, restitution: restitution as f32 };
         self
     }
 
-    /// A static floor about x = 0 whose surface is y = 0.
+    /// Adds a static floor of `width` px, centred at x = 0, whose surface is y = 0.
     pub(crate) fn with_floor(mut self, width: f32) -> Self {
         self.wall([0.0, FLOOR / 2.0], [width, FLOOR]);
         self
     }
 
-    /// A static rectangle. Gives its body.
+    /// Adds a static rectangle with the centre `place` and the extents `size`, px. Returns the index of its body.
     pub(crate) fn wall<N: Into<f64>>(&mut self, place: [N; 2], size: [N; 2]) -> usize {
         let body = self.boxed(place, size, 1.0);
         self.scene.bodies[body].is_static = Some(true);
         body
     }
 
-    /// A rectangle of 1 kg per square metre.
+    /// Adds a rectangle of 1 kg per square metre, with the centre `place` and the extents `size`, px. Returns the index
+    /// of its body.
     pub(crate) fn solid(&mut self, place: [f32; 2], size: [f32; 2]) -> usize {
         self.boxed(place, size, size[0] * size[1] / (METRE * METRE))
     }
 
-    /// A rectangle.
+    /// Adds a rectangle with the centre `place` and the extents `size`, px, and the mass `mass`, kg. Returns the index
+    /// of its body.
     pub(crate) fn boxed<N: Into<f64>>(&mut self, place: [N; 2], size: [N; 2], mass: impl Into<f64>) -> usize {
         let ([width, height], mass) = (size.map(rounded), rounded(mass));
         let body = self.body(BodyShape::Rectangle { width, height, mass }, place);
@@ -91,8 +93,8 @@ impl Stage {
         body
     }
 
-    /// Rectangles of a metre and of 1 kg, each row with one less than that below: the middle of the lowest row, and from
-    /// middle to middle along x and y.
+    /// Adds a pyramid of squares of 1 m and 1 kg. `base` is the number in the lowest row, whose middle is at x =
+    /// `centre` px. `along` and `up` are the distances from centre to centre along x and y, px.
     pub(crate) fn pyramid(&mut self, base: usize, centre: f32, [along, up]: [f32; 2]) {
         for (row, from_middle) in triangle(base) {
             let place = [centre + along * from_middle, -(METRE / 2.0 + up * row as f32)];
@@ -100,13 +102,14 @@ impl Stage {
         }
     }
 
-    /// A circle of 1 kg per square metre.
+    /// Adds a circle of 1 kg per square metre, with the centre `place` and the radius `radius`, px. Returns the index
+    /// of its body.
     pub(crate) fn ball(&mut self, place: [f32; 2], radius: f32) -> usize {
         let mass = std::f32::consts::PI * (radius / METRE).powi(2);
         self.disc(place, radius, mass, EDGES)
     }
 
-    /// A circle, in the engine of this workspace a polygon of so many edges.
+    /// Adds a circle with a mass. In the engine of this workspace it is a polygon. Returns the index of its body.
     pub(crate) fn disc<N: Into<f64>>(
         &mut self,
         place: [N; 2],
@@ -120,8 +123,8 @@ impl Stage {
         body
     }
 
-    /// A regular polygon in every engine, given by the distance of its corners and their number, with the mass and inertia
-    /// of a circle of 1 kg.
+    /// Adds a regular polygon that is a polygon in every engine, with `radius` px from centre to corner. It has the
+    /// mass and moment of inertia of a circle of 1 kg. Returns the index of its body.
     pub(crate) fn wheel(&mut self, place: [f64; 2], radius: f64, edges: i32) -> usize {
         let radius = rounded(radius);
         let body = self.body(BodyShape::Circle { radius, mass: 1.0 }, place);
@@ -130,8 +133,8 @@ impl Stage {
         body
     }
 
-    /// A convex polygon of 1 kg, its corners given in the world. Its edges are cut into pieces of 10 px, as those of
-    /// ready-made rectangles are into four: distance grids know a face by its vertices alone.
+    /// Adds a convex polygon of 1 kg with `corners` in px in the world. Its edges are subdivided every 10 px, because
+    /// distance grids test the vertices alone. Returns the index of its body.
     pub(crate) fn stone(&mut self, corners: &[[f64; 2]]) -> usize {
         let centre = centroid(corners);
         let points = corners.iter().map(|p| vector([p[0] - centre[0], p[1] - centre[1]])).collect();
@@ -141,14 +144,15 @@ impl Stage {
         body
     }
 
-    /// A polygon of a mass, where its points are.
+    /// Adds a polygon of `mass` kg with `points` in px in the world. Returns the index of its body.
     pub(crate) fn polygon(&mut self, points: &[[f32; 2]], mass: f32) -> usize {
         let points = points.iter().map(|&[x, y]| Vector2::new(x, y)).collect();
         let outline = Outline { form: OutlineForm::Points { points }, subdivide: None };
         self.outlined(outline, mass)
     }
 
-    /// A polygon of a mass, where its outline is.
+    /// Adds a polygon of `mass` kg at the centroid of `outline`, whose points are px in the world. Returns the index of
+    /// its body.
     pub(crate) fn outlined(&mut self, outline: Outline, mass: f32) -> usize {
         // The factory puts the body where the outline's centroid is.
         let shape = BodyShape::Polygon { outline: outline.clone(), mass };
@@ -158,12 +162,13 @@ impl Stage {
         body
     }
 
-    /// A body of a rectangle's mass that nothing touches.
+    /// Adds a body with the mass and inertia of a rectangle, without a geom: it does not collide. Returns the index of
+    /// the body.
     pub(crate) fn ghost(&mut self, place: [f32; 2], [width, height]: [f32; 2], mass: f32) -> usize {
         self.body(BodyShape::Rectangle { width, height, mass }, place)
     }
 
-    /// A body without geom.
+    /// Adds a body without a geom at `place` px. Returns the index of the body.
     pub(crate) fn body<N: Into<f64>>(&mut self, shape: BodyShape, place: [N; 2]) -> usize {
         let mut body = BodySpec { position: Some(vector(place)), ..BodySpec::new(shape) };
         if !self.has_drag {
@@ -181,37 +186,37 @@ impl Stage {
         self.scene.geoms.push(geom);
     }
 
-    /// The body that was added last, to be changed.
+    /// Returns the body that was added last, so that the caller can change it.
     pub(crate) fn last(&mut self) -> &mut BodySpec {
         self.scene.bodies.last_mut().expect("a body was added")
     }
 
-    /// The geom that was added last, to be changed.
+    /// Returns the geom that was added last, so that the caller can change it.
     pub(crate) fn last_geom(&mut self) -> &mut GeomSpec {
         self.scene.geoms.last_mut().expect("a geom was added")
     }
 
-    /// Two bodies share a point.
+    /// Connects two bodies by a revolute joint at `[x, y]` px in the world.
     pub(crate) fn hinge(&mut self, body1: usize, body2: usize, [x, y]: [f32; 2]) {
         self.joint(JointKind::Revolute { body1, body2, anchor: Vector2::new(x, y) });
     }
 
-    /// A body turns about a point of the world.
+    /// Connects a body to the world by a revolute joint at `[x, y]` px in the world.
     pub(crate) fn pivot(&mut self, body: usize, [x, y]: [f32; 2]) {
         self.joint(JointKind::FixedRevolute { body, anchor: Vector2::new(x, y) });
     }
 
-    /// Any joint, with the engine's settings.
+    /// Adds a joint with the default settings of the engine.
     pub(crate) fn joint(&mut self, kind: JointKind) {
         self.scene.joints.push(JointSpec { kind, settings: JointSettings::default(), in_simulation: true });
     }
 
-    /// The scene, to be changed directly.
+    /// Returns the scene, so that the caller can change it directly.
     pub(crate) fn scene_mut(&mut self) -> &mut Scene {
         &mut self.scene
     }
 
-    /// The finished scene.
+    /// Returns the finished scene.
     pub(crate) fn done(self) -> Scene {
         self.scene
     }

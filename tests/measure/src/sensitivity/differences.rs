@@ -1,59 +1,60 @@
-//! Differences of two measurements of the same rows.
+//! Differences between two measurements of the same rows.
 
 use super::rows::{Row, SETS};
 use crate::csv::{rows, table};
 use serde::{Deserialize, Serialize};
 
-/// Factor by which a value changes from which on the row counts as changed.
+/// Ratio of two values of a row above which the row counts as changed, dimensionless.
 pub const FACTOR: f64 = 1.2;
 
-/// Changes by a changed number: a line of the table.
+/// Effect of one changed parameter on all rows: one line of the table.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Figures {
-    /// Name of the number.
+    /// Name of the parameter.
     pub parameter: String,
-    /// Its file.
+    /// Name of the file that defines the parameter, without `.rs`.
     pub module: String,
-    /// Its unit.
+    /// Unit of the parameter.
     pub unit: String,
-    /// Its value, as it is written.
+    /// Original value of the parameter, as the source text has it.
     pub value: String,
-    /// Factor of the number.
+    /// Factor by which the parameter was multiplied, dimensionless.
     pub factor: f64,
-    /// Rows that differ in any digit: if there are none, no scene here depends on the number.
+    /// Number of rows that differ in any digit. If it is 0, no scene of this measurement depends on the parameter.
     pub touched: usize,
-    /// Rows of the quick chart that changed.
+    /// Number of rows of the quick chart that changed.
     pub chart: usize,
-    /// Families and settings of the quick map whose first failure changed.
+    /// Number of pairs of family and setting in the quick stability map whose first failure changed.
     pub map: usize,
-    /// Errors of joint scenes that changed.
+    /// Number of errors of joint scenes that changed.
     pub joints: usize,
-    /// Counts of random joint scenes that changed.
+    /// Number of counts of random joint scenes that changed.
     pub random: usize,
-    /// Joint scenes whose number of Newton steps changed.
+    /// Number of joint scenes whose count of Newton steps changed.
     pub newton: usize,
-    /// Rows whose verdict changed, among all of these, but for rows that are chaotic.
+    /// Number of rows, of all kinds, whose verdict changed; chaotic rows are not counted.
     pub flips: usize,
-    /// The row that changed most: one with another verdict before others.
+    /// Name of the row that changed most; a row whose verdict changed ranks before all others.
     pub worst_row: String,
-    /// Its value, its verdict, or both.
+    /// Value and verdict of that row before the change; a missing one is omitted.
     pub before: String,
-    /// See [`before`](Self::before).
+    /// Value and verdict of that row after the change; a missing one is omitted.
     pub after: String,
 }
 
 impl Figures {
-    /// Number of rows that have changed.
+    /// Returns the number of rows that changed, of all kinds.
     pub fn rows(&self) -> usize {
         self.chart + self.map + self.joints + self.random + self.newton
     }
 
-    /// Counts the rows that have changed: those that differ from all measurements that are as good as equal, of which the first is
-    /// the one that is told.
+    /// Counts the rows of `after` that changed. `before` holds measurements in which a parameter differs by a
+    /// ten-thousandth at most. A row changed if it differs from all of these. The value in `before[0]` is written to the
+    /// report.
     ///
     /// # Errors
     ///
-    /// When one of them has other rows.
+    /// A measurement in `before` does not have the rows of `after`.
     pub fn count(&mut self, before: &[Vec<Row>], after: &[Row]) -> Result<(), String> {
         let mut worst = (false, 0.0);
         self.touched = 0;
@@ -72,20 +73,21 @@ impl Figures {
             if let Some((_, count)) = SETS.iter().zip(counts).find(|(set, _)| row.set == **set) {
                 *count += 1;
             }
-            // Of chaotic rows any verdict is chance.
+            // The verdict of a chaotic row changes by chance.
             let flips = ones[0].verdict != row.verdict && ones.iter().all(|one| !is_changed(ones[0], one));
             self.flips += usize::from(flips);
             let size = (flips, ones.iter().map(|one| ratio(one, row)).fold(f64::INFINITY, f64::min));
             if size > worst || self.worst_row.is_empty() {
                 (worst, self.worst_row) = (size, format!("{}: {}", row.set, row.name));
-                [self.before, self.after] = [ones[0], row].map(told);
+                [self.before, self.after] = [ones[0], row].map(change_text);
             }
         }
         Ok(())
     }
 }
 
-/// Names of rows that change by chance: of which two measurements that are as good as equal differ.
+/// Returns the names of chaotic rows: rows that differ between `measurements`, although a parameter differs by a
+/// ten-thousandth at most in these.
 pub fn chaotic(measurements: &[Vec<Row>]) -> Vec<String> {
     let Some((first, others)) = measurements.split_first() else { return Vec::new() };
     let differs = |index: usize, one: &Row| others.iter().any(|rows| is_changed(one, &rows[index]));
@@ -93,8 +95,9 @@ pub fn chaotic(measurements: &[Vec<Row>]) -> Vec<String> {
     rows.map(|(_, row)| format!("{}: {}", row.set, row.name)).collect()
 }
 
-/// Whether another verdict, or a value that is greater by [`FACTOR`], is in one of two measurements of a row. Counts of random scenes differ
-/// by chance as soon as any bit does: by more than two standard deviations of the difference of two Poisson numbers they have changed.
+/// Returns whether two measurements of a row differ in the verdict, or in the value by more than the factor [`FACTOR`].
+/// Counts of random scenes change by chance as soon as any bit changes. They differ if the difference is at least two
+/// standard deviations of the difference of two Poisson variables.
 pub fn is_changed(one: &Row, other: &Row) -> bool {
     if one.verdict != other.verdict || one.value.is_some() != other.value.is_some() {
         return true;
@@ -106,13 +109,14 @@ pub fn is_changed(one: &Row, other: &Row) -> bool {
     ratio(one, other) > FACTOR
 }
 
-/// The greater value through the less, neither below the floor.
+/// Returns the greater value divided by the lesser one, dimensionless; values below the floor of the row are replaced by the
+/// floor.
 fn ratio(one: &Row, other: &Row) -> f64 {
     let [a, b] = [one, other].map(|row| row.value.map_or(f64::INFINITY, |value| value.max(row.floor)));
     if a == b { 1.0 } else { a.max(b) / a.min(b) }
 }
 
-fn told(row: &Row) -> String {
+fn change_text(row: &Row) -> String {
     match row.value {
         Some(value) if row.verdict.is_empty() => format!("{value:.3e}"),
         Some(value) => format!("{value:.3e}, {}", row.verdict),
@@ -120,16 +124,16 @@ fn told(row: &Row) -> String {
     }
 }
 
-/// A line for each.
+/// Returns the figures as a table with one line for each parameter and factor.
 pub fn figures_csv(figures: &[Figures]) -> String {
     table(figures)
 }
 
-/// Figures of a table that [`figures_csv`] has written.
+/// Reads the figures from a table that [`figures_csv`] has written.
 ///
 /// # Errors
 ///
-/// The first line that is none.
+/// A line does not hold figures; the text names the first such line.
 pub fn read_figures(text: &str) -> Result<Vec<Figures>, String> {
     rows(text)
 }

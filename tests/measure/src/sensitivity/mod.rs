@@ -1,8 +1,12 @@
-//! Changes by half and twice each number of the precise method.
+//! Sensitivity of the precise method to each of its parameters, by measurements with half and twice the value.
 //!
-//! [`parameters`] reads the numbers from the sources of `farseer-core` and writes another value in place of one; [`rows`] measures with the
-//! engine that it is compiled with; [`differences`] compares two such measurements, [`report`] lists them for readers. The program `sensitivity` changes a copy of the
-//! workspace, builds it and measures with it: the product has no switch for that.
+//! - [`parameters`] reads the parameters from the sources of `farseer-core`, and writes another value in place of one.
+//! - [`rows`] measures with the engine with which it is compiled.
+//! - [`differences`] compares measurements with different parameters.
+//! - [`report`] writes the differences for readers.
+//!
+//! The program `sensitivity` changes a parameter in a copy of the workspace, builds the copy and measures with it. The
+//! engine itself has no switch for parameters.
 
 pub mod differences;
 pub mod parameters;

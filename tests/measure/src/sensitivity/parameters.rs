@@ -1,49 +1,49 @@
-//! The numbers of the precise method, as they stand in its sources.
+//! Parameters of the precise method, read from its source files.
 
 use std::fs;
 use std::path::Path;
 
-/// Folder of the numbers in the workspace.
+/// Folder of the files with parameters, relative to the workspace.
 pub const FOLDER: &str = "farseer-core/src/precise/parameters";
-/// Modules whose numbers are measured first: those of the newest methods.
+/// Names of files whose parameters are measured first: those of the newest methods.
 const FIRST: [&str; 2] = ["joints", "direct"];
 
-/// A number: a line `pub(...) const NAME: TYPE = VALUE;` below a text with `Unit: ...`.
+/// A parameter of the precise method: a line `pub(...) const NAME: TYPE = VALUE;` below a doc comment with `Unit: ...`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Number {
-    /// Name of its file, without `.rs`.
+pub struct Parameter {
+    /// Name of the file that defines the parameter, without `.rs`.
     pub module: String,
-    /// Its name.
+    /// Name of the constant.
     pub name: String,
-    /// From the text above it: the words between `Unit:` and the next full stop.
+    /// Unit of the parameter: the words between `Unit:` and the next full stop of its doc comment.
     pub unit: String,
-    /// Its value, as it is written.
+    /// Value of the parameter as the source text has it.
     pub value: String,
-    /// Its type, as it is written.
+    /// Type of the parameter as the source text has it.
     kind: String,
 }
 
-/// All numbers, those of joints and of the direct solver first.
+/// Returns all parameters, those of joints and of the direct solver first.
 ///
 /// # Errors
 ///
-/// Which file cannot be read, and which number has no unit.
-pub fn numbers(workspace: &Path) -> Result<Vec<Number>, String> {
+/// A file cannot be read, or a parameter has no unit.
+pub fn parameters(workspace: &Path) -> Result<Vec<Parameter>, String> {
     let folder = workspace.join(FOLDER);
     let unread = |error: std::io::Error| format!("{}: {error}", folder.display());
     let mut all = Vec::new();
     for entry in fs::read_dir(&folder).map_err(unread)? {
         let path = entry.map_err(unread)?.path();
         let module = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-        all.extend(numbers_of(module, &fs::read_to_string(&path).map_err(unread)?)?);
+        all.extend(parameters_of(module, &fs::read_to_string(&path).map_err(unread)?)?);
     }
     let place = |module: &str| FIRST.iter().position(|first| *first == module).unwrap_or(FIRST.len());
     all.sort_by_key(|number| (place(&number.module), number.module.clone()));
     Ok(all)
 }
 
-/// The numbers of a file, in its order.
-fn numbers_of(module: &str, text: &str) -> Result<Vec<Number>, String> {
+/// Returns the parameters of a source text, in the order of the text; `module` is the name of the file.
+fn parameters_of(module: &str, text: &str) -> Result<Vec<Parameter>, String> {
     let (mut all, mut above) = (Vec::new(), String::new());
     for line in text.lines() {
         if let Some(doc) = line.strip_prefix("///") {
@@ -52,7 +52,7 @@ fn numbers_of(module: &str, text: &str) -> Result<Vec<Number>, String> {
             let unit = above.split_once("Unit: ").and_then(|(_, rest)| Some(rest.split_once('.')?.0));
             let unit = unit.ok_or_else(|| format!("{name} has no unit"))?.to_owned();
             let [name, kind, value] = [name, kind, value].map(str::to_owned);
-            all.push(Number { module: module.to_owned(), name, unit, value, kind });
+            all.push(Parameter { module: module.to_owned(), name, unit, value, kind });
             above.clear();
         } else {
             above.clear();
@@ -61,7 +61,7 @@ fn numbers_of(module: &str, text: &str) -> Result<Vec<Number>, String> {
     Ok(all)
 }
 
-/// Name, type and value of a line that defines a constant.
+/// Returns name, type and value of a line that defines a constant; `None` for other lines.
 fn constant(line: &str) -> Option<(&str, &str, &str)> {
     let (_, rest) = line.split_once("const ")?;
     let (name, rest) = rest.split_once(": ")?;
@@ -69,14 +69,15 @@ fn constant(line: &str) -> Option<(&str, &str, &str)> {
     Some((name, kind, value.strip_suffix(';')?))
 }
 
-impl Number {
-    /// File of the number in a workspace.
+impl Parameter {
+    /// Returns the path of the file that defines the parameter, relative to the workspace.
     pub fn file(&self) -> String {
         format!("{FOLDER}/{}.rs", self.module)
     }
 
-    /// A value that is a multiple of this one, as an expression; nothing if it is the same. Integers are rounded to the nearest one that
-    /// their type has, at least 1. Of a cosine the angle is multiplied, within small angles; a part is at most 1.
+    /// Returns an expression for `factor` times the value; `None` if it equals the value. Integers are rounded to the
+    /// nearest one of the type, at least 1. For a cosine the small angle is multiplied. Parameters whose unit ends with `at
+    /// most 1` stay at most 1.
     pub fn times(&self, factor: f64) -> Option<String> {
         let Some(inner) = self.value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) else {
             let value = self.one_times(&self.kind, &self.value, factor);
@@ -98,7 +99,7 @@ impl Number {
         if self.unit.ends_with("at most 1") { format!("{kind}::min({product}, 1.0)") } else { product }
     }
 
-    /// The text of its file with another value.
+    /// Returns the source text of the file with another value of this parameter.
     pub fn written_into(&self, text: &str, value: &str) -> String {
         let line = |line: &str| match constant(line) {
             Some((name, ..)) if name == self.name => {
@@ -126,22 +127,22 @@ mod tests {
         Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
     }
 
-    fn number(kind: &str, unit: &str, value: &str) -> Number {
+    fn number(kind: &str, unit: &str, value: &str) -> Parameter {
         let [module, name] = ["joints", "SPEED"].map(str::to_owned);
-        Number { module, name, unit: unit.into(), value: value.into(), kind: kind.into() }
+        Parameter { module, name, unit: unit.into(), value: value.into(), kind: kind.into() }
     }
 
     #[test]
-    fn every_number_of_the_method_has_a_unit_and_can_be_changed_in_its_file() {
-        let numbers = numbers(workspace()).unwrap();
-        assert!(numbers.len() > 150, "{}", numbers.len());
-        for number in &numbers {
+    fn every_parameter_of_the_method_has_a_unit_and_can_be_changed_in_its_file() {
+        let parameters = parameters(workspace()).unwrap();
+        assert!(parameters.len() > 150, "{}", parameters.len());
+        for number in &parameters {
             let text = fs::read_to_string(workspace().join(number.file())).unwrap();
             assert!(text.matches(" const ").count() >= 1);
             for factor in [0.5, 2.0] {
                 let Some(value) = number.times(factor) else { continue };
-                let changed = numbers_of(&number.module, &number.written_into(&text, &value)).unwrap();
-                let before = numbers_of(&number.module, &text).unwrap();
+                let changed = parameters_of(&number.module, &number.written_into(&text, &value)).unwrap();
+                let before = parameters_of(&number.module, &text).unwrap();
                 let others = changed.iter().zip(&before).filter(|(one, other)| one != other);
                 assert_eq!(others.count(), 1, "{} times {factor}", number.name);
                 assert!(changed.iter().any(|one| one.name == number.name && one.value == value));
@@ -151,19 +152,20 @@ mod tests {
     }
 
     #[test]
-    fn every_constant_among_the_numbers_is_on_one_line_and_read() {
+    fn every_constant_among_the_parameters_is_on_one_line_and_read() {
         for entry in fs::read_dir(workspace().join(FOLDER)).unwrap() {
             let path = entry.unwrap().path();
             let text = fs::read_to_string(&path).unwrap();
             let constants = text.lines().filter(|line| line.contains("const ") && !line.starts_with("//"));
-            let read = numbers_of("", &text).unwrap();
+            let read = parameters_of("", &text).unwrap();
             assert_eq!(constants.count(), read.len(), "{}", path.display());
         }
     }
 
     #[test]
-    fn names_of_numbers_differ() {
-        let mut names: Vec<_> = numbers(workspace()).unwrap().into_iter().map(|number| number.name).collect();
+    fn names_of_parameters_are_unique() {
+        let mut names: Vec<_> =
+            parameters(workspace()).unwrap().into_iter().map(|number| number.name).collect();
         let count = names.len();
         names.sort_unstable();
         names.dedup();
@@ -171,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_multiplied_by_their_kinds() {
+    fn parameters_are_multiplied_by_their_kinds() {
         let value = |kind, unit, value| number(kind, unit, value).times(2.0);
         assert_eq!(value("f64", "Hz", "60.0").as_deref(), Some("2.0 * (60.0)"));
         assert_eq!(value("u8", "dimensionless, updates", "200").as_deref(), Some("255"));

@@ -1,12 +1,13 @@
-//! Changes by numbers, listed for readers.
+//! Report of the effects of changed parameters, for readers.
 
 use super::differences::Figures;
 use std::fmt::Write;
 
-/// Factors from this far to 1 on are near.
+/// Greatest factor on a parameter that is a small change, dimensionless: factors from 1/1.2 to 1.2 are small changes.
 const NEAR: f64 = 1.2;
 
-/// How far a number may be off until something changes, worst first: the classes that numbers are listed by.
+/// Title and explanation of the classes of parameters in the report. A parameter belongs to the first class that applies;
+/// the most sensitive parameters come first.
 const CLASSES: [(&str, &str); 5] = [
     ("A verdict flips within 20 %", "Such a number is tuned to a scene: a fault of the method."),
     (
@@ -16,7 +17,7 @@ const CLASSES: [(&str, &str); 5] = [
     ("Values change by a fifth or more", "No verdict flips."),
     (
         "No change from half to twice",
-        "Values differ by less than a fifth, or below what is seen: any value in that range does.",
+        "Values differ by less than a fifth, or are below their floors: any value in that range suffices.",
     ),
     (
         "No row depends on it",
@@ -24,7 +25,7 @@ const CLASSES: [(&str, &str); 5] = [
     ),
 ];
 
-/// A table for each class of numbers.
+/// Returns the report: a table of parameters for each class.
 pub fn report(all: &[Figures]) -> String {
     let mut text = "# Changes by numbers\n".to_owned();
     let numbers: Vec<&[Figures]> = all.chunk_by(|one, other| one.parameter == other.parameter).collect();
@@ -64,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_listed_by_what_they_change() {
+    fn parameters_are_listed_by_their_effect() {
         let figures = |parameter: &str, factor, chart, flips| Figures {
             parameter: parameter.into(),
             factor,

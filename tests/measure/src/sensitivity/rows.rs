@@ -1,4 +1,4 @@
-//! Measurements that are compared: errors, verdicts and counts, and no times.
+//! Measurements that are compared when a parameter changes: errors, verdicts and counts, but no times.
 
 use crate::charts::chart_scenes;
 use crate::csv::table;
@@ -18,31 +18,32 @@ use crate::trials::trials;
 use crate::world::World;
 use serde::{Deserialize, Serialize};
 
-/// Name of the method that is measured.
+/// Name of the method that is measured, as in [`Method::name`].
 const METHOD: &str = "Precise";
-/// Random joint scenes of each of twelve variants.
+/// Number of random joint scenes for each of twelve variants.
 const RANDOM: u32 = 25;
-/// Errors of joint scenes below these are equal: gap in px, speed in px/s, energy gained as a part of the greatest kinetic energy. A
-/// tenth of a gap that is seen, and of the speed of a scene that does not rest.
+/// Values of joint scenes below these count as equal: gap in px, speed in px/s, energy gained as a fraction of the greatest
+/// kinetic energy. Gap and speed are a tenth of a visible gap, and of the speed of a scene that does not come to rest.
 const JOINT_FLOORS: [f64; 3] = [0.32, 1.6, ENERGY];
-/// Newton steps of a scene's run below which numbers of them are equal.
+/// Number of Newton steps in a run below which two numbers count as equal.
 const NEWTON_FLOOR: f64 = 100.0;
 
-/// Kinds of rows: columns of the table of the program `sensitivity`.
+/// Kinds of rows, which are columns of the table of the program `sensitivity`.
 pub const SETS: [&str; 5] = ["chart", "map", "joints", "random", "newton"];
 
-/// A measurement.
+/// One measured value or verdict, identified by kind and name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// One of [`SETS`].
+    /// Kind of the row: one of [`SETS`].
     pub set: String,
-    /// Scene and setting, family and setting, or scene and quantity.
+    /// Name of the row within its kind: scene and setting, family and setting, or scene and quantity.
     pub name: String,
-    /// An error or a count; nothing where there is a verdict alone, or where a run failed.
+    /// Measured error or count; `None` if the row has a verdict alone, or if the run failed.
     pub value: Option<f64>,
-    /// Values below it are equal.
+    /// Values below this one count as equal; in the unit of the row's value, a number or a length.
     pub floor: f64,
-    /// A word, if there is more to compare than a value: how a run ended, or the first size at which a family fails.
+    /// Verdict in a few words, such as how the run ended or the first size at which a family fails; empty if the row has a
+    /// value alone.
     pub verdict: String,
 }
 
@@ -52,12 +53,12 @@ impl Row {
     }
 }
 
-/// Measures all rows with the engine that this is compiled with: the quick chart and the quick map of both engines, joint scenes that are
-/// not large, and random ones.
+/// Measures all rows with the engine with which this program is compiled: the quick charts and maps of the 2D and 2.5D
+/// engine, joint scenes that are not large, and random joint scenes.
 ///
 /// # Errors
 ///
-/// When the engine refuses a scene.
+/// The engine refuses a scene.
 pub fn measured() -> Result<Vec<Row>, String> {
     let mut rows = Vec::new();
     let (plane, depth) = (precise(methods()), precise(depth_methods()));
@@ -84,16 +85,16 @@ pub fn measured() -> Result<Vec<Row>, String> {
     Ok(rows)
 }
 
-/// A line for every row.
+/// Returns the rows as a table with one line each.
 pub fn rows_csv(rows: &[Row]) -> String {
     table(rows)
 }
 
-/// The rows of a table that [`rows_csv`] has written.
+/// Reads the rows from a table that [`rows_csv`] has written.
 ///
 /// # Errors
 ///
-/// The first line that is none.
+/// A line does not hold a row; the text names the first such line.
 pub fn read_rows(text: &str) -> Result<Vec<Row>, String> {
     crate::csv::rows(text)
 }
@@ -117,7 +118,7 @@ fn chart_rows(trial: &Trial<'_>, tolerances: &[(&str, f64)]) -> Result<Vec<Row>,
     Ok(trial.measured()?.into_iter().map(row).collect())
 }
 
-/// A row for every setting of a family: the first value at which it fails.
+/// Returns a row for every setting of a family; its verdict is the first value of the parameter at which the family fails.
 fn map_rows(sheet: &Sheet) -> Vec<Row> {
     let map = sheet.fill(&|| {});
     let row = |(column, heading): (usize, &crate::stability::map::Column)| {
@@ -150,7 +151,7 @@ fn joint_rows(scene: &JointScene) -> Result<Vec<Row>, String> {
     Ok(values.into_iter().zip(JOINT_FLOORS).map(|(value, floor)| row(value, floor)).collect())
 }
 
-/// Newton steps of a run.
+/// Returns a row with the number of Newton steps of the direct solver in a run of a joint scene.
 fn newton_row(scene: &JointScene) -> Result<Row, String> {
     let passes = i32::try_from(crate::joints::engines::SETTING.passes).map_err(|error| error.to_string())?;
     let (simulator, bodies) = simulator(&scene.assembly, passes).map_err(|error| error.to_string())?;

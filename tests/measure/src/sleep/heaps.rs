@@ -1,4 +1,4 @@
-//! Heaps that sleep, and a box that lands on one of them.
+//! Heaps of sleeping boxes, and a box that lands on one of them.
 
 use super::{Sleeper, rounded};
 use crate::csv::table;
@@ -11,42 +11,46 @@ use conformance::scenes::vary;
 use serde::Serialize;
 use std::time::Duration;
 
-/// Boxes of a heap.
+/// Number of boxes in a heap.
 pub const HEAP: usize = 20;
-/// Boxes of a row of one, as they begin to fall, and from one to the next.
+/// Number of boxes in a row of a heap.
 const ROW: usize = 5;
+/// Distance in px between neighbouring boxes of a heap at the start, before they fall.
 const PITCH: f32 = 1.35 * METRE;
-/// Heaps beside each other, and from one to the next along x and y.
+/// Number of shelves with heaps in a row along x.
 const ABREAST: usize = 25;
+/// Distance in px between neighbouring shelves, along x and along y.
 const APART: [f32; 2] = [22.0 * METRE, 14.0 * METRE];
+/// Width and height of a shelf in px.
 const SHELF: [f32; 2] = [20.0 * METRE, METRE];
-/// How far above its shelf the box begins to fall that lands on a heap: they are four boxes high at most.
+/// Height in px above a shelf from which the box falls on a heap. Heaps are at most four boxes high.
 const ABOVE: f32 = 8.0 * METRE;
 
-/// What came of heaps with a method.
+/// Results of the scene of heaps with one method: one line of a table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct HeapsFigures {
-    /// Its name.
+    /// Name of the method.
     pub method: &'static str,
-    /// Boxes, and how many of them slept when the steps were timed.
+    /// Number of dynamic boxes, including the box that is dropped.
     pub boxes: usize,
-    /// See [`boxes`](Self::boxes).
+    /// Number of boxes that sleep when the steps of `us_asleep` are timed.
     pub asleep: usize,
-    /// Seconds after which all slept; nothing if they never did.
+    /// Simulated time in s until all boxes slept; `None` if some never did.
     pub asleep_after_s: Option<f64>,
-    /// CPU time of a step in µs, asleep.
+    /// CPU time of a step in µs while all boxes sleep.
     pub us_asleep: f64,
-    /// The same with sleep switched off: where all is awake, and at rest.
+    /// CPU time of a step in µs with sleep disabled: all boxes are awake and at rest.
     pub us_awake: f64,
-    /// How many that had slept woke in the heap that the box was dropped on.
+    /// Number of sleeping boxes that woke in the heap on which the box was dropped.
     pub woken: usize,
-    /// How many in all others.
+    /// Number of sleeping boxes that woke in all other heaps.
     pub woken_elsewhere: usize,
-    /// Seconds from when it was dropped until all slept again; nothing if they never did.
+    /// Simulated time in s from the drop of the box until all boxes slept again; `None` if some never did.
     pub asleep_again_after_s: Option<f64>,
 }
 
-/// So many heaps on shelves of their own, their boxes about to fall into them, and a box on another shelf: the last body.
+/// Returns a scene of `count` heaps, each on a shelf of its own, whose boxes are about to fall into place. The last body is
+/// a box on another shelf.
 pub fn heaps(count: usize) -> Scene {
     let mut stage = Stage::new().named(format!("{count}_heaps"));
     for heap in 0..count {
@@ -54,7 +58,7 @@ pub fn heaps(count: usize) -> Scene {
         stage.wall([x, y + SHELF[1] / 2.0], SHELF);
         for at in 0..HEAP {
             let (row, column, index) = (at / ROW, at % ROW, heap * HEAP + at);
-            // Each row is half a box beside that below, as bricks are.
+            // Each row is shifted by half a box against the row below, like bricks.
             let along = column as f32 - (ROW - 1) as f32 / 2.0 + 0.5 * (row % 2) as f32;
             let place = [x + PITCH * along + 0.05 * METRE * vary(index, 1), y - PITCH * (row as f32 + 0.5)];
             stage.solid(place, [METRE, METRE]);
@@ -67,19 +71,19 @@ pub fn heaps(count: usize) -> Scene {
     stage.done()
 }
 
-/// The middle of the top of a shelf.
+/// Returns the middle of the upper side of the shelf of a heap, in px.
 fn shelf(heap: usize) -> [f32; 2] {
     let from_middle = (heap % ABREAST) as f32 - (ABREAST / 2) as f32;
     [from_middle * APART[0], (heap / ABREAST) as f32 * APART[1]]
 }
 
-/// The bodies of a heap: after each shelf those that lie on it.
+/// Returns the indices of the bodies of a heap. Each shelf is followed by its boxes in the order of creation.
 fn bodies(heap: usize) -> std::ops::Range<usize> {
     let first = heap * (HEAP + 1) + 1;
     first..first + HEAP
 }
 
-/// Turns in which steps are timed, and how many steps a turn has.
+/// Number of turns in which steps are timed, and number of steps per turn.
 struct Turns {
     turns: usize,
     steps: u32,
@@ -87,19 +91,19 @@ struct Turns {
 
 const ASLEEP: Turns = Turns { turns: 41, steps: 60 };
 const AWAKE: Turns = Turns { turns: 11, steps: 6 };
-/// Steps between that all are woken and that they are timed.
+/// Number of steps between waking all boxes and timing steps.
 const WAKING: usize = 12;
 
-/// Runs heaps with some methods, which take turns where steps are timed.
+/// Runs a scene of `count` heaps with each of `methods`; the methods take turns where steps are timed.
 ///
 /// # Errors
 ///
-/// When an engine cannot build them.
+/// An engine cannot build the scene.
 pub fn run_heaps(methods: &[Method], count: usize) -> Result<Vec<HeapsFigures>, String> {
     let scene = heaps(count);
     let mut sleepers =
         methods.iter().map(|method| Sleeper::new(method, &scene)).collect::<Result<Vec<_>, _>>()?;
-    let mut figures: Vec<HeapsFigures> = sleepers.iter_mut().map(settled).collect();
+    let mut figures: Vec<HeapsFigures> = sleepers.iter_mut().map(fallen_asleep).collect();
     for (figures, time) in figures.iter_mut().zip(step_times(&mut sleepers, &ASLEEP)) {
         figures.us_asleep = time;
     }
@@ -114,8 +118,9 @@ pub fn run_heaps(methods: &[Method], count: usize) -> Result<Vec<HeapsFigures>, 
     Ok(figures)
 }
 
-/// Lets all fall asleep. What is not known yet is not a number, and none.
-fn settled(sleeper: &mut Sleeper) -> HeapsFigures {
+/// Steps until all boxes sleep, and returns figures with the time it took. Figures that are not known yet are NaN, 0 or
+/// `None`.
+fn fallen_asleep(sleeper: &mut Sleeper) -> HeapsFigures {
     let asleep_after_s = sleeper.fall_asleep(|_, _| {}).map(rounded);
     HeapsFigures {
         method: sleeper.method,
@@ -130,13 +135,13 @@ fn settled(sleeper: &mut Sleeper) -> HeapsFigures {
     }
 }
 
-/// Drops the last body on a heap.
+/// Drops the last body on a heap, given by number, steps until all boxes sleep again, and writes the counts to `figures`.
 fn land(sleeper: &mut Sleeper, heap: usize, figures: &mut HeapsFigures) {
     let Some((&dropped, others)) = sleeper.movable.split_last() else { return };
     let mut sleeping: Vec<usize> =
         others.iter().copied().filter(|&index| sleeper.world.is_asleep(index)).collect();
     let [x, y] = shelf(heap);
-    // In motion first, which wakes it: Box2D does not wake what is put elsewhere.
+    // Setting the velocity wakes the box. Setting the position does not in Box2D.
     sleeper.world.set_velocity(dropped, [0.0, f64::from(METRE)], 0.0);
     sleeper.world.teleport(dropped, [x, y - ABOVE].map(f64::from), 0.0);
     let heap = bodies(heap);
@@ -151,7 +156,7 @@ fn land(sleeper: &mut Sleeper, heap: usize, figures: &mut HeapsFigures) {
     figures.asleep_again_after_s = again.map(rounded);
 }
 
-/// CPU time of a step of each in µs: the median of the turns they take.
+/// Returns the CPU time of a step in µs for each of `sleepers`: the median over turns.
 fn step_times(sleepers: &mut [Sleeper], turns: &Turns) -> Vec<f64> {
     let mut times = vec![Vec::new(); sleepers.len()];
     for _ in 0..turns.turns {
@@ -165,7 +170,7 @@ fn step_times(sleepers: &mut [Sleeper], turns: &Turns) -> Vec<f64> {
     times.into_iter().map(|times| median(times).map_or(f64::NAN, step)).collect()
 }
 
-/// As a table, a line for each method.
+/// Returns the figures as a table with one line for each method.
 pub fn heaps_csv(figures: &[HeapsFigures]) -> String {
     table(figures)
 }

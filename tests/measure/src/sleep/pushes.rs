@@ -1,4 +1,4 @@
-//! A pyramid that sleeps, and is pushed at its foot.
+//! A sleeping pyramid of boxes that is pushed at its foot.
 
 use super::{Sleeper, rounded};
 use crate::csv::table;
@@ -8,54 +8,57 @@ use crate::stability::stacks::pyramid;
 use crate::world::{BodyState, distance};
 use serde::Serialize;
 
-/// Boxes in the lowest row.
+/// Number of boxes in the lowest row of the pyramid.
 const BASE: usize = 15;
-/// The box that is pushed: the outermost of the lowest row, after the floor. It is pushed inwards.
+/// Index of the body that is pushed: the outermost box of the lowest row, which follows the floor. The push is directed
+/// inwards.
 const FOOT: usize = 1;
-/// The velocities in m/s that a push gives it.
+/// Velocities in m/s that a push gives to the box.
 const PUSHES: [f64; 8] = [0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 40.0];
-/// What is at rest moves no point faster, in px/s, from one step to the next: the 0.05 m/s below which Box2D lets things
-/// sleep. rapier2d takes twice that, the precise set 0.045 m/s.
+/// Greatest speed in px/s of any point of a body at rest, by the motion from one step to the next. It is 0.05 m/s, as in
+/// Box2D's rule of sleeping. rapier2d uses twice this speed, the precise set 0.045 m/s.
 pub const REST: f64 = 0.05 * METRE as f64;
 
-/// What came of a push with a method.
+/// Results of one push with one method: one line of a table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PushFigures {
-    /// Its name.
+    /// Name of the method.
     pub method: &'static str,
-    /// The velocity in m/s that the box got.
+    /// Velocity in m/s that the push gives to the box.
     pub push: f64,
-    /// Boxes of the pyramid.
+    /// Number of boxes in the pyramid.
     pub boxes: usize,
-    /// Seconds after which it slept as it was built; if it never did there is nothing else to tell.
+    /// Simulated time in s until the pyramid slept before the push; `None` if it never did: then there is no push, and other
+    /// figures are 0 or `None`.
     pub asleep_after_s: Option<f64>,
-    /// How many were awake after the step that followed the push.
+    /// Number of boxes that are awake after the first step after the push.
     pub woken_at_once: usize,
-    /// The most that were awake at any time after it.
+    /// Greatest number of boxes that were awake at once after the push.
     pub woken: usize,
-    /// How many ended lower by more than half a box.
+    /// Number of boxes that ended more than half a box lower than before the push.
     pub fallen: usize,
-    /// Seconds from the push until none was faster than [`REST`] any more; nothing if one still was at the end.
+    /// Simulated time in s from the push to the last step in which a point of a box was faster than [`REST`]; `None` if this
+    /// is the last step of the run.
     pub at_rest_again_after_s: Option<f64>,
-    /// Seconds from the push until all slept again; nothing if they never did.
+    /// Simulated time in s from the push until all boxes slept again; `None` if they never did.
     pub asleep_again_after_s: Option<f64>,
 }
 
-/// Pushes a pyramid with some methods, more and more.
+/// Runs pushes of increasing strength on a pyramid, each with every method of `methods`.
 ///
 /// # Errors
 ///
-/// When an engine cannot build it.
+/// An engine cannot build the pyramid.
 pub fn run_pushes(methods: &[Method]) -> Result<Vec<PushFigures>, String> {
     let pushes = PUSHES.iter().flat_map(|&push| methods.iter().map(move |method| (method, push)));
     pushes.map(|(method, push)| run_push(method, push)).collect()
 }
 
-/// Pushes a pyramid with a method; the push in m/s.
+/// Runs one push on a pyramid with a method; `push` is the velocity in m/s that the box gets.
 ///
 /// # Errors
 ///
-/// When the engine cannot build it.
+/// The engine cannot build the pyramid.
 pub fn run_push(method: &Method, push: f64) -> Result<PushFigures, String> {
     let mut sleeper = Sleeper::new(method, &pyramid(BASE, 0.0))?;
     let asleep_after_s = sleeper.fall_asleep(|_, _| {}).map(rounded);
@@ -71,16 +74,16 @@ pub fn run_push(method: &Method, push: f64) -> Result<PushFigures, String> {
         asleep_again_after_s: None,
     };
     if asleep_after_s.is_some() {
-        see_push(&mut sleeper, &mut figures);
+        observe_push(&mut sleeper, &mut figures);
     }
     Ok(figures)
 }
 
-/// Pushes what sleeps, and looks at it until it sleeps again.
-fn see_push(sleeper: &mut Sleeper, figures: &mut PushFigures) {
+/// Pushes the sleeping pyramid, observes it until it sleeps again, and writes the results to `figures`.
+fn observe_push(sleeper: &mut Sleeper, figures: &mut PushFigures) {
     let before = states(sleeper);
     let (mut last, mut restless, mut end) = (before.clone(), 0.0, 0.0);
-    // Boxes are of 1 kg.
+    // A box has 1 kg, so the impulse equals the velocity.
     sleeper.world.apply_impulse(FOOT, [figures.push * f64::from(METRE), 0.0]);
     let again = sleeper.fall_asleep(|time, sleeper| {
         let awake = sleeper.movable.len() - sleeper.asleep().count();
@@ -106,13 +109,13 @@ fn states(sleeper: &Sleeper) -> Vec<BodyState> {
     sleeper.movable.iter().map(|&index| sleeper.world.body(index)).collect()
 }
 
-/// How far the fastest corner of a box has gone, at most, in px.
+/// Returns an upper bound in px of the distance that a corner of a box moved from state `last` to state `now`.
 fn way(last: &BodyState, now: &BodyState) -> f64 {
     let reach = f64::from(METRE) * std::f64::consts::FRAC_1_SQRT_2;
-    distance(last.place(), now.place()) + reach * (now.angle - last.angle).abs()
+    distance(last.position_in_plane(), now.position_in_plane()) + reach * (now.angle - last.angle).abs()
 }
 
-/// As a table, a line for each push and method.
+/// Returns the figures as a table with one line for each push and method.
 pub fn pushes_csv(figures: &[PushFigures]) -> String {
     table(figures)
 }

@@ -1,4 +1,4 @@
-//! An arch: it stands by friction and pressure alone.
+//! The family of arches: an arch stands by friction and pressure alone.
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, standing};
 use super::stacks::BOXES;
@@ -34,7 +34,7 @@ fn arch(stones: usize) -> Scene {
         let points = [at(INNER, stone), at(OUTER, stone), at(OUTER, stone + 1), at(INNER, stone + 1)];
         let area = (PI / stones as f32).sin() * (OUTER * OUTER - INNER * INNER) / 2.0;
         let points = points.map(|[x, y]| Vector2::new(x, y)).to_vec();
-        // The grid looks for vertices of one stone in the other.
+        // Distance grids test the vertices of one stone in the other, so the edges are subdivided.
         let outline = Outline { form: OutlineForm::Points { points }, subdivide: Some(METRE / 4.0) };
         stage.outlined(outline, area / (METRE * METRE));
     }
@@ -42,7 +42,7 @@ fn arch(stones: usize) -> Scene {
 }
 
 fn arch_stands(_: f64, scene: &Scene) -> Box<dyn Watch> {
-    // Half of the arch's thickness sideways, and 10 degrees.
+    // A shift by half the arch's thickness, a rotation of 10 degrees.
     let allowed = Allowed { shift: 24.0, turn: 0.175, creep: 1.6 };
     all(vec![calm(scene, SPEED_LIMIT), standing(scene, SECONDS, allowed)])
 }

@@ -1,4 +1,4 @@
-//! Thin things that lean on each other, or knock each other over.
+//! Families of thin bodies that lean on each other or knock each other over.
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, standing};
 use super::reasons;
@@ -42,18 +42,18 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
 
 /// Length and thickness of a card in px.
 const CARD: [f32; 2] = [2.0 * METRE, 2.0];
-/// How far a card leans from the vertical, in rad.
+/// Angle of a leaning card from the vertical, in radians.
 const LEAN: f32 = 25.0 * std::f32::consts::PI / 180.0;
 
-/// Storeys of pairs of leaning cards, with lying cards between storeys.
+/// Returns a house of cards: each storey is a row of pairs of leaning cards, and level cards lie between storeys.
 fn card_house(storeys: usize) -> Scene {
     let mut stage = Stage::new().with_friction(0.7).with_floor(40.0 * METRE);
     let [length, thickness] = CARD;
-    // Half extents of a leaning card's box.
+    // Half extents of the bounding box of a leaning card.
     let half_width = (length * LEAN.sin() + thickness * LEAN.cos()) / 2.0;
     let half_height = (length * LEAN.cos() + thickness * LEAN.sin()) / 2.0;
     let storey = 2.0 * half_height + thickness;
-    // The upper corners of a pair press into each other a little; tents stand side by side with a small gap.
+    // Overlap of the upper corners of a pair, px. Neighbouring pairs stand side by side with a small gap.
     let press = 0.5;
     let tent = 4.0 * half_width + 1.0;
     for level in 0..storeys {
@@ -63,7 +63,7 @@ fn card_house(storeys: usize) -> Scene {
             let centre = tent * (index as f32 - (tents - 1) as f32 / 2.0);
             for side in [-1.0, 1.0] {
                 stage.solid([centre + side * (half_width - press), middle], [thickness, length]);
-                // The left card's top leans to the right: clockwise on the screen.
+                // The top of the left card leans to the right: clockwise on the screen.
                 stage.last().rotation = Some(-side * LEAN);
             }
             if index > 0 {
@@ -76,7 +76,7 @@ fn card_house(storeys: usize) -> Scene {
 }
 
 fn house_stands(_: f64, scene: &Scene) -> Box<dyn Watch> {
-    // A card may shift by its half, turn by 10 degrees.
+    // A card may shift by half its length and turn by 10 degrees.
     let allowed = Allowed { shift: 32.0, turn: 0.175, creep: 1.6 };
     all(vec![calm(scene, SPEED_LIMIT), standing(scene, SECONDS, allowed)])
 }
@@ -88,7 +88,7 @@ fn dominoes(count: usize) -> Scene {
         let from_centre = index as f32 - (count - 1) as f32 / 2.0;
         stage.solid([0.75 * METRE * from_centre, -height / 2.0], [width, height]);
         if index == 0 {
-            // 2 rad/s about its lower right edge, twice what takes it over.
+            // An angular velocity of 2 rad/s about the lower right edge, twice that which topples the domino.
             stage.last().settings.angular_velocity = Some(2.0);
             stage.last().settings.linear_velocity = Some(Vector2::new(height, -width));
         }
@@ -98,9 +98,9 @@ fn dominoes(count: usize) -> Scene {
 
 fn all_fall(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let (bodies, others) = (movable(scene), movable(scene));
-    // A domino that lies has its middle half its thickness, 4 px, above the floor.
+    // The centre of a lying domino is half its thickness, 4 px, above the floor.
     let lowest = move |world: &dyn World| greatest(world, &others, |body| body.position[1]);
-    // One that leans on the next, which lies on the floor, has turned by over half of a right angle.
+    // A domino that leans on the next one, which lies on the floor, has turned by more than 45 degrees.
     let turn = move |world: &dyn World| least(world, &bodies, |body| body.angle.abs());
     all(vec![
         calm(scene, SPEED_LIMIT),

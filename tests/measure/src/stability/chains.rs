@@ -1,4 +1,4 @@
-//! Chains and nets of bodies that share points. Nothing in them touches anything but joints.
+//! Families of chains and nets: bodies connected by revolute joints. The bodies do not collide.
 
 use super::parts::{SPEED_LIMIT, all, calm, ends_in, joined};
 use super::{Moment, SECONDS, StabilityFamily, reasons};
@@ -8,22 +8,22 @@ use crate::watch::{Watch, greatest};
 use crate::world::World;
 use conformance::scene::Scene;
 
-/// Judged by how far the joints are apart.
+/// Base of families that are judged by the distance between the ends of joints.
 const JOINED: StabilityFamily = StabilityFamily {
     judge: stays_joined,
     quantity: "widest gap of a joint in the last fifth",
     ..StabilityFamily::PLAIN
 };
-/// Length in s of runs that show all in less time than is usual.
+/// Simulated time in s of runs that show their subject in less than the usual time.
 const SHORT: f64 = 5.0;
-/// What the ends of a joint may be apart, in px: a tenth of a metre, which a player sees.
+/// Greatest distance in px between the ends of a joint that is no failure: a tenth of a metre, which a player sees.
 const GAP: f64 = 3.2;
 
 pub(super) const FAMILIES: [StabilityFamily; 5] = [
     StabilityFamily {
         name: "Bridge",
-        about: "Planks of 1 m, joined to a chain that is a twentieth longer than the way between its fixed ends, hang \
-                for 10 s; in the last 2 s no joint is open by over a tenth of a metre.",
+        about: "Planks of 1 m, joined to a chain that is a twentieth longer than the distance between its fixed ends, \
+                hang for 10 s; in the last 2 s no joint is open by over a tenth of a metre.",
         parameter: "planks",
         values: &[5.0, 10.0, 20.0, 40.0, 80.0, 160.0],
         quick_values: &[5.0, 20.0, 80.0],
@@ -42,7 +42,7 @@ pub(super) const FAMILIES: [StabilityFamily; 5] = [
     },
     StabilityFamily {
         name: "Stretched Chain",
-        about: "The joints of a hanging chain of 10 links of 1 m begin open by a part of a link. It hangs again: \
+        about: "The joints of a hanging chain of 10 links of 1 m begin open by a fraction of a link. They close: \
                 from 4 s to 5 s no joint is open by over a tenth of a metre.",
         parameter: "gap, as a share of a link",
         values: &[0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0],
@@ -65,8 +65,8 @@ pub(super) const FAMILIES: [StabilityFamily; 5] = [
     },
     StabilityFamily {
         name: "Breakable Joint",
-        about: "A load hangs on a chain of 3 links whose joints break when they are open by over 2 px. Whatever the \
-                load, it hangs, and no joint breaks in 5 s.",
+        about: "A load hangs on a chain of 3 links whose joints break when they are open by over 2 px. Under every \
+                load the chain holds, and no joint breaks in 5 s.",
         parameter: "mass of the load by that of a link",
         values: &[1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0],
         quick_values: &[1.0, 10.0, 100.0],
@@ -79,21 +79,21 @@ pub(super) const FAMILIES: [StabilityFamily; 5] = [
     },
 ];
 
-/// Judges joints that have to hold for the usual time.
+/// Returns a watch of joints that must hold for [`SECONDS`](super::SECONDS).
 pub(super) fn stays_joined(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let joined = joined(scene, SECONDS, GAP, reasons::STRETCHED);
     all(vec![calm(scene, SPEED_LIMIT), joined])
 }
 
-/// Size of a link in px.
+/// Length and width of a link of a chain in px.
 const LINK: [f32; 2] = [METRE, METRE / 4.0];
-/// Links of a hanging chain.
+/// Number of links of a hanging chain without its load.
 const LINKS: usize = 10;
 
-/// A chain between two fixed points, laid on an arc of a circle.
+/// Returns a chain of planks between two fixed points, on an arc of a circle. `centre` is x of the middle in px.
 pub(super) fn bridge(planks: usize, centre: f32) -> Scene {
     let mut stage = Stage::new();
-    // A chord of an arc with half angle a is sin(a) / a of the arc: a twentieth less for a = 0.5509.
+    // The chord of an arc of half angle a is sin(a) / a of the arc's length: 5 % shorter for a = 0.5509.
     let half_angle = 0.5509_f32;
     let radius = METRE / 2.0 / (half_angle / planks as f32).sin();
     let at = |joint: usize| {
@@ -137,7 +137,7 @@ fn ball_and_chain(ratio: f32) -> Scene {
     stage.done()
 }
 
-/// A chain that hangs from the origin, its last link being the load.
+/// Returns a chain that hangs from the origin and whose last link is the load, of `load` kg.
 fn hanging_chain(links: usize, load: f32) -> Scene {
     let mut stage = Stage::new();
     for link in 0..links {
@@ -163,7 +163,8 @@ fn pull_apart(gap: f64, world: &mut dyn World, moment: Moment) {
     }
 }
 
-/// On the way back the links may be as fast as they like.
+/// Returns a watch of a chain whose joints must hold again at the end of the run. The speed of the links is limited at the end
+/// alone.
 fn hangs_again(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let bodies = movable(scene);
     let fastest = move |world: &dyn World| greatest(world, &bodies, |body| body.speed());
@@ -193,7 +194,7 @@ fn grid(count: usize) -> Scene {
     stage.done()
 }
 
-/// Links above the load of the breakable chain.
+/// Number of links above the load of the breakable chain.
 const BREAKABLE: usize = 3;
 
 fn breakable(ratio: f32) -> Scene {

@@ -1,4 +1,4 @@
-//! Many circles in too little room.
+//! Families of many circles in too little space.
 
 use super::Moment;
 use super::StabilityFamily;
@@ -12,7 +12,7 @@ use conformance::scene::Scene;
 use conformance::scenes::circles_in_a_pit;
 use std::f64::consts::PI;
 
-/// Share of the plane that circles of one size can cover.
+/// Greatest fraction of the plane that circles of one size can cover, dimensionless.
 const DENSEST: f64 = 0.9069;
 
 pub(super) const FAMILIES: [StabilityFamily; 3] = [
@@ -60,7 +60,7 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     },
 ];
 
-/// Half of the box's inside in px.
+/// Half the inner extent of the box along x and y, in px.
 const ROOM: f32 = 5.0 * METRE;
 
 fn confined(count: usize) -> Scene {
@@ -95,7 +95,7 @@ fn pile_is_high(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let bodies = movable(scene);
     let areas: Vec<f64> = masses(scene).iter().map(|body| body.inertia / body.mass * 2.0 * PI).collect();
     let area: f64 = bodies.iter().map(|&index| areas[index]).sum();
-    // The walls are the second and the third body, 40 px wide.
+    // The walls are bodies 1 and 2, 40 px wide.
     let wall = |index: usize| scene.bodies[index].position.map_or(0.0, |place| f64::from(place.x));
     let width = wall(2) - wall(1) - 40.0;
     let least = area / (DENSEST * width) / 2.0;
@@ -108,7 +108,7 @@ fn pile_is_high(_: f64, scene: &Scene) -> Box<dyn Watch> {
 
 fn rush(count: usize) -> Scene {
     let mut stage = Stage::without_gravity();
-    // On a spiral, 1.2 m from turn to turn.
+    // The circles start on a spiral whose turns are 1.2 m apart.
     for index in 0..count {
         let turn = (4.0 * std::f32::consts::PI * (index + 1) as f32).sqrt();
         let radius = 1.2 * METRE * turn / std::f32::consts::TAU + METRE;
@@ -117,18 +117,18 @@ fn rush(count: usize) -> Scene {
     stage.done()
 }
 
-/// How far out a circle is that was thrown, by the least possible mean distance. The outermost of a round crowd is at
-/// one and a half of it, or two where there are few.
+/// Distance from the middle beyond which a circle counts as thrown out, as a ratio to the least possible mean distance. The
+/// outermost circle of a round crowd is at a ratio of 1.5, or 2 in a small crowd.
 const THROWN: f64 = 4.0;
 
-/// Acceleration to the middle in px/s².
+/// Acceleration of the circles towards the middle in px/s².
 const PULL: f64 = 320.0;
 
 fn draw_to_the_middle(_: f64, world: &mut dyn World, moment: Moment) {
     let mass = PI / 4.0;
     for index in 0..world.body_count() {
-        let [x, y] = world.body(index).place();
-        // Weaker within a radius of the middle, where a direction would turn from step to step.
+        let [x, y] = world.body(index).position_in_plane();
+        // The force is weaker within half a metre of the middle, where the direction would otherwise turn from step to step.
         let distance = x.hypot(y).max(f64::from(METRE) / 2.0);
         let impulse = -mass * PULL * f64::from(moment.dt) / distance;
         world.apply_impulse(index, [impulse * x, impulse * y]);
@@ -137,12 +137,13 @@ fn draw_to_the_middle(_: f64, world: &mut dyn World, moment: Moment) {
 
 fn crowd_lies_around_the_middle(count: f64, scene: &Scene) -> Box<dyn Watch> {
     let (bodies, others) = (movable(scene), movable(scene));
-    // A full disc has two thirds of its radius as mean distance from its middle.
+    // In a full disc, the mean distance of points from the middle is two thirds of the radius.
     let least = 2.0 / 3.0 * f64::from(METRE) / 2.0 * (count / DENSEST).sqrt();
-    let farthest =
-        move |world: &dyn World| greatest(world, &others, |body| distance(body.place(), [0.0; 2])) / least;
+    let farthest = move |world: &dyn World| {
+        greatest(world, &others, |body| distance(body.position_in_plane(), [0.0; 2])) / least
+    };
     let share = move |world: &dyn World| {
-        let places = bodies.iter().map(|&index| world.body(index).place());
+        let places = bodies.iter().map(|&index| world.body(index).position_in_plane());
         places.map(|place| distance(place, [0.0; 2])).sum::<f64>() / bodies.len() as f64 / least
     };
     all(vec![

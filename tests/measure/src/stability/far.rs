@@ -1,10 +1,10 @@
-//! The same scene far from the origin, where floats are coarse.
+//! Families that repeat a scene far from the origin, where floats are coarse.
 
 use super::StabilityFamily;
 use super::chains::{bridge, stays_joined};
 use super::stacks::{BOXES, pyramid};
 
-/// Places in px.
+/// Distances of the scene from the origin in px.
 const PLACES: &[f64] = &[0.0, 1e3, 1e4, 1e5, 1e6, 3e6, 1e7, 3e7, 1e8, 3e8, 1e9];
 const QUICK_PLACES: &[f64] = &[0.0, 1e4, 1e6, 1e7, 1e9];
 

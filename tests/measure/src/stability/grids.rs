@@ -1,4 +1,4 @@
-//! Shapes that a distance grid or separating axes cannot see well.
+//! Families of shapes that distance grids or the separating-axis test represent badly.
 
 use super::parts::{SPEED_LIMIT, all, calm, ends_in};
 use super::{StabilityFamily, reasons};
@@ -11,7 +11,7 @@ use farseer_core::math::Vector2;
 const FALLS: StabilityFamily = StabilityFamily {
     judge: rests_at_its_height,
     seconds: |_| 5.0,
-    quantity: "height of its middle above where it must rest",
+    quantity: "height of its centre above its resting position",
     ..StabilityFamily::PLAIN
 };
 
@@ -74,7 +74,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
         name: "Crossing Bars",
         about: "An upright bar of 4 m by 8 px begins with its end in a level one that is fixed, or through it, without \
                 gravity. It is pushed: after 5 s it has moved by over 1 px. (The grid knows only how deep vertices are.)",
-        parameter: "how far its end is below the other bar",
+        parameter: "depth of its end below the other bar",
         unit: "px",
         values: &[-6.0, -4.0, -2.0, 0.0, 4.0, 8.0, 16.0, 32.0],
         quick_values: &[-6.0, 0.0, 16.0],
@@ -85,13 +85,14 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
 ];
 
-/// What falls is the last body; where its middle must rest is the place of a body of the scene that takes no part.
+/// Returns a watch of the falling body, which is the last one. It must come to rest at the position of the marker, a body of
+/// the scene without a shape.
 fn rests_at_its_height(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let last = scene.bodies.len() - 1;
-    let rest = scene.bodies[MARK].position.map_or(0.0, |place| f64::from(place.y));
+    let rest = scene.bodies[MARKER].position.map_or(0.0, |place| f64::from(place.y));
     let height = move |world: &dyn World| rest - world.body(last).position[1];
     let lowest = height;
-    // A tenth of a metre either way.
+    // A tolerance of a tenth of a metre in each direction.
     all(vec![
         calm(scene, SPEED_LIMIT),
         ends_in(-3.2.., reasons::TUNNELLED, lowest),
@@ -99,10 +100,10 @@ fn rests_at_its_height(_: f64, scene: &Scene) -> Box<dyn Watch> {
     ])
 }
 
-/// The body that marks where something must rest.
-const MARK: usize = 0;
+/// Index of the marker: the body without a shape that marks the correct final position.
+const MARKER: usize = 0;
 
-/// A scene with a mark: a static body without a shape.
+/// Returns a scene whose first body is a marker: a static body without a shape at the height `rest` px.
 fn marked(rest: f32) -> Stage {
     let mut stage = Stage::new();
     stage.ghost([0.0, rest], [1.0, 1.0], 1.0);
@@ -113,14 +114,15 @@ fn marked(rest: f32) -> Stage {
 fn box_with_cells(cell: f32) -> Scene {
     let mut stage = marked(-METRE / 2.0).with_floor(20.0 * METRE);
     stage.last_geom().collision_grid_size = Some(cell * METRE);
-    // Not at a multiple of the floor's vertices.
+    // x is no multiple of the distance between the floor's vertices.
     stage.solid([7.3, -1.3 * METRE], [METRE, METRE]);
     stage.last().rotation = Some(0.4);
     stage.last_geom().collision_grid_size = Some(cell * METRE);
     stage.done()
 }
 
-/// A block of 5 m by 4 m with a notch of 1 m in its upper side, whose depth is given in m. Its upper side is y = 0.
+/// Returns a scene with a block of 5 m by 4 m, whose upper side is y = 0 and has a notch of width 1 m. `depth` is the depth of
+/// the notch in m, `cell` the size of a distance-grid cell in px.
 fn notch(depth: f32, cell: f32) -> Scene {
     let (half, wide, depth) = (METRE / 2.0, 2.5 * METRE, depth * METRE);
     let radius = METRE / 4.0;
@@ -144,7 +146,7 @@ fn needle(thickness: f32) -> Scene {
     stage.done()
 }
 
-/// A bar of four vertices.
+/// Adds a rectangle with four vertices only, centred at `[x, y]` px. Returns the index of its body.
 fn bar(stage: &mut Stage, [x, y]: [f32; 2], [width, height]: [f32; 2]) -> usize {
     let (half_width, half_height) = (width / 2.0, height / 2.0);
     let points = [
@@ -182,6 +184,6 @@ fn crossing(below: f32) -> Scene {
 
 fn is_pushed(below: f64, scene: &Scene) -> Box<dyn Watch> {
     let start = [21.0, -60.0 + below];
-    let moved = move |world: &dyn World| distance(world.body(1).place(), start);
+    let moved = move |world: &dyn World| distance(world.body(1).position_in_plane(), start);
     all(vec![calm(scene, SPEED_LIMIT), ends_in(1.0.., reasons::STUCK, moved)])
 }

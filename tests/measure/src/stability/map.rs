@@ -1,23 +1,23 @@
-//! A map: what came of a family with every method and setting. Knows nothing of engines.
+//! A stability map: the outcomes of a family with every method and setting. It does not depend on engines.
 
 use super::reasons::LETTERS;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// How a run ended.
+/// Outcome of a run: success, failure, or no run.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
-    /// As it should.
+    /// The run met the family's condition of success.
     Holds,
-    /// Not as it should: why, in a word of [`super::reasons`].
+    /// The run failed; the reason is a word of [`super::reasons`].
     Failed(&'static str),
-    /// There was no run: the engine does not have what the scene needs, namely this.
+    /// There was no run: the engine lacks a feature of the scene, which the text names.
     Absent(String),
 }
 
 impl Verdict {
-    /// The outcome in a word.
+    /// Returns the outcome in a word.
     pub fn word(&self) -> &str {
         match self {
             Verdict::Holds => "holds",
@@ -27,66 +27,66 @@ impl Verdict {
     }
 }
 
-/// What came of one run.
+/// Outcome of one run with the value that its judge measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
-    /// How it ended.
+    /// Success, failure or absence of the run.
     pub verdict: Verdict,
-    /// What was measured, in the map's unit; not a number where nothing was.
+    /// Measured value in the unit `quantity_unit` of the map's heading, or a number without unit; NaN if no value was measured.
     pub measured: f64,
 }
 
 impl Cell {
-    /// No run, for a reason.
+    /// Returns the cell of a run that was not made, for a reason.
     pub fn absent(reason: impl Into<String>) -> Self {
         Cell { verdict: Verdict::Absent(reason.into()), measured: f64::NAN }
     }
 
-    /// A run that failed without anything to measure.
+    /// Returns the cell of a run that failed and has no measured value.
     pub fn failed(reason: &'static str) -> Self {
         Cell { verdict: Verdict::Failed(reason), measured: f64::NAN }
     }
 }
 
-/// A method with a setting.
+/// A column of a stability map: a method with a setting.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Column {
     /// Name of the method.
     pub method: String,
-    /// The step, as a reader calls it: `1/60`.
+    /// Length of the step in s as text: `1/60`.
     pub dt: String,
-    /// Iterations or substeps per step.
+    /// Number of iterations (our faithful solver) or substeps (all others) per step.
     pub passes: u32,
-    /// Whether it is among the few that the table of first failures shows.
+    /// Whether the table of first failures shows this column.
     pub is_in_table: bool,
 }
 
-/// What a map is of.
+/// Texts, values and columns of a stability map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
     /// Name of the family.
     pub name: String,
-    /// What there is, and what must happen.
+    /// Description of the scene and of its condition of success.
     pub about: String,
-    /// What is varied.
+    /// Name of the family's parameter.
     pub parameter: String,
-    /// Its unit; empty for a number of things.
+    /// Unit of the parameter; empty for a count.
     pub unit: String,
-    /// What is measured.
+    /// Name of the measured quantity.
     pub quantity: String,
-    /// Its unit.
+    /// Unit of the measured quantity; empty for a number.
     pub quantity_unit: String,
-    /// The values of the parameter, from easy to hard.
+    /// Values of the parameter in its unit, from easy to hard: one row of the map each.
     pub values: Vec<f64>,
-    /// The methods and settings.
+    /// Methods with settings: one column of the map each.
     pub columns: Vec<Column>,
 }
 
-/// A map still to be made.
+/// A stability map whose runs are still to be made.
 pub struct Sheet {
-    /// What it is of.
+    /// Names, units, values and columns of the map.
     pub heading: Heading,
-    /// Makes the run of a value of the parameter and a column, by its index.
+    /// Makes one run: for a value of the parameter and the index of a column.
     pub run: Box<dyn Fn(f64, usize) -> Cell + Sync>,
 }
 
@@ -96,43 +96,43 @@ impl std::fmt::Debug for Sheet {
     }
 }
 
-/// What came of a family.
+/// Outcomes of all runs of a family.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Map {
-    /// What it is of.
+    /// Names, units, values and columns of the map.
     pub heading: Heading,
-    /// The runs: one row per value, one cell per column.
+    /// Outcomes of the runs: one row per value of the parameter, one cell per column.
     pub rows: Vec<Vec<Cell>>,
 }
 
 impl Sheet {
-    /// How many runs it is.
+    /// Returns the number of runs: values times columns.
     pub fn run_count(&self) -> usize {
         self.heading.values.len() * self.heading.columns.len()
     }
 
-    /// Makes all runs: see [`make`](Self::make).
+    /// Makes all runs, in parallel, and returns the map: see [`make`](Self::make).
     ///
     /// # Panics
     ///
-    /// When a run does.
+    /// A run panics.
     pub fn fill(&self, done: &(dyn Fn() + Sync)) -> Map {
         let all: Vec<usize> = (0..self.run_count()).collect();
         Map::of(self.heading.clone(), self.make(&all, done))
     }
 
-    /// Makes some runs by their numbers, as many side by side as the machine has processors: nothing is timed, and no
-    /// run knows of another. `done` is called after each, from whatever thread made it.
+    /// Makes the runs with these numbers, in parallel on all processors: no time is measured, and runs are independent. `done`
+    /// is called after each run, from the thread that made it.
     ///
     /// # Panics
     ///
-    /// When a run does.
+    /// A run panics.
     pub fn make(&self, runs: &[usize], done: &(dyn Fn() + Sync)) -> Vec<Cell> {
         let width = self.heading.columns.len();
         let cells: Vec<Mutex<Option<Cell>>> = runs.iter().map(|_| Mutex::new(None)).collect();
         let next = AtomicUsize::new(0);
         let work = || {
-            // The hardest first, which take longest, so that no processor waits for one at the end.
+            // The hardest runs take longest and start first, so that no processor waits for one of them at the end.
             while let Some(place) = runs.len().checked_sub(1 + next.fetch_add(1, Ordering::Relaxed)) {
                 let cell = (self.run)(self.heading.values[runs[place] / width], runs[place] % width);
                 *cells[place].lock().expect("no other thread has this cell") = Some(cell);
@@ -149,7 +149,7 @@ impl Sheet {
         cells.into_iter().map(cell).collect()
     }
 
-    /// About how long each run takes, in no unit: longer with harder values and more passes.
+    /// Returns the estimated duration of each run, dimensionless: it rises with harder values and more iterations.
     pub fn costs(&self) -> impl Iterator<Item = f64> {
         let width = self.heading.columns.len();
         (0..self.run_count())
@@ -158,7 +158,15 @@ impl Sheet {
 }
 
 impl Heading {
-    /// The value and the column of a run by its number.
+    /// Returns the name of the family for readers. The field `name` is a key of tables, golden files and pictures.
+    pub fn title(&self) -> &str {
+        match &*self.name {
+            "Shadow of somebody sunk in" => "Shadow of a sunken ball",
+            name => name,
+        }
+    }
+
+    /// Returns the value of the parameter and the column of the run with this number.
     pub fn of_run(&self, run: usize) -> (f64, &Column) {
         let width = self.columns.len();
         (self.values[run / width], &self.columns[run % width])
@@ -166,18 +174,18 @@ impl Heading {
 }
 
 impl Map {
-    /// A map of all its runs in order.
+    /// Makes a map from the outcomes of all runs, in order.
     pub fn of(heading: Heading, cells: Vec<Cell>) -> Self {
         let rows = cells.chunks(heading.columns.len().max(1)).map(<[Cell]>::to_vec).collect();
         Map { heading, rows }
     }
 
-    /// Where a column is.
+    /// Returns the index of a column; `None` if the map has no such column.
     pub fn place(&self, column: &Column) -> Option<usize> {
         self.heading.columns.iter().position(|other| other == column)
     }
 
-    /// The first value with which a column fails, and why.
+    /// Returns the first value of the parameter with which a column fails, and the reason; `None` if no run of it fails.
     pub fn first_failure(&self, column: usize) -> Option<(f64, &'static str)> {
         self.heading.values.iter().zip(&self.rows).find_map(|(&value, row)| match row[column].verdict {
             Verdict::Failed(reason) => Some((value, reason)),
@@ -185,7 +193,7 @@ impl Map {
         })
     }
 
-    /// The last value that a column was run with, if it was not run with some.
+    /// Returns the last value that a column was run with, if some values were not run; `None` if all were.
     pub fn runs_to(&self, column: usize) -> Option<f64> {
         let is_absent = |row: &&Vec<Cell>| matches!(row[column].verdict, Verdict::Absent(_));
         let values = self.heading.values.iter().zip(&self.rows);
@@ -193,7 +201,7 @@ impl Map {
         last.filter(|_| self.rows.iter().any(|row| is_absent(&row)))
     }
 
-    /// Why runs failed, in the order of [`LETTERS`].
+    /// Returns the reasons of the failures in this map, in the order of [`LETTERS`].
     pub fn reasons(&self) -> Vec<&'static str> {
         let has = |word: &str| {
             self.rows
@@ -204,7 +212,7 @@ impl Map {
         LETTERS.iter().map(|&(word, _)| word).filter(|word| has(word)).collect()
     }
 
-    /// Whether a column has no run at all.
+    /// Returns whether no run of a column was made.
     pub fn is_absent(&self, column: usize) -> bool {
         self.rows.iter().all(|row| matches!(row[column].verdict, Verdict::Absent(_)))
     }
@@ -240,14 +248,14 @@ mod tests {
     }
 
     #[test]
-    fn every_run_is_in_its_place() {
+    fn every_run_is_in_its_cell_of_the_map() {
         let map = sheet().fill(&|| {});
         let measured: Vec<f64> = map.rows.iter().flatten().map(|cell| cell.measured).collect();
         assert_eq!(measured, [10.0, 11.0, 20.0, 21.0, 30.0, 31.0]);
     }
 
     #[test]
-    fn every_run_is_told_once() {
+    fn every_run_is_reported_once() {
         let told = AtomicUsize::new(0);
         sheet().fill(&|| {
             told.fetch_add(1, Ordering::Relaxed);

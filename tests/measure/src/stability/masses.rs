@@ -1,11 +1,11 @@
-//! Heavy things on light ones.
+//! Families of heavy bodies on light ones.
 
 use super::StabilityFamily;
 use super::stacks::{BOXES, stands};
 use crate::scenes::stage::{METRE, Stage};
 use conformance::scene::Scene;
 
-/// Ratios of the masses.
+/// Mass of the heavy body divided by that of the light one, dimensionless.
 const RATIOS: &[f64] = &[1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 10_000.0];
 const QUICK_RATIOS: &[f64] = &[1.0, 10.0, 100.0, 1000.0];
 

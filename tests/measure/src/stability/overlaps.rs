@@ -1,4 +1,4 @@
-//! Things that begin in each other, or lose at once what pressed them together.
+//! Families of bodies that begin with an overlap, or that lose the load which pressed them together.
 
 use super::parts::{SPEED_LIMIT, all, calm, ends_in, never_above};
 use super::{Moment, StabilityFamily, reasons};
@@ -41,7 +41,7 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
     },
 ];
 
-/// Overlap in px that does not count at the end: a tenth of a box, which a player sees.
+/// Greatest overlap in px at the end of a run that is no failure: a tenth of a box, which a player sees.
 const OVERLAP_LEFT: f64 = 3.2;
 
 const BASE: usize = 4;
@@ -63,12 +63,12 @@ fn comes_apart(_: f64, scene: &Scene) -> Box<dyn Watch> {
         never_above(limit, reasons::BLEW_UP, highest),
         ends_in(..0.0, reasons::TUNNELLED, lowest),
         ends_in(..OVERLAP_LEFT, reasons::SANK, move |world| shapes.largest_overlap(world)),
-        // Once more, for its measure.
+        // Repeated as the last watch, so that the greatest speed is the measured value.
         calm(scene, SPEED_LIMIT),
     ])
 }
 
-/// The light and the heavy box, by index.
+/// `LIGHT`: index of the light body. `HEAVY`: index of the heavy body.
 const LIGHT: usize = 1;
 const HEAVY: usize = 2;
 

@@ -1,18 +1,18 @@
-//! What judges are made of: each part looks at one thing that can go wrong.
+//! Building blocks of judges. Each is a watch that tests for one kind of failure.
 
 use super::reasons;
 use crate::scenes::movable;
 use crate::scenes::stage::METRE;
-use crate::watch::{Largest, Watch, made_of};
+use crate::watch::{Maximum, Watch, custom_watch};
 use crate::world::{BodyState, World, distance};
 use conformance::scene::{JointKind, Scene};
 use farseer_core::math::Vector2;
 use std::ops::RangeBounds;
 
-/// Faster than anything in these scenes can fall or be thrown, in px/s: 100 m/s.
+/// Speed limit in px/s: 100 m/s, faster than any body in these scenes can fall or be thrown.
 pub(super) const SPEED_LIMIT: f64 = 3200.0;
 
-/// All parts; the first that failed gives the reason, the last one the measure.
+/// Combines watches: the first of `parts` that failed gives the reason, and the last of `parts` gives the measured value.
 pub(super) fn all(parts: Vec<Box<dyn Watch>>) -> Box<dyn Watch> {
     Box::new(All(parts))
 }
@@ -20,9 +20,9 @@ pub(super) fn all(parts: Vec<Box<dyn Watch>>) -> Box<dyn Watch> {
 struct All(Vec<Box<dyn Watch>>);
 
 impl Watch for All {
-    fn see(&mut self, time: f64, world: &dyn World) {
+    fn observe(&mut self, time: f64, world: &dyn World) {
         for part in &mut self.0 {
-            part.see(time, world);
+            part.observe(time, world);
         }
     }
 
@@ -35,10 +35,11 @@ impl Watch for All {
     }
 }
 
-/// Every body is finite, at every step, and none is faster than a limit in px/s. Measures the greatest speed.
+/// Returns a watch that fails if the state of a body is not finite or a body is faster than `limit` px/s, at any step. It
+/// measures the greatest speed in px/s.
 pub(super) fn calm(scene: &Scene, limit: f64) -> Box<dyn Watch> {
     let bodies = movable(scene);
-    made_of(
+    custom_watch(
         (0.0_f64, true),
         move |(fastest, is_finite), _, world| {
             for &index in &bodies {
@@ -56,32 +57,33 @@ pub(super) fn calm(scene: &Scene, limit: f64) -> Box<dyn Watch> {
     )
 }
 
-/// How far from where they began bodies may be at the end and still stand.
+/// Greatest displacements from the start with which a body still counts as standing at the end of a run.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Allowed {
-    /// Sideways, in px.
+    /// Greatest displacement sideways, in px.
     pub shift: f64,
-    /// Turned, in rad.
+    /// Greatest rotation, in radians.
     pub turn: f64,
-    /// Moved in the last fifth of the run, in px.
+    /// Greatest displacement in the last fifth of the run, in px.
     pub creep: f64,
 }
 
 impl Allowed {
-    /// For boxes of a metre: half a box sideways, 20 degrees, a twentieth of a box.
+    /// Limits for boxes of a metre: half a box sideways, 20 degrees (0.35 rad), and a twentieth of a box of creep.
     pub(super) const BOXES: Allowed = Allowed { shift: 16.0, turn: 0.35, creep: 1.6 };
 }
 
-/// How much lower or higher than it began a thing may stand, in px, when it began at a height above the floor: a tenth
-/// of it, and half a metre at most, or a high column could lose whole boxes.
+/// Returns the greatest rise or fall in px of a body that began `height` px above the floor: a tenth of `height`, at most half
+/// a metre. Without the maximum, a high column could lose complete boxes.
 fn allowed_rise(height: f64) -> f64 {
     (0.1 * height).min(0.5 * f64::from(METRE))
 }
 
-/// Everything is where it began, on a floor whose surface is y = 0. Measures the greatest distance from there in px.
+/// Returns a watch that fails if a body is not where it began at the end, on a floor whose surface is y = 0. `seconds` is the
+/// duration of the run. The watch measures the greatest distance from the start in px.
 pub(super) fn standing(scene: &Scene, seconds: f64, allowed: Allowed) -> Box<dyn Watch> {
     let bodies = movable(scene);
-    made_of(
+    custom_watch(
         Stand::default(),
         move |stand, time, world| {
             stand.now = bodies.iter().map(|&index| world.body(index)).collect();
@@ -100,7 +102,7 @@ pub(super) fn standing(scene: &Scene, seconds: f64, allowed: Allowed) -> Box<dyn
     )
 }
 
-/// How bodies were at the start and before the last fifth of the run, and how they are.
+/// States of all bodies at the start, before the last fifth of the run, and now.
 #[derive(Default)]
 struct Stand {
     start: Vec<BodyState>,
@@ -132,15 +134,15 @@ impl Stand {
     }
 }
 
-/// The ends of all joints that share a point are together in the last fifth of the run, up to a limit in px, or there is
-/// a reason why not: what still swings is not judged by the moment at which the run happens to end. Measures the widest
-/// gap of that time in px.
+/// Returns a watch that fails with `reason` if the ends of a joint are more than `limit` px apart in the last fifth of the run.
+/// An interval longer than a step keeps the phase of a swing out of the verdict. The watch measures the widest gap of that
+/// interval in px.
 pub(super) fn joined(scene: &Scene, seconds: f64, limit: f64, reason: &'static str) -> Box<dyn Watch> {
     let points: Vec<_> = scene.joints.iter().filter_map(|joint| shared_point(&joint.kind)).collect();
-    // The points on the bodies, once they are known.
+    // The anchors of each joint in the coordinates of the two bodies, computed at the first observation.
     let mut ends: Vec<([f64; 2], [f64; 2])> = Vec::new();
-    made_of(
-        Largest::default(),
+    custom_watch(
+        Maximum::default(),
         move |widest, time, world| {
             if ends.is_empty() {
                 let local = |&(one, two, anchor): &(usize, Option<usize>, [f64; 2])| {
@@ -163,7 +165,8 @@ pub(super) fn joined(scene: &Scene, seconds: f64, limit: f64, reason: &'static s
     )
 }
 
-/// The point that a joint holds together: of a body, and of another body or the world.
+/// Returns the point at which a joint connects its bodies: index of the first body, index of the second (`None` for the world),
+/// and the point in the world in px. `None` for a joint without such a point.
 fn shared_point(kind: &JointKind) -> Option<(usize, Option<usize>, [f64; 2])> {
     match *kind {
         JointKind::Revolute { body1, body2, anchor } | JointKind::Weld { body1, body2, anchor } => {
@@ -174,13 +177,14 @@ fn shared_point(kind: &JointKind) -> Option<(usize, Option<usize>, [f64; 2])> {
     }
 }
 
-/// A measure of the bodies stays within a limit at every step. Measures the greatest value.
+/// Returns a watch that fails with `reason` if a measure of the bodies exceeds `limit` at any step. It measures the greatest
+/// value.
 pub(super) fn never_above(
     limit: f64,
     reason: &'static str,
     measure: impl Fn(&dyn World) -> f64 + 'static,
 ) -> Box<dyn Watch> {
-    made_of(
+    custom_watch(
         f64::NEG_INFINITY,
         move |greatest, _, world| *greatest = greatest.max(measure(world)),
         |&greatest| greatest,
@@ -188,8 +192,8 @@ pub(super) fn never_above(
     )
 }
 
-/// A measure of each body is at least so much at some step, not necessarily the same for all, or there is a reason why
-/// not. Measures how far the one got that got least far.
+/// Returns a watch that fails with `reason` unless the measure of each body reaches `limit` at some step, not necessarily the
+/// same step for all. It measures the least of the bodies' maxima.
 pub(super) fn each_reaches(
     scene: &Scene,
     least: f64,
@@ -198,7 +202,7 @@ pub(super) fn each_reaches(
 ) -> Box<dyn Watch> {
     let bodies = movable(scene);
     let least_far = |farthest: &Vec<f64>| farthest.iter().copied().fold(f64::INFINITY, f64::min);
-    made_of(
+    custom_watch(
         vec![f64::NEG_INFINITY; bodies.len()],
         move |farthest, _, world| {
             for (&index, farthest) in bodies.iter().zip(farthest) {
@@ -210,13 +214,13 @@ pub(super) fn each_reaches(
     )
 }
 
-/// A measure of the bodies is in a range at the end, or there is a reason why not.
+/// Returns a watch that fails if a measure of the bodies is outside of a range at the end of the run.
 pub(super) fn ends_in(
     range: impl RangeBounds<f64> + 'static,
     reason: &'static str,
     measure: impl Fn(&dyn World) -> f64 + 'static,
 ) -> Box<dyn Watch> {
-    made_of(
+    custom_watch(
         f64::NAN,
         move |last, _, world| *last = measure(world),
         |&last| last,

@@ -1,4 +1,4 @@
-//! Friction at its limit.
+//! Families of friction at its limit.
 
 use super::parts::{SPEED_LIMIT, all, calm, ends_in};
 use super::{StabilityFamily, reasons};
@@ -30,23 +30,24 @@ pub(super) const FAMILIES: [StabilityFamily; 2] = [
         build: |share, _| ramp(share as f32),
         judge: slides,
         seconds: |_| SLIDING,
-        quantity: "distance, as a share of what it should be",
+        quantity: "distance, as a fraction of the expected one",
         quantity_unit: "",
         ..StabilityFamily::PLAIN
     },
 ];
 
-/// The slope in rad.
+/// Angle of the slope in radians.
 const SLOPE: f32 = 0.25;
-/// Time of sliding in s.
+/// Duration of sliding in s.
 const SLIDING: f64 = 2.0;
 
-/// A box on a slope that falls to the right, friction given as a share of the slope's tangent.
+/// Returns a scene of a box on a slope that falls to the right. `share` is the friction coefficient divided by the tangent of
+/// the slope, dimensionless.
 fn ramp(share: f32) -> Scene {
     let mut stage = Stage::new().with_friction(share * SLOPE.tan());
     let normal = [SLOPE.sin(), -SLOPE.cos()];
     let thickness = 2.0 * METRE;
-    // Its surface goes through the origin.
+    // The surface of the slope goes through the origin.
     stage.wall([-normal[0] * thickness / 2.0, -normal[1] * thickness / 2.0], [60.0 * METRE, thickness]);
     stage.last().rotation = Some(SLOPE);
     let height = METRE / 2.0;
@@ -57,10 +58,10 @@ fn ramp(share: f32) -> Scene {
     stage.done()
 }
 
-/// How far the box is from where it began, in px.
+/// Returns a measure of the world: the distance in px of the box from its start.
 fn moved(scene: &Scene) -> impl Fn(&dyn World) -> f64 + 'static {
     let start = scene.bodies[1].position.map_or([0.0; 2], |place| [f64::from(place.x), f64::from(place.y)]);
-    move |world| distance(start, world.body(1).place())
+    move |world| distance(start, world.body(1).position_in_plane())
 }
 
 fn sticks(_: f64, scene: &Scene) -> Box<dyn Watch> {

@@ -1,4 +1,4 @@
-//! A doll of limbs with limited joints, thrown on the floor.
+//! The family of ragdolls: a doll of limbs with limited joints is thrown on the floor.
 
 use super::parts::{all, calm, ends_in, joined};
 use super::{StabilityFamily, reasons};
@@ -23,10 +23,11 @@ pub(super) const FAMILIES: [StabilityFamily; 1] = [StabilityFamily {
     ..StabilityFamily::PLAIN
 }];
 
-/// Length of a run in s.
+/// Simulated time of a run in s.
 const SECONDS: f64 = 8.0;
 
-/// The limbs: left upper corner and size in cm, from the middle line and the crown of the head.
+/// Limbs of the doll: x and y of the upper left corner, then width and height, in cm. The origin is on the middle line at the
+/// crown of the head, y down.
 pub(crate) const LIMBS: [([f32; 2], [f32; 2]); 10] = [
     ([-11.0, 0.0], [22.0, 28.0]),
     ([-20.0, 30.0], [40.0, 58.0]),
@@ -42,7 +43,8 @@ pub(crate) const LIMBS: [([f32; 2], [f32; 2]); 10] = [
     ([3.0, 134.0], [14.0, 46.0]),
 ];
 
-/// The joints: two limbs, the point they share in cm, and how far they bend either way in rad.
+/// Joints of the doll: indices of two limbs, the common point in cm in the coordinates of `LIMBS`, and the lower and upper
+/// limit of the relative angle in radians.
 pub(crate) const JOINTS: [(usize, usize, [f32; 2], [f32; 2]); 9] = [
     (1, 0, [0.0, 29.0], [-0.5, 0.5]),
     (1, 2, [-27.0, 33.0], [-0.5, 2.0]),
@@ -55,12 +57,13 @@ pub(crate) const JOINTS: [(usize, usize, [f32; 2], [f32; 2]); 9] = [
     (7, 9, [10.0, 133.0], [-0.1, 1.2]),
 ];
 
-/// A doll in the air, lying on its back's side at 20 degrees, thrown down and a little to the right.
+/// Returns a doll in the air that lies on its back, turned by 20 degrees. It is thrown down, and a little to the right, at
+/// `speed` px/s.
 fn doll(speed: f32) -> Scene {
     let mut stage = Stage::new().with_floor(400.0 * METRE);
     let angle = 1.9_f32;
     let place = |[x, y]: [f32; 2]| {
-        // About the doll's middle, which is 2 m above the floor.
+        // Rotated about the doll's middle, which is 2 m above the floor.
         let (x, y) = (x * METRE / 100.0, (y - 90.0) * METRE / 100.0);
         [x * angle.cos() - y * angle.sin(), x * angle.sin() + y * angle.cos() - 2.0 * METRE]
     };
@@ -69,7 +72,7 @@ fn doll(speed: f32) -> Scene {
         stage.solid(middle, [width * METRE / 100.0, height * METRE / 100.0]);
         stage.last().rotation = Some(angle);
         stage.last().settings.linear_velocity = Some(Vector2::new(0.2 * speed, speed));
-        // Limbs do not touch each other.
+        // Limbs of the doll do not collide with each other.
         stage.last_geom().settings.collision_group = Some(1);
     }
     for (one, two, point, [lower_limit, upper_limit]) in JOINTS {
@@ -84,7 +87,7 @@ fn doll(speed: f32) -> Scene {
 fn lies_in_one_piece(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let (bodies, others) = (movable(scene), movable(scene));
     all(vec![
-        // It begins with up to the fastest throw.
+        // The doll starts with up to the speed of the fastest throw.
         calm(scene, 6400.0),
         ends_in(..0.0, reasons::TUNNELLED, move |world| greatest(world, &others, |body| body.position[1])),
         ends_in(..6.4, reasons::CREPT, move |world| mean_speed(world, &bodies)),

@@ -1,50 +1,50 @@
-//! The words for what went wrong, and the letters that stand for them on a map.
+//! Reasons of failures as words, and the letters that stand for them on a stability map.
 
-/// Fell over, or left its place sideways.
+/// Failure: a body fell over, or left its position sideways.
 pub const TOPPLED: &str = "toppled";
-/// Lies lower than its parts can, one in the other.
+/// Failure: a body is lower than it can be without overlaps.
 pub const SANK: &str = "sank";
-/// Faster or higher than anything in the scene could make it.
+/// Failure: a body is faster or higher than anything in the scene could make it.
 pub const BLEW_UP: &str = "blew up";
-/// Is behind what should have stopped it.
+/// Failure: a body is behind the obstacle that should have stopped it.
 pub const TUNNELLED: &str = "tunnelled";
-/// Is not a number, or stopped taking part because it would not have been one.
+/// Failure: the state of a body is not finite, or the body was disabled because it would have become so.
 pub const NOT_FINITE: &str = "not finite";
-/// Moves slowly where it should stand.
+/// Failure: a body moves slowly although it should be at rest.
 pub const CREPT: &str = "crept";
-/// A joint that should have held is broken.
+/// Failure: a joint that should have held is broken.
 pub const BROKE: &str = "broke";
-/// The engine would not take the scene.
+/// Failure: the engine rejected the scene.
 pub const REFUSED: &str = "refused";
-/// The ends of a joint are apart.
+/// Failure: the ends of a joint are apart.
 pub const STRETCHED: &str = "stretched";
-/// Does not move, or not far enough, where it should.
+/// Failure: a body does not move, or not far enough, although it should.
 pub const STUCK: &str = "stuck";
-/// The engine panicked.
+/// Failure: the engine panicked.
 pub const PANICKED: &str = "panicked";
 
-/// Moved aside by somebody who should not have.
+/// Failure: a body moved sideways although no contact should have moved it.
 pub const ASIDE: &str = "aside";
-/// Flies up from where it should lie.
+/// Failure: a body flies up from the surface on which it should rest.
 pub const BOUNCED: &str = "bounced";
-/// Is on what should have stopped it, or over what it should have fallen into.
+/// Failure: a body is on top of the obstacle that should have stopped it, or above the gap into which it should have fallen.
 pub const CLIMBED: &str = "climbed";
-/// Not where it belongs.
+/// Failure: a body or shadow is at a wrong position.
 pub const MISPLACED: &str = "misplaced";
-/// Left the field through a wall.
+/// Failure: a body left the field through a wall.
 pub const LEFT: &str = "left";
-/// Missed what should have been hit.
+/// Failure: a body missed another body that it should have hit.
 pub const MISSED: &str = "missed";
-/// Flies back slower than it should.
+/// Failure: a body flies back slower than it should.
 pub const SLOWED: &str = "slowed";
-/// Touched what should have been missed.
+/// Failure: a body touched another body that it should have missed.
 pub const TOUCHED: &str = "touched";
-/// Changed its way over a seam.
+/// Failure: a body changed its direction at a seam between two surfaces.
 pub const STUMBLED: &str = "stumbled";
-/// Thrown back along another axis than that on which it came last.
+/// Failure: a hit changed the velocity along another axis than the one in which the bodies began to overlap last.
 pub const WRONG_AXIS: &str = "wrong axis";
 
-/// Every reason, with the letter that stands for it: small ones for those of the 2.5D engine alone.
+/// All reasons of failure with their letters on a stability map. Small letters are for the 2.5D engine alone.
 pub const LETTERS: [(&str, char); 21] = [
     (TOPPLED, 'T'),
     (SANK, 'S'),
@@ -69,7 +69,7 @@ pub const LETTERS: [(&str, char); 21] = [
     (WRONG_AXIS, 'w'),
 ];
 
-/// The letter of a reason; a question mark for one that is not in the list.
+/// Returns the letter of a reason; a question mark for a reason that is not in [`LETTERS`].
 pub fn letter(reason: &str) -> char {
     LETTERS.iter().find(|(word, _)| *word == reason).map_or('?', |&(_, letter)| letter)
 }

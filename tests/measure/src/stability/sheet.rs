@@ -1,11 +1,12 @@
-//! Which methods and settings a family is run with, and one such run.
+//! Lists the methods and settings that a family is run with, and makes one such run.
 
 use super::map::{Cell, Column, Heading, Sheet, Verdict};
 use super::{Moment, StabilityFamily, reasons};
 use crate::method::{Effort, Family, Mapped, Method, Setting};
 use std::panic::{self, AssertUnwindSafe};
 
-/// The map of a family with these methods, still to be made.
+/// Returns the sheet of a family: its columns (methods with settings) and values, and the function that makes a run. No run has
+/// been made yet.
 pub fn sheet<S: 'static>(family: StabilityFamily<S>, methods: &[Method<S>], effort: Effort) -> Sheet {
     let methods =
         methods.iter().filter(|method| family.broad_phases_matter || !method.is_broad_phase_variant);
@@ -35,12 +36,13 @@ fn column<S>((method, mapped): &(Method<S>, Mapped)) -> Column {
     Column { method: method.name.to_owned(), dt: setting.dt.label(), passes: setting.passes, is_in_table }
 }
 
-/// One run of a family.
+/// Runs the scene of a family for one value of its parameter, with a method and a setting, and returns the outcome.
 pub fn run<S>(family: &StabilityFamily<S>, value: f64, method: &Method<S>, setting: Setting) -> Cell {
     guarded(method.family, || run_in(family, value, method, setting))
 }
 
-/// What comes of a run. A peer that panics has failed, and the others go on; ours must not panic.
+/// Makes a run and returns its outcome. A panic of another project's engine is a failed run; a panic of our engine is passed
+/// on.
 fn guarded(family: Family, run: impl FnOnce() -> Cell) -> Cell {
     match family {
         Family::Ours => run(),
@@ -59,7 +61,7 @@ fn run_in<S>(family: &StabilityFamily<S>, value: f64, method: &Method<S>, settin
         Err(reason) => return Cell::absent(reason),
     };
     let mut watch = (family.judge)(value, &scene);
-    watch.see(0.0, &*world);
+    watch.observe(0.0, &*world);
     let mut time = 0.0;
     let steps = (family.whole)((family.seconds)(value) / f64::from(base)) as usize;
     for (step, dt) in setting.dt.steps().take(steps).enumerate() {
@@ -68,7 +70,7 @@ fn run_in<S>(family: &StabilityFamily<S>, value: f64, method: &Method<S>, settin
         let dt = (family.dt)(value, moment);
         world.step(dt);
         time += f64::from(dt);
-        watch.see(time, &*world);
+        watch.observe(time, &*world);
     }
     let verdict = watch.failed().map_or(Verdict::Holds, Verdict::Failed);
     Cell { verdict, measured: watch.error() }

@@ -1,4 +1,4 @@
-//! Springs that are stiffer than an explicit method can follow.
+//! Families of springs that are stiffer than an explicit method can follow.
 
 use super::parts::{all, calm, never_above};
 use super::{StabilityFamily, reasons};
@@ -8,9 +8,9 @@ use crate::world::World;
 use conformance::scene::{Scene, SpringKind, SpringSettings, SpringSpec};
 use farseer_core::math::Vector2;
 
-/// A spring's force becomes velocity, and that becomes position, once per step: with k dt² / m = 4 a swing turns
-/// round completely from step to step, and beyond it grows. Nearer to it the swing is 1 / sqrt(1 - k dt² / 4m)
-/// times as wide as it should be: 6.3 times at 3.9.
+/// Values of k dt² / m (k: stiffness, m: mass), dimensionless. Position and velocity change once per step. At 4 a swing
+/// reverses completely from step to step, and beyond 4 it grows. Below 4 the amplitude is 1 / sqrt(1 - k dt² / 4m) times the
+/// exact one: 6.3 times at 3.9.
 const STIFFNESS: &[f64] = &[0.01, 0.1, 0.5, 1.0, 2.0, 3.0, 3.9, 4.1, 5.0, 8.0, 16.0, 100.0];
 const QUICK_STIFFNESS: &[f64] = &[0.1, 1.0, 3.9, 4.1, 16.0];
 
@@ -53,20 +53,20 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     },
 ];
 
-/// Length without force, in px.
+/// Rest length of the linear spring, in px.
 const REST: f64 = 100.0 * METRE as f64;
-/// How far the spring is stretched at the beginning, in px.
+/// Initial extension of the linear spring beyond its rest length, in px.
 const STRETCH: f64 = METRE as f64;
-/// How far the box is turned at the beginning, in rad.
+/// Initial rotation of the box on the angular spring, in radians.
 const TURN: f32 = 0.5;
-/// Moment of inertia of a box of 1 m and 1 kg, in kg px².
+/// Moment of inertia of a square box of 1 m and 1 kg, in kg px².
 const INERTIA: f32 = METRE * METRE / 6.0;
 
 fn squared(dt: f32) -> f64 {
     f64::from(dt).powi(2)
 }
 
-/// A mass that a spring holds to the origin.
+/// Returns a scene of a mass on a linear spring to the origin.
 fn linear(stiffness: f64, damping: f64) -> Scene {
     let mut stage = Stage::without_gravity();
     stage.ghost([(REST + STRETCH) as f32, 0.0], [METRE, METRE], 1.0);
@@ -76,7 +76,7 @@ fn linear(stiffness: f64, damping: f64) -> Scene {
     with_spring(stage, kind, settings, stiffness, damping)
 }
 
-/// A box that a spring turns back.
+/// Returns a scene of a box on an angular spring.
 fn angular(stiffness: f64) -> Scene {
     let mut stage = Stage::without_gravity();
     stage.ghost([0.0, 0.0], [METRE, METRE], 1.0);
@@ -97,6 +97,6 @@ fn with_spring(mut stage: Stage, kind: SpringKind, settings: SpringSettings, k: 
 }
 
 fn swing_stays_small(scene: &Scene, swing: fn(&dyn World) -> f64, first: f64) -> Box<dyn Watch> {
-    // Speed is no sign here: a stiff spring may be fast.
+    // The speed is not limited: a stiff spring may be fast.
     all(vec![calm(scene, f64::INFINITY), never_above(10.0 * first, reasons::BLEW_UP, swing)])
 }

@@ -1,4 +1,4 @@
-//! Boxes and circles on top of each other.
+//! Families of boxes and circles on top of each other.
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, standing};
 use super::{SECONDS, StabilityFamily};
@@ -40,11 +40,11 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     },
 ];
 
-/// Things of a metre that have to stay where they are.
+/// Base of families with boxes of 1 m that must stay where they are.
 pub(super) const BOXES: StabilityFamily =
     StabilityFamily { quantity: "greatest displacement", judge: stands, ..StabilityFamily::PLAIN };
 
-/// Judges boxes of a metre that have to stay where they are for the usual time.
+/// Returns a watch of boxes of 1 m that must stay where they are for [`SECONDS`](super::SECONDS).
 pub(super) fn stands(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let standing = standing(scene, SECONDS, Allowed::BOXES);
     all(vec![calm(scene, SPEED_LIMIT), standing])
@@ -58,9 +58,9 @@ pub(super) fn vertical_stack(count: usize) -> Scene {
     stage.done()
 }
 
-/// A pyramid about a place on the x axis.
+/// Returns a pyramid with `base` boxes in the lowest row, whose middle is at x = `centre` px.
 pub(crate) fn pyramid(base: usize, centre: f32) -> Scene {
-    /// Centre to centre in a row: a gap of a tenth.
+    /// Distance in px from centre to centre of neighbouring boxes in a row: the gap is a tenth of a box.
     const SPACING: f32 = 1.1 * METRE;
     let mut stage = Stage::new();
     stage.wall([centre, METRE], [(base + 10) as f32 * SPACING, 2.0 * METRE]);

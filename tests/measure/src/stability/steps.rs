@@ -1,4 +1,4 @@
-//! Steps and values that a game should not hand in, but does.
+//! Families of steps and values that a game should not pass to an engine, but does.
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, ends_in, standing};
 use super::stacks::{BOXES, vertical_stack};
@@ -8,7 +8,7 @@ use crate::watch::Watch;
 use crate::world::World;
 use conformance::scene::Scene;
 
-/// A column of 3 boxes that has come to rest when something happens.
+/// Base of families with a column of 3 boxes that has come to rest before the event.
 const COLUMN: StabilityFamily = StabilityFamily { build: |_, _| vertical_stack(3), ..BOXES };
 
 pub(super) const FAMILIES: [StabilityFamily; 6] = [
@@ -34,7 +34,7 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
         dt: |length, moment| if is_at(moment, 0.5) { length as f32 } else { moment.dt },
         judge: ends_on_the_floor,
         seconds: |_| 5.0,
-        quantity: "height of its middle above where it must rest",
+        quantity: "height of its centre above its resting position",
         ..StabilityFamily::PLAIN
     },
     StabilityFamily {
@@ -77,10 +77,10 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
     StabilityFamily {
         name: "Not a Number",
-        about: "The middle box of a column of 3 is handed: 1 a velocity that is not a number, 2 an infinite velocity, \
-                3 a place that is not a number, 4 an impulse that is not a number, 5 an infinite spin, 6 an infinite \
-                place. Everything stays finite, and the column stands.",
-        parameter: "what is handed in",
+        about: "The middle box of a column of 3 is given: 1 a velocity that is not a number, 2 an infinite velocity, \
+                3 a position that is not a number, 4 an impulse that is not a number, 5 an infinite angular \
+                velocity, 6 an infinite position. Everything stays finite, and the column stands.",
+        parameter: "input",
         values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
         quick_values: &[1.0, 3.0],
         act: hand_in,
@@ -88,16 +88,16 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
     },
 ];
 
-/// The middle and the uppermost box of the column: the floor is body 0.
+/// `MIDDLE`: index of the middle box of the column. `TOP`: index of the uppermost box. The floor is body 0.
 const MIDDLE: usize = 2;
 const TOP: usize = 3;
 
-/// Whether a time in s is in this step.
+/// Returns whether `time` (s) is within the step `moment`.
 fn is_at(moment: Moment, time: f64) -> bool {
     moment.step == (time / f64::from(moment.dt)).round() as u32
 }
 
-/// Whether this is one of a number of steps from a time in s on.
+/// Returns whether the step `moment` is one of the `count` steps from `time` (s) on.
 fn is_among(moment: Moment, time: f64, count: f64) -> bool {
     let first = (time / f64::from(moment.dt)).round() as u32;
     (first..first + count as u32).contains(&moment.step)
@@ -122,7 +122,7 @@ fn ends_on_the_floor(_: f64, scene: &Scene) -> Box<dyn Watch> {
 fn others_stand(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let mut others = scene.clone();
     others.bodies.truncate(TOP);
-    // The one that was pushed may be as fast as it likes.
+    // The speed of the pushed body is not limited, only finite.
     let finite = calm(scene, f64::INFINITY);
     all(vec![finite, calm(&others, SPEED_LIMIT), standing(&others, SECONDS, Allowed::BOXES)])
 }

@@ -1,4 +1,4 @@
-//! Scenes that are hard for broad phases which keep a sorted list.
+//! Families that are hard for broad phases which keep a sorted list.
 
 use super::parts::{Allowed, SPEED_LIMIT, all, calm, each_reaches, ends_in, never_above, standing};
 use super::{Moment, StabilityFamily, reasons};
@@ -9,10 +9,10 @@ use crate::world::World;
 use conformance::scene::Scene;
 use farseer_core::math::Vector2;
 
-/// Run with every broad phase.
+/// Base of families that run with every broad phase.
 const SWEPT: StabilityFamily =
     StabilityFamily { broad_phases_matter: true, seconds: |_| SHORT, ..StabilityFamily::PLAIN };
-/// What most of them run for, in s.
+/// Simulated time of most runs of these families, in s.
 const SHORT: f64 = 5.0;
 
 pub(super) const FAMILIES: [StabilityFamily; 3] = [
@@ -28,14 +28,14 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
         build: |distance, _| two_floors(distance as f32),
         act: put_across,
         judge: rests_on_the_second_floor,
-        quantity: "greatest depth of a middle below where it rests",
+        quantity: "greatest depth of a centre below its resting position",
         ..SWEPT
     },
     StabilityFamily {
         name: "Fast Bodies",
-        about: "Eight circles of 1 m fly at a wall that is three times as thick as what they fly in 1/60 s. All arrive, \
-                and none gets through. (It is the same at all speeds but for floats, which are coarse for a wall and \
-                bodies that are so far apart.)",
+        about: "Eight circles of 1 m fly at a wall that is three times as thick as their displacement in 1/60 s. All \
+                arrive, and none gets through. (All speeds are alike except for rounding: floats are coarse where the wall \
+                and the bodies are far apart.)",
         parameter: "speed",
         unit: "px/s",
         values: &[1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11],
@@ -43,7 +43,7 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
         build: |speed, _| fast_bodies(speed as f32),
         judge: stays_before_the_wall,
         seconds: |_| 2.0,
-        quantity: "how far a middle got behind the wall's face, as a share of its thickness",
+        quantity: "greatest depth of a centre behind the wall's face, as a fraction of its thickness",
         quantity_unit: "",
         ..SWEPT
     },
@@ -61,7 +61,7 @@ pub(super) const FAMILIES: [StabilityFamily; 3] = [
     },
 ];
 
-/// Boxes that are put across.
+/// Number of boxes that are teleported together.
 const BOXES: usize = 10;
 
 fn two_floors(distance: f32) -> Scene {
@@ -74,9 +74,9 @@ fn two_floors(distance: f32) -> Scene {
     stage.done()
 }
 
-/// Place of a box relative to the middle of its floor, in px.
+/// Returns the position in px along x of a box, relative to the middle of the floor.
 fn place_on_floor(index: usize) -> f64 {
-    // A little more apart from one to the next, so that no two edges are equal.
+    // The distance between neighbours grows a little from box to box, so that no two edges are equal.
     f64::from(METRE) * (index as f64 - 4.5) * (1.5 + 0.01 * index as f64)
 }
 
@@ -84,11 +84,11 @@ fn put_across(distance: f64, world: &mut dyn World, moment: Moment) {
     const PERIOD: f64 = 0.1;
     let before = (moment.time / PERIOD).floor();
     let after = ((moment.time + f64::from(moment.dt)) / PERIOD).floor();
-    // The last second is for coming to rest.
+    // No box is teleported in the last second, in which the boxes come to rest.
     if after > before && moment.time < SHORT - 1.0 {
         let side = if after % 2.0 == 0.0 { distance } else { 0.0 };
         for index in 0..BOXES {
-            // The floors are the first two bodies.
+            // The floors are bodies 0 and 1.
             world.teleport(index + 2, [side + place_on_floor(index), -16.0], 0.0);
             world.set_velocity(index + 2, [0.0; 2], 0.0);
         }
@@ -113,7 +113,7 @@ fn fast_bodies(speed: f32) -> Scene {
     let mut stage = Stage::without_gravity();
     let thickness = 3.0 * speed / 60.0;
     let lane = 2.0 * METRE;
-    // Higher than it is thick, so that its face is always nearer than its ends.
+    // The walls are higher than they are thick, so that the face is always nearer to a body than the ends.
     stage.wall([thickness / 2.0, 3.5 * lane], [thickness, 16.0 * lane + 2.0 * thickness]);
     for index in 0..8 {
         stage.ball([-100.0 - speed / 60.0 * (index as f32 / 8.0 + 3.0), lane * index as f32], METRE / 2.0);
@@ -126,7 +126,7 @@ fn stays_before_the_wall(speed: f64, scene: &Scene) -> Box<dyn Watch> {
     let bodies = movable(scene);
     let thickness = 3.0 * speed / 60.0;
     let depth = move |world: &dyn World| greatest(world, &bodies, |body| body.position[0] / thickness);
-    // It came within its size of the wall, or nothing was tried.
+    // The run is valid only if the body came within its own size of the wall.
     let arrive = each_reaches(scene, -f64::from(METRE), reasons::STUCK, |body| body.position[0]);
     all(vec![calm(scene, 10.0 * speed), arrive, never_above(1.0, reasons::TUNNELLED, depth)])
 }

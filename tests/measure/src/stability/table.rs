@@ -1,4 +1,4 @@
-//! Runs of maps as a table of comma-separated values.
+//! Writes and reads the runs of stability maps as comma-separated values.
 
 use super::map::{Cell, Heading, Map, Sheet, Verdict};
 use super::reasons;
@@ -6,7 +6,7 @@ use crate::csv::{rows, table};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A line of the table: a run.
+/// A line of the table: one run with the names and values that identify it.
 #[derive(Debug, Serialize, Deserialize)]
 struct Row {
     family: String,
@@ -23,7 +23,7 @@ struct Row {
     note: String,
 }
 
-/// All runs of all maps, one line each.
+/// Returns the runs of all maps as comma-separated values, one line per run.
 pub fn csv(maps: &[Map]) -> String {
     csv_of_runs(maps.iter().flat_map(|map| {
         let cells = map.rows.iter().flatten().cloned().enumerate();
@@ -31,16 +31,17 @@ pub fn csv(maps: &[Map]) -> String {
     }))
 }
 
-/// Some runs, each with the heading of its map and its number there, one line each.
+/// Returns some runs as comma-separated values, one line per run. Each run has the heading of its map, the number of the run in
+/// that map, and its outcome.
 pub fn csv_of_runs<'a>(runs: impl IntoIterator<Item = (&'a Heading, usize, Cell)>) -> String {
     table(runs.into_iter().map(|(heading, run, cell)| row(heading, run, &cell)))
 }
 
-/// The maps of sheets whose runs are in some tables, each once.
+/// Reads tables of runs and returns the maps of the sheets that have runs in them, each map once.
 ///
 /// # Errors
 ///
-/// What is wrong with a table, and which run is of no sheet, is there twice or is missing.
+/// A table has a fault, or a run belongs to no sheet, occurs twice or is missing.
 pub fn maps<'a>(sheets: impl IntoIterator<Item = &'a Sheet>, tables: &[String]) -> Result<Vec<Map>, String> {
     let mut cells = BTreeMap::new();
     for text in tables {
@@ -67,7 +68,7 @@ pub fn maps<'a>(sheets: impl IntoIterator<Item = &'a Sheet>, tables: &[String]) 
 }
 
 impl Row {
-    /// What tells a run from all others.
+    /// Returns a name that no other run of the table has.
     fn name(&self) -> String {
         let Row { family, value, method, dt, passes, .. } = self;
         format!("{family} with {value}, {method}, {dt} s x {passes}")
@@ -109,7 +110,7 @@ fn cell(row: Row) -> Result<Cell, String> {
     Ok(Cell { verdict, measured })
 }
 
-/// A value of a parameter for readers: powers of ten for the very large and very small.
+/// Returns a value of a parameter as text, with powers of ten for very large and very small values.
 pub fn number(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude != 0.0 && !(1e-3..1e5).contains(&magnitude) {
@@ -168,7 +169,7 @@ mod tests {
         }
     }
 
-    /// The tables of all parts.
+    /// Returns the tables of all `of` shards.
     fn parts(of: usize) -> Vec<String> {
         let (sheet, costs) = (sheet(), sheet().costs().collect::<Vec<_>>());
         let part = |number| {
@@ -181,16 +182,16 @@ mod tests {
     }
 
     #[test]
-    fn parts_put_together_are_the_whole() {
+    fn merged_shards_equal_the_complete_sweep() {
         let whole = csv(&[sheet().fill(&|| {})]);
-        // More parts than runs: some are empty.
+        // With more shards than runs, some shards are empty.
         for of in [1, 3, 7] {
             assert_eq!(maps(&[sheet()], &parts(of)).map(|maps| csv(&maps)), Ok(whole.clone()), "{of} parts");
         }
     }
 
     #[test]
-    fn a_part_that_is_missing_or_there_twice_or_of_another_sweep_is_noticed() {
+    fn a_missing_duplicate_or_foreign_shard_is_detected() {
         let parts = parts(2);
         let wrong = |sheets: &[Sheet], parts: &[String]| maps(sheets, parts).unwrap_err();
         assert!(wrong(&[sheet()], &parts[..1]).ends_with("is missing"));

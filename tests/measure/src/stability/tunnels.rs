@@ -1,4 +1,4 @@
-//! Fast things and thin walls.
+//! Families of fast bodies and thin walls.
 
 use super::parts::{all, calm, each_reaches, never_above};
 use super::{StabilityFamily, reasons};
@@ -9,7 +9,7 @@ use crate::world::World;
 use conformance::scene::Scene;
 use farseer_core::math::Vector2;
 
-/// Speeds in px/s.
+/// Speeds of the bullets or planks in px/s, from easy to hard.
 const SPEEDS: &[f64] = &[100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0, 6400.0, 12_800.0, 25_600.0];
 const QUICK_SPEEDS: &[f64] = &[200.0, 800.0, 3200.0, 12_800.0];
 
@@ -20,7 +20,7 @@ const BULLET: StabilityFamily = StabilityFamily {
     quick_values: QUICK_SPEEDS,
     judge: stays_before_the_wall,
     seconds: |_| 4.0,
-    quantity: "how far a bullet's middle got behind the wall's face",
+    quantity: "greatest depth of a bullet's centre behind the wall's face",
     ..StabilityFamily::PLAIN
 };
 
@@ -68,21 +68,23 @@ pub(super) const FAMILIES: [StabilityFamily; 6] = [
         quick_values: &[0.0, 10.0, 100.0, 300.0],
         build: |spin, _| spinning(spin as f32),
         judge: stays_above_the_floor,
-        quantity: "how far its middle got below the floor's surface",
+        quantity: "greatest depth of its centre below the floor's surface",
         ..BULLET
     },
 ];
 
-/// Half of a bullet's size in px.
+/// Half the extent of a bullet along x and y, in px.
 const HALF: f32 = 4.0;
 
-/// Eight bullets that fly to the right at a wall whose face is x = 0.
+/// Returns a scene of eight bullets that fly to the right at `speed` px/s against a wall whose left face is x = 0. `thickness`
+/// is that of the wall in px.
 fn bullets(speed: f32, thickness: f32, are_circles: bool) -> Scene {
     let mut stage = Stage::without_gravity();
     let lane = METRE;
     stage.wall([thickness / 2.0, 3.5 * lane], [thickness, 10.0 * lane]);
     for index in 0..8 {
-        // Farther by an eighth of a way per step of 1/60 s, so that no wall is hit at the same part of a step.
+        // Each bullet starts farther away than the one before, by an eighth of the motion in a step of 1/60 s, so that bullets
+        // hit the wall at different times within a step.
         let place = [-100.0 - speed / 60.0 * index as f32 / 8.0, lane * index as f32];
         if are_circles {
             stage.ball(place, HALF);
@@ -96,11 +98,10 @@ fn bullets(speed: f32, thickness: f32, are_circles: bool) -> Scene {
 
 fn stays_before_the_wall(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let bodies = movable(scene);
-    // The wall is the first body, and half of it lies behind its middle. A bullet whose middle is past the wall's
-    // is pushed out on the other side.
+    // The wall is body 0. A bullet whose centre has passed the centre of the wall is pushed out on the far side.
     let middle = scene.bodies[0].position.map_or(0.0, |place| f64::from(place.x));
     let depth = move |world: &dyn World| greatest(world, &bodies, |body| body.position[0]);
-    // It came within its size of the wall, or nothing was tried.
+    // The run is valid only if every bullet came within its own size of the wall.
     let arrive = each_reaches(scene, -2.0 * f64::from(HALF), reasons::STUCK, |body| body.position[0]);
     all(vec![calm(scene, 1e6), arrive, never_above(middle, reasons::TUNNELLED, depth)])
 }
@@ -120,7 +121,7 @@ fn spinning(spin: f32) -> Scene {
 fn stays_above_the_floor(_: f64, scene: &Scene) -> Box<dyn Watch> {
     let bodies = movable(scene);
     let edge = 200.0 * f64::from(METRE);
-    // One that left over the edge of the floor did not go through it.
+    // A plank that left the floor over its edge did not tunnel and is not counted.
     let depth = move |world: &dyn World| {
         greatest(world, &bodies, |body| if body.position[0].abs() < edge { body.position[1] } else { 0.0 })
     };

@@ -1,8 +1,8 @@
-//! Advice on a scene: who is recommended, who falls, and what is refused.
+//! Tests the advice on a scene: the recommended methods, the failures, and the rejected inputs.
 
 use conformance::fixtures::plane::{add_box, add_floor, simulator, v};
 use conformance::scene::{Op, Scene, ScriptEntry, Target};
-use farseer_core::{IslandChoice, JointFactory, JointMotor, Methods, PhysicsSimulator};
+use farseer_core::{JointFactory, JointMotor, Methods, PhysicsSimulator, SolverChoice};
 use measure::advise::{Advice, Asked, Verdict, advise, advise_on, asked_of};
 use measure::sweep::Outcome;
 
@@ -16,7 +16,7 @@ fn with(methods: Methods) -> PhysicsSimulator {
     simulator
 }
 
-/// Boxes of 32 px, one on the other, on a floor whose surface is at y = 0.
+/// Returns a simulator with a column of `count` boxes of 32 px on a floor whose surface is at y = 0.
 fn column(methods: Methods, count: usize) -> PhysicsSimulator {
     let mut simulator = with(methods);
     add_floor(&mut simulator, (2000.0, 20.0), v(0.0, 10.0));
@@ -34,16 +34,16 @@ fn is_faithful(verdict: &Verdict) -> bool {
     verdict.choice.islands.is_none()
 }
 
-/// What came of the precise set as games have it.
+/// Returns the verdict on the precise set at its default setting.
 fn precise(advice: &Advice) -> &Verdict {
     let is_default = |verdict: &&Verdict| {
-        verdict.choice.islands == Some(IslandChoice::ByItself) && verdict.setting.passes == 4
+        verdict.choice.islands == Some(SolverChoice::Auto) && verdict.setting.passes == 4
     };
     advice.verdicts.iter().find(is_default).unwrap()
 }
 
 #[test]
-fn for_a_column_of_twenty_it_recommends_precise_and_names_the_fall_of_the_faithful_set() {
+fn for_a_column_of_twenty_the_precise_set_is_recommended_and_the_fall_of_the_faithful_set_named() {
     let advice = advise(&asked(8.0), |methods| Built::Ok(column(methods, 20))).unwrap();
     assert_eq!((advice.movable, advice.resting), (20, 20));
     let best = advice.recommended().unwrap();
@@ -54,12 +54,12 @@ fn for_a_column_of_twenty_it_recommends_precise_and_names_the_fall_of_the_faithf
     let fall = format!("falls: {} of 20 leave their place", game.findings.fallen);
     assert!(advice.table().contains(&fall), "{}", advice.table());
     assert!(advice.sentence().starts_with("Take Precise"), "{}", advice.sentence());
-    // As the guide says of what is solved as a whole: an overlap below a thousandth of a px.
+    // The guide promises an overlap below a thousandth of a px for the direct solver.
     assert!(precise(&advice).findings.overlap < 1e-3);
 }
 
 #[test]
-fn what_cannot_be_built_with_the_faithful_set_is_told_and_does_without_it() {
+fn a_scene_that_the_faithful_set_refuses_is_judged_without_it() {
     let advice = advise(&asked(1.0), |methods| {
         let mut simulator = with(methods);
         let (wheel, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));
@@ -76,7 +76,7 @@ fn what_cannot_be_built_with_the_faithful_set_is_told_and_does_without_it() {
 }
 
 #[test]
-fn a_game_that_is_of_the_precise_set_already_is_tried_with_distance_grids_too() {
+fn a_game_of_the_precise_set_is_also_run_with_distance_grids() {
     let game = column(Methods::PRECISE, 2);
     let advice = advise(&asked(1.0), |_| Built::Ok(game.clone())).unwrap();
     let faithful = advice.verdicts.iter().find(|verdict| is_faithful(verdict)).unwrap();
@@ -84,30 +84,30 @@ fn a_game_that_is_of_the_precise_set_already_is_tried_with_distance_grids_too() 
 }
 
 #[test]
-fn passes_alone_are_not_another_choice_where_nothing_is_solved_as_a_whole() {
+fn the_iterative_solver_is_no_extra_choice_without_directly_solved_islands() {
     let flight = advise(&asked(1.0), |methods| {
         let mut simulator = with(methods);
         add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));
         Built::Ok(simulator)
     })
     .unwrap();
-    assert!(flight.absent.iter().any(|(choice, _)| choice.islands == Some(IslandChoice::Passes)));
+    assert!(flight.absent.iter().any(|(choice, _)| choice.islands == Some(SolverChoice::Iterative)));
     let column = advise(&asked(1.0), |methods| Built::Ok(column(methods, 8))).unwrap();
     assert_eq!(column.absent, []);
 }
 
 #[test]
-fn in_a_heap_only_what_lies_where_it_must_is_judged_by_its_place() {
+fn in_a_heap_only_predictable_positions_are_judged() {
     let scene = conformance::scenes::circles_in_a_pit(40);
     let advice = advise_on(&scene, &asked_of(&scene)).unwrap();
-    // Every run goes a way of its own after some hits; what lies somewhere else then has not fallen.
+    // After some hits the paths of the runs diverge. A body at another position does not count as fallen from then on.
     assert!(advice.predictable < 2.0, "{}", advice.predictable);
     assert!(advice.resting < advice.movable, "{}", advice.resting);
     assert_eq!(precise(&advice).outcome, Outcome::Fine, "{}", advice.table());
 }
 
 #[test]
-fn a_number_that_nothing_can_be_run_with_is_refused_by_its_name() {
+fn an_unusable_setting_is_refused_by_its_name() {
     let wrong = [
         (Asked { seconds: f64::NAN, ..asked(1.0) }, "seconds"),
         (Asked { dt: 0.0, ..asked(1.0) }, "dt"),
@@ -135,7 +135,7 @@ fn a_scene_that_is_garbage_or_has_a_script_is_refused() {
 }
 
 #[test]
-fn what_goes_off_to_infinity_with_every_method_is_refused() {
+fn a_scene_that_diverges_with_every_method_is_refused() {
     let error = advise(&asked(1.0), |methods| {
         let mut simulator = with(methods);
         let (body, _) = add_box(&mut simulator, (32.0, 32.0), v(0.0, 0.0));

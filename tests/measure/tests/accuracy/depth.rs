@@ -1,5 +1,5 @@
-//! The measures of the chart's scenes with depth see what they should, and the errors of the 2.5D engine stay where they
-//! are. Nothing is timed.
+//! Tests that the measures of the chart's scenes with depth are correct, and that the errors of the 2.5D engine do not change.
+//! The tests measure no time.
 
 use crate::common::depth::{Changed, faithful, thesis};
 use approx::assert_relative_eq;
@@ -16,7 +16,8 @@ fn scene(name: &str) -> DepthChartScene {
     found.unwrap_or_else(|| panic!("there is no scene {name}"))
 }
 
-/// Error and failure of a scene of a size, in a world that is made of the real one.
+/// Returns the error of a chart scene of a `size`, in its own unit, and its failure. The watch sees the world that `of` makes
+/// of the simulated one.
 fn measured<W: World + 'static>(
     chart: &DepthChartScene,
     size: usize,
@@ -27,18 +28,18 @@ fn measured<W: World + 'static>(
     let scene = (chart.build)(size);
     let mut world = of((method.build)(&scene, setting).unwrap());
     let mut watch = (chart.watch)(&scene);
-    watch.see(0.0, &world);
+    watch.observe(0.0, &world);
     let steps = (chart.seconds / f64::from(setting.dt.mean())).round() as usize;
     let mut time = 0.0;
     for dt in setting.dt.steps().take(steps) {
         world.step(dt);
         time += f64::from(dt);
-        watch.see(time, &world);
+        watch.observe(time, &world);
     }
     (watch.error(), watch.failed())
 }
 
-/// Error of a run that does not fail.
+/// Returns the error of a run in the unit of its scene. Panics if the run fails.
 #[track_caller]
 fn error(name: &str, size: usize, method: &DepthMethod, setting: Setting) -> f64 {
     let (error, failed) = measured(&scene(name), size, method, setting, same);
@@ -51,9 +52,9 @@ fn same(world: Box<dyn World>) -> Changed<impl Fn(usize, BodyState) -> BodyState
 }
 
 #[test]
-fn a_throw_in_depth_is_behind_the_parabola_by_half_of_what_gravity_gives_in_a_step() {
+fn a_throw_in_depth_is_behind_the_parabola_by_half_a_step_of_gravity() {
     for dt in [1.0 / 30.0, 1.0 / 60.0, 0.016, 0.01, 1.0 / 240.0] {
-        // g t dt / 2 at the end of the flight, at its last step.
+        // The largest error is g t dt / 2, at the last step of the flight.
         let setting = Setting::fixed(dt, 5);
         let end = (scene("throw_in_depth").seconds / f64::from(dt)).round() * f64::from(dt);
         let expected = 100.0 * end * f64::from(dt) / 2.0;
@@ -66,7 +67,7 @@ fn a_throw_in_depth_follows_the_law_of_the_steps_however_long_they_are() {
     for setting in
         [Setting::fixed(1.0 / 30.0, 5), USUAL, Setting::fixed(1.0 / 240.0, 5), Setting::jitter(0.016, 5)]
     {
-        // Rounding of places up to 200 px, once per step.
+        // The error is rounding: positions of up to 200 px are rounded in each step.
         let error = error("throw_in_depth_stepped", 0, &faithful(), setting);
         assert!(error < 5e-3, "{setting:?}: {error}");
     }
@@ -75,7 +76,7 @@ fn a_throw_in_depth_follows_the_law_of_the_steps_however_long_they_are() {
 #[test]
 fn a_ball_that_was_thrown_rolls_on_where_it_should() {
     for setting in [USUAL, Setting::fixed(0.01, 5), Setting::fixed(1.0 / 240.0, 5)] {
-        // What the solver leaves alone, 0.05 px, and rounding.
+        // The error is the slop of the solver, 0.05 px, and rounding.
         let error = error("throw_in_depth_landing", 0, &faithful(), setting);
         assert!(error < 0.06, "{setting:?}: {error}");
     }
@@ -85,7 +86,7 @@ fn a_ball_that_was_thrown_rolls_on_where_it_should() {
 fn conveyors_take_their_loads_along_as_friction_says() {
     for name in ["conveyor", "conveyor_askew"] {
         for size in [5, 20] {
-            // Speed of 60 px/s for a step less or more, at most.
+            // The error is at most the path of one step at 60 px/s.
             let error = error(name, size, &faithful(), USUAL);
             assert!(error > 0.0 && error < 1.0, "{name} of {size}: {error}");
         }
@@ -103,7 +104,7 @@ fn shorter_steps_bring_the_loads_of_a_conveyor_nearer_to_where_they_should_be() 
 
 #[test]
 fn the_thesis_scheme_loses_the_loads_of_a_conveyor_that_moves_into_the_picture_and_no_others() {
-    // What slides in depth by half of its own depth is thrown off.
+    // In the thesis scheme a body is thrown off once it has slid by half of its own depth along the depth axis.
     let (_, failed) = measured(&scene("conveyor_askew"), 5, &thesis(), USUAL, same);
     assert_eq!(failed, Some("fell off"));
     let [ours, theirs] = [faithful(), thesis()].map(|method| error("conveyor", 5, &method, USUAL));
@@ -121,14 +122,14 @@ fn the_balls_of_a_pit_come_to_lie_beside_each_other() {
 }
 
 #[test]
-fn the_thesis_scheme_lets_the_balls_of_a_pit_overlap_more() {
+fn the_balls_of_a_pit_overlap_more_with_the_thesis_scheme() {
     let [ours, theirs] =
         [faithful(), thesis()].map(|method| error("ball_pit_penetration", 200, &method, USUAL));
     assert!(theirs > 2.0 * ours, "{ours} and {theirs}");
 }
 
 #[test]
-fn measures_of_places_see_by_how_much_something_is_elsewhere() {
+fn measures_of_position_report_a_known_displacement() {
     for name in ["throw_in_depth", "throw_in_depth_stepped", "throw_in_depth_landing", "conveyor"] {
         for axis in 0..3 {
             let moved = |world| Changed {
@@ -140,7 +141,7 @@ fn measures_of_places_see_by_how_much_something_is_elsewhere() {
             };
             let chart = scene(name);
             let (error, failed) = measured(&chart, chart.sizes[0], &faithful(), USUAL, moved);
-            // What it is wrong by itself may be added to it.
+            // The error of the engine itself may add to the displacement of 50 px.
             assert_eq!(failed, None, "{name}");
             assert!((48.0..52.0).contains(&error), "{name}, axis {axis}: {error}");
         }
@@ -148,7 +149,7 @@ fn measures_of_places_see_by_how_much_something_is_elsewhere() {
 }
 
 #[test]
-fn the_pit_sees_a_ball_that_is_in_the_ground_and_one_that_is_outside() {
+fn the_pit_detects_a_ball_in_the_ground_and_one_outside() {
     let chart = scene("ball_pit_penetration");
     let moved = |by: f64| {
         move |world| Changed {
@@ -169,7 +170,7 @@ fn the_pit_sees_a_ball_that_is_in_the_ground_and_one_that_is_outside() {
 }
 
 #[test]
-fn the_pit_sees_how_fast_the_balls_are() {
+fn the_pit_measures_the_speed_of_the_balls() {
     let faster = |world| Changed {
         world,
         change: |_, mut state: BodyState| {
@@ -183,7 +184,7 @@ fn the_pit_sees_how_fast_the_balls_are() {
 }
 
 #[test]
-fn what_is_not_finite_has_failed_in_every_scene() {
+fn a_non_finite_state_fails_in_every_scene() {
     for chart in depth_chart_scenes() {
         let broken = |world| Changed {
             world,
@@ -198,14 +199,14 @@ fn what_is_not_finite_has_failed_in_every_scene() {
 }
 
 #[test]
-fn with_everything_at_one_depth_2_5d_does_what_2d_does_to_the_bit() {
+fn with_all_bodies_at_one_depth_2_5d_equals_2d_to_the_bit() {
     for trial in trials(&[PLANE_SCENE], &plane_methods(), Effort::Quick) {
         let mut run = (trial.start)().unwrap_or_else(|error| panic!("{error}"));
         let dt = trial.setting.dt.mean();
-        run.look(0.0);
+        run.observe(0.0);
         for step in 1..=120 {
             run.world.step(dt);
-            run.look(f64::from(step) * f64::from(dt));
+            run.observe(f64::from(step) * f64::from(dt));
         }
         let watch = &run.watches[0].1;
         assert_eq!((watch.error(), watch.failed()), (0.0, None), "{} circles, {}", trial.size, trial.method);

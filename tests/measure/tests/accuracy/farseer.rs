@@ -1,19 +1,20 @@
-//! What the faithful set makes of the scenes of the chart at its default setting, 1/60 s and 5 iterations: so that a
-//! change of behaviour is seen. What fails here fails in the original, whose bits these are.
+//! Tests that the errors of the faithful set in the scenes of the chart do not change, at its default setting: steps of 1/60 s
+//! and 5 iterations. The faithful set has the bits of Farseer: a run that fails here fails in Farseer, too.
 
 use self::Pin::{Errs, Fails};
 use measure::charts::{ChartScene, chart_scenes};
 use measure::method::{Method, Setting, methods};
 
-/// What came of a run: its error in the scene's unit, or its failure.
+/// Outcome of a run: its error in the scene's unit, or its failure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Pin {
     Errs(f64),
     Fails(&'static str),
 }
 
-/// Scene, size, outcome with the distance grid and with separating axes: measured with this engine, and no law. Runs
-/// are the same to the bit everywhere; the band that [`Pin::is_like`] allows is for the few digits written here.
+/// Known outcomes: name of the scene, its size (number of bodies), outcome with the distance grid, outcome with separating
+/// axes. The values were measured with this engine. Runs are the same to the bit on every platform; [`Pin::is_like`] only
+/// allows for the few digits that are written here.
 const PINS: &[(&str, usize, Pin, Pin)] = &[
     ("throw_discrete_law", 0, Errs(3.638e-4), Errs(3.638e-4)),
     ("throw_continuous_law", 0, Errs(7.193), Errs(7.193)),
@@ -103,13 +104,13 @@ const PINS: &[(&str, usize, Pin, Pin)] = &[
     ("box_pile_speed", 200, Errs(7.318), Errs(13.01)),
 ];
 
-/// Larger scenes take too long for a test.
+/// Number of bodies of the largest scene that is run. Larger scenes take too long for a test.
 const LARGEST: usize = 200;
 
 impl Pin {
     fn is_like(self, measured: Pin) -> bool {
         match (self, measured) {
-            // Below a millionth of any unit is rounding, also that of the sines and cosines in the measure.
+            // Differences below 1e-6 of the unit are rounding errors, also those of the sines and cosines in the measure.
             (Errs(pinned), Errs(measured)) => (pinned - measured).abs() <= 1e-2 * pinned + 1e-6,
             _ => self == measured,
         }
@@ -124,25 +125,25 @@ fn method(name: &str) -> Method {
     method
 }
 
-/// Runs a scene once and measures it in several ways.
+/// Runs a scene of a `size` once with a method, and returns one outcome for each of `charts`, which are measures of that scene.
 fn outcomes(charts: &[ChartScene], size: usize, method: &Method) -> Vec<Pin> {
     let scene = (charts[0].build)(size);
     let mut watches: Vec<_> = charts.iter().map(|chart| (chart.watch)(&scene)).collect();
     let mut world = (method.build)(&scene, method.recommended).unwrap_or_else(|error| panic!("{error}"));
     let mut time = 0.0;
-    watches.iter_mut().for_each(|watch| watch.see(time, &*world));
+    watches.iter_mut().for_each(|watch| watch.observe(time, &*world));
     for dt in method.recommended.dt.steps() {
         if time + f64::from(dt) / 2.0 >= charts[0].seconds {
             break;
         }
         world.step(dt);
         time += f64::from(dt);
-        watches.iter_mut().for_each(|watch| watch.see(time, &*world));
+        watches.iter_mut().for_each(|watch| watch.observe(time, &*world));
     }
     watches.iter().map(|watch| watch.failed().map_or(Errs(watch.error()), Fails)).collect()
 }
 
-/// Compares the scenes whose names begin with a word with what is pinned.
+/// Asserts that the chart scenes whose names begin with `prefix` have their outcomes of [`PINS`].
 fn assert_pinned(prefix: &str) {
     let charts: Vec<_> = chart_scenes().into_iter().filter(|chart| chart.name.starts_with(prefix)).collect();
     assert!(!charts.is_empty(), "there is no scene {prefix}");
@@ -165,7 +166,7 @@ fn assert_pinned(prefix: &str) {
     assert!(wrong.is_empty(), "not as pinned:\n{}", wrong.join("\n"));
 }
 
-/// A test for each kind of scenes, by how their names begin.
+/// Makes a test for each kind of scenes. Arguments: the name of the test and the beginning of the scenes' names.
 macro_rules! pinned {
     ($($test:ident: $kind:literal,)*) => {
         const KINDS: &[&str] = &[$($kind),*];
@@ -179,26 +180,26 @@ macro_rules! pinned {
 }
 
 pinned! {
-    throws_go_as_pinned: "throw_",
-    balls_bounce_as_pinned: "bounce_",
-    crates_slide_as_pinned: "slide",
-    crates_stick_as_pinned: "stick",
-    circles_and_polygons_roll_as_pinned: "roll_",
-    pendulums_swing_as_pinned: "pendulum_",
-    a_double_pendulum_keeps_its_energy_as_pinned: "double_pendulum",
-    chains_hold_as_pinned: "chain",
-    springs_swing_as_pinned: "spring_",
-    stiff_springs_swing_as_pinned: "stiff_spring_",
-    a_cradle_passes_hits_on_as_pinned: "newtons_cradle",
-    oblique_hits_go_as_pinned: "oblique_hit",
-    box_stacks_stand_or_fall_as_pinned: "box_stack_",
-    pyramids_stand_or_fall_as_pinned: "pyramid_",
-    circle_stacks_stand_or_fall_as_pinned: "circle_stack_",
-    heavy_boxes_stand_or_fall_as_pinned: "heavy_on_light_",
-    card_houses_stand_or_fall_as_pinned: "card_house_",
-    arches_stand_or_fall_as_pinned: "arch_",
-    ball_pits_settle_as_pinned: "ball_pit_",
-    box_piles_settle_as_pinned: "box_pile_",
+    throws_have_their_pinned_errors: "throw_",
+    bounces_have_their_pinned_errors: "bounce_",
+    slides_have_their_pinned_errors: "slide",
+    sticking_crates_have_their_pinned_errors: "stick",
+    rolling_has_its_pinned_errors: "roll_",
+    pendulums_have_their_pinned_errors: "pendulum_",
+    the_energy_of_a_double_pendulum_has_its_pinned_errors: "double_pendulum",
+    chains_have_their_pinned_errors: "chain",
+    springs_have_their_pinned_errors: "spring_",
+    stiff_springs_have_their_pinned_errors: "stiff_spring_",
+    a_cradle_has_its_pinned_errors: "newtons_cradle",
+    oblique_hits_have_their_pinned_errors: "oblique_hit",
+    box_stacks_have_their_pinned_errors: "box_stack_",
+    pyramids_have_their_pinned_errors: "pyramid_",
+    circle_stacks_have_their_pinned_errors: "circle_stack_",
+    heavy_boxes_have_their_pinned_errors: "heavy_on_light_",
+    card_houses_have_their_pinned_errors: "card_house_",
+    arches_have_their_pinned_errors: "arch_",
+    ball_pits_have_their_pinned_errors: "ball_pit_",
+    box_piles_have_their_pinned_errors: "box_pile_",
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What the scenes of the charts measure, and how far off our methods are in them.
+//! Tests that the measures of the chart's scenes are correct, and that the errors of our methods in these scenes do not change.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,6 +1,6 @@
-//! How deep shapes are in each other: known depths, what does not count, and that nothing deeper is missed.
+//! Tests the penetration depth of shapes: known depths, pairs that do not count, and a search for deeper ones.
 
-use crate::common::told::{Told, flat, starts};
+use crate::common::told::{PrescribedWorld, flat, starts};
 use approx::assert_relative_eq;
 use conformance::scene::{BodyShape, BodySpec, GeomShape, GeomSpec, Outline, OutlineForm, Scene};
 use farseer_core::math::Vector2;
@@ -18,10 +18,10 @@ fn placed(scene: &mut Scene, shape: GeomShape, position: [f64; 2], rotation: f64
 }
 
 fn overlap_of(scene: &Scene) -> f64 {
-    Shapes::of(scene).largest_overlap(&Told(starts(scene)))
+    Shapes::of(scene).largest_overlap(&PrescribedWorld(starts(scene)))
 }
 
-/// The overlap of two shapes, placed and turned.
+/// Returns the penetration depth of two shapes in px. Arguments: shape, position in px and angle in radians of each.
 fn overlap(one: (GeomShape, [f64; 2], f64), other: (GeomShape, [f64; 2], f64)) -> f64 {
     let mut scene = Scene::empty("overlap", "Two shapes.");
     for (shape, position, rotation) in [one, other] {
@@ -65,7 +65,7 @@ fn offsets_turn_with_the_body_and_with_the_geom() {
         let mut scene = Scene::empty("offset", "Two shapes, one beside the middle of its body.");
         placed(&mut scene, shape, [0.0, 0.0], PI / 2.0);
         scene.geoms[0].offset = Some(Vector2::new(30.0, 0.0));
-        // On the body the offset points down, and the body turns it to the left.
+        // In the body's frame the offset points down (y), and the rotation of the body turns it to the left.
         scene.geoms[0].rotation_offset = Some(std::f32::consts::FRAC_PI_2);
         placed(&mut scene, SQUARE, [-49.0, 0.0], 0.0);
         assert_relative_eq!(overlap_of(&scene), 1.0, epsilon = 1e-4);
@@ -77,7 +77,7 @@ fn outlines_and_their_pieces_have_their_shape() {
     let points = [[0.0, 0.0], [30.0, 0.0], [0.0, 30.0]].map(|[x, y]: [f32; 2]| Vector2::new(x, y)).to_vec();
     let outline = Outline { form: OutlineForm::Points { points }, subdivide: Some(4.0) };
     let triangle = GeomShape::Raw { outline };
-    // A unit beyond the long side, at its middle, a disc of radius 10.
+    // The centre of the disc, of radius 10 px, is 9 px beyond the middle of the long side: the penetration depth is 1 px.
     let beyond = 15.0 + 9.0 / 2.0_f64.sqrt();
     let found = overlap((triangle, [0.0, 0.0], 0.0), (DISC, [beyond, beyond], 0.0));
     assert_relative_eq!(found, 1.0, epsilon = 1e-5);
@@ -114,10 +114,10 @@ fn shapes_that_do_not_collide_do_not_overlap() {
 }
 
 #[test]
-fn an_overlap_of_what_is_not_finite_is_infinite() {
+fn an_overlap_of_a_non_finite_pose_is_infinite() {
     let mut scene = Scene::empty("lost", "A square.");
     placed(&mut scene, SQUARE, [0.0, 0.0], 0.0);
-    let mut world = Told(starts(&scene));
+    let mut world = PrescribedWorld(starts(&scene));
     world.0[0].position[1] = f64::NAN;
     assert_eq!(Shapes::of(&scene).largest_overlap(&world), f64::INFINITY);
 }
@@ -146,7 +146,7 @@ proptest! {
     }
 
     #[test]
-    fn turning_and_moving_everything_keeps_the_overlap(
+    fn a_rigid_motion_of_both_shapes_keeps_the_overlap(
         place in prop::array::uniform2(-25.0..25.0),
         turns in prop::array::uniform2(-PI..PI),
         whole in -PI..PI,
@@ -156,10 +156,10 @@ proptest! {
         placed(&mut scene, GeomShape::Rectangle { width: 20.0, height: 30.0 }, [0.0, 0.0], turns[0]);
         placed(&mut scene, GeomShape::Rectangle { width: 15.0, height: 9.0 }, place, turns[1]);
         let shapes = Shapes::of(&scene);
-        let here = Told(starts(&scene));
+        let here = PrescribedWorld(starts(&scene));
         let (sine, cosine) = whole.sin_cos();
-        let there = Told(here.0.iter().map(|state| {
-            let [x, y] = state.place();
+        let there = PrescribedWorld(here.0.iter().map(|state| {
+            let [x, y] = state.position_in_plane();
             let position = [x * cosine - y * sine + far[0], x * sine + y * cosine + far[1]];
             BodyState { position: flat(position), angle: state.angle + whole, ..*state }
         }).collect());
@@ -167,7 +167,7 @@ proptest! {
     }
 
     #[test]
-    fn boxes_overlap_by_the_least_move_that_parts_them(
+    fn the_overlap_of_boxes_is_the_least_separating_displacement(
         place in prop::array::uniform2(-30.0..30.0),
         turn in -PI..PI,
     ) {
@@ -175,14 +175,15 @@ proptest! {
         placed(&mut scene, SQUARE, [0.0, 0.0], 0.0);
         placed(&mut scene, SQUARE, place, turn);
         let shapes = Shapes::of(&scene);
-        let mut world = Told(starts(&scene));
+        let mut world = PrescribedWorld(starts(&scene));
         let (depth, start) = (shapes.largest_overlap(&world), world.0[1].position);
         let mut parted = |by: f64, angle: f64| {
             world.0[1].position = flat([start[0] + by * angle.cos(), start[1] + by * angle.sin()]);
             shapes.largest_overlap(&world) <= 1e-9
         };
-        // Some way of that length parts them, and no shorter one does. Ways are tried degree by degree: the one that
-        // is wanted is off by half a degree at most, and so longer by less than a part in ten thousand.
+        // A displacement of that length in some direction separates the shapes, and none that is shorter does. The search tries
+        // every degree. Its best direction is off by at most half a degree, which lengthens the displacement by less than 1e-4
+        // of it.
         let degrees = || (0..360).map(|degree| f64::from(degree).to_radians());
         let normals = [0.0, turn].into_iter().flat_map(|of| (0..4).map(move |side| of + f64::from(side) * PI / 2.0));
         prop_assert!(normals.into_iter().any(|angle| parted(depth + 1e-6, angle)));

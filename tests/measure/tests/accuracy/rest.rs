@@ -1,21 +1,24 @@
-//! The measures of the chart are right where things should come to rest, and what fails is said to.
+//! Tests that the measures of the chart are correct where bodies should come to rest, and that they report failures.
 
-use crate::common::told::{Told, assert_right, chart, flat, starts, watched};
+use crate::common::told::{PrescribedWorld, assert_no_error, chart, flat, starts, watched};
 use approx::assert_relative_eq;
 use measure::charts::chart_scenes;
 use measure::depth::depth_chart_scenes;
 use measure::method::{Family, Setting, methods};
 use measure::penetration::Shapes;
-use measure::watch::{Largest, failing, last, worst};
+use measure::watch::{Maximum, failing, last, worst};
 use measure::world::{BodyState, World};
 
-/// Scenes of things that are built to stand, without the measure in the name.
+/// Names of the scenes of structures, without the measure that ends the full name.
 const BUILT: [&str; 5] = ["box_stack", "pyramid", "circle_stack", "card_house", "arch"];
 
 #[test]
-fn what_stands_as_it_was_built_does_not_move_and_is_lower_by_what_it_was_pressed() {
-    // In percent of the height: 5 * 0.02 px of 4.5 boxes of 32 px; 3 * 0.05 px of 2.5 of 20, which differ by up to 0.05
-    // px each; 0.02 px and twice 0.017 of 71.4 px; 0.06 px of 97 px; stones press each other sideways, and not down.
+fn an_undisturbed_structure_has_no_motion_and_is_lower_by_its_initial_overlap() {
+    // Expected errors in percent of the height, which come from the initial overlaps:
+    // - box_stack: 5 overlaps of 0.02 px; height 4.5 boxes of 32 px.
+    // - pyramid: 3 overlaps of 0.05 px; height 2.5 boxes of 20 px, which differ by up to 0.05 px each.
+    // - circle_stack: 0.02 px and twice 0.017 px of 71.4 px. card_house: 0.06 px of 97 px.
+    // - arch: the stones overlap sideways, and not down.
     for (name, least, most) in [
         ("box_stack", 0.0694, 0.0695),
         ("pyramid", 0.0, 0.5),
@@ -26,44 +29,44 @@ fn what_stands_as_it_was_built_does_not_move_and_is_lower_by_what_it_was_pressed
         let (error, failed) = watched(&format!("{name}_height"), 0.05, |_, _| {});
         assert_eq!(failed, None);
         assert!((least..most).contains(&error), "{name}: {error}");
-        assert_right(&format!("{name}_speed"), 0.05, 0.0, |_, _| {});
+        assert_no_error(&format!("{name}_speed"), 0.05, 0.0, |_, _| {});
     }
 }
 
 #[test]
-fn what_stands_as_high_as_it_is_built_of_has_no_error_of_height() {
-    // The top of five boxes of 32 px is the middle of the fifth.
+fn a_structure_of_full_height_has_no_error_of_height() {
+    // The height of the stack is that of the middle of the fifth box of 32 px.
     let start = starts(&(chart("box_stack_height").build)(5));
-    assert_right("box_stack_height", 0.05, 1e-4, |_, states| {
+    assert_no_error("box_stack_height", 0.05, 1e-4, |_, states| {
         for (index, state) in states.iter_mut().enumerate().skip(1) {
             state.position = flat([start[index].position[0], -32.0 * (index as f64 - 0.5)]);
         }
     });
-    // Five circles need three rows.
-    assert_right("circle_stack_height", 0.05, 1e-4, |_, states| {
+    // Five circles form three rows.
+    assert_no_error("circle_stack_height", 0.05, 1e-4, |_, states| {
         let top = states.len() - 1;
         states[top].position[1] = -16.0 - 2.0 * 16.0 * 3.0_f64.sqrt();
     });
 }
 
 #[test]
-fn what_is_built_overlaps_by_as_little_as_everything_forgives() {
+fn structures_are_built_with_at_most_0_15_px_of_overlap() {
     for scene in chart_scenes().into_iter().filter(|scene| scene.name.ends_with("_penetration")) {
         for &size in scene.sizes.iter().filter(|&&size| size < 2000) {
             let built = (scene.build)(size);
-            let overlap = Shapes::of(&built).largest_overlap(&Told(starts(&built)));
-            // Pyramids press up to 0.15 px; their boxes differ by 0.1 in height.
+            let overlap = Shapes::of(&built).largest_overlap(&PrescribedWorld(starts(&built)));
+            // Boxes of a pyramid overlap by up to 0.15 px; their heights differ by 0.1 px.
             assert!(overlap < 0.151, "{} of {size}: {overlap}", scene.name);
         }
     }
 }
 
 #[test]
-fn what_is_built_touches_what_it_stands_on() {
+fn structures_are_built_touching_their_support() {
     for name in BUILT {
         let scene = chart(&format!("{name}_penetration"));
         let built = (scene.build)(5);
-        let overlap = Shapes::of(&built).largest_overlap(&Told(starts(&built)));
+        let overlap = Shapes::of(&built).largest_overlap(&PrescribedWorld(starts(&built)));
         assert!(overlap > 0.01, "{name}: {overlap}");
     }
 }
@@ -82,14 +85,14 @@ fn a_top_that_sank_is_an_error_of_height_and_one_that_fell_a_failure() {
             watched(scene.name, 0.05, |_, states| states[top].position[1] = start[top].position[1] + by)
         };
         let (error, failed) = sunk(5.0);
-        // Built heights are right to half a percent.
+        // The heights of the built structures are right to half a percent.
         assert_relative_eq!(error, -500.0 / start[top].position[1], epsilon = 0.51);
         assert_eq!(failed, None);
         assert_eq!(sunk(40.0), (f64::INFINITY, Some("toppled")), "{name}");
     }
 }
 
-/// Error and failure of a scene of two boxes, the heavy one on the light one, at the end of which they are changed.
+/// Returns error, in px, and failure of the scene with a heavy box on a light one. `change` alters both states in each step.
 fn of_two_boxes(change: impl Fn(&mut BodyState, &mut BodyState)) -> (f64, Option<&'static str>) {
     let start = starts(&(chart("heavy_on_light_1000").build)(0));
     watched("heavy_on_light_1000", 0.05, |_, states| {
@@ -104,14 +107,14 @@ fn a_box_that_sinks_into_a_lighter_one_is_an_error_until_it_has_passed_through()
     for depth in [3.0, 20.0, 31.0] {
         let (error, failed) = of_two_boxes(|_, heavy| heavy.position[1] += depth);
         assert_eq!(failed, None, "{depth}");
-        // It is built 0.02 px deep.
+        // The boxes overlap by 0.02 px at the start.
         assert_relative_eq!(error, depth + 0.02, epsilon = 1e-4);
     }
     assert_eq!(of_two_boxes(|_, heavy| heavy.position[1] += 33.0), (f64::INFINITY, Some("sank")));
 }
 
 #[test]
-fn a_light_box_that_is_pressed_into_the_ground_is_an_error_until_all_of_it_is_in_there() {
+fn a_light_box_pressed_into_the_ground_is_an_error_until_it_is_completely_inside() {
     let pressed = |by: f64| {
         of_two_boxes(|light, heavy| {
             light.position[1] += by;
@@ -135,9 +138,9 @@ fn a_heavy_box_topples_by_shifting_aside_or_turning() {
 }
 
 #[test]
-fn what_leaves_a_pit_is_lost() {
+fn a_body_outside_of_the_pit_is_lost() {
     for name in ["ball_pit_penetration", "ball_pit_speed", "box_pile_penetration", "box_pile_speed"] {
-        // Five things stand in three columns: the room between the walls is 96 px wide.
+        // The pit of five bodies has three columns: the space between its walls is 96 px wide.
         let put = |place: [f64; 2]| watched(name, 0.05, |_, states| states[5].position = flat(place));
         for outside in [[49.0, -10.0], [-49.0, -10.0], [60.0, -300.0], [0.0, 1.0], [0.0, 1500.0]] {
             assert_eq!(put(outside), (f64::INFINITY, Some("lost")), "{name} at {outside:?}");
@@ -160,7 +163,7 @@ fn speed_counts_in_the_last_second_alone() {
 }
 
 #[test]
-fn the_speed_of_a_pile_is_the_root_of_the_mean_square_of_what_can_move() {
+fn the_speed_of_a_pile_is_the_rms_of_its_dynamic_bodies() {
     let movable = 5.0_f64;
     let (error, _) = watched("ball_pit_speed", 0.05, |_, states| states[4].velocity = flat([30.0, 40.0]));
     assert_relative_eq!(error, 50.0 / movable.sqrt(), max_relative = 1e-12);
@@ -182,39 +185,39 @@ fn an_overlap_counts_in_the_last_second_alone() {
 }
 
 #[test]
-fn what_is_not_finite_fails_everywhere() {
+fn a_non_finite_state_fails_every_watch() {
     for scene in chart_scenes() {
         let built = (scene.build)(scene.sizes[0]);
         let mut watch = (scene.watch)(&built);
-        let mut world = Told(starts(&built));
-        watch.see(0.0, &world);
+        let mut world = PrescribedWorld(starts(&built));
+        watch.observe(0.0, &world);
         let last = world.0.len() - 1;
         world.0[last].velocity[0] = f64::NAN;
-        watch.see(scene.seconds, &world);
+        watch.observe(scene.seconds, &world);
         assert_eq!(watch.failed(), Some("not finite"), "{}", scene.name);
         assert_eq!(watch.error(), f64::INFINITY, "{}", scene.name);
     }
 }
 
 #[test]
-fn what_leaves_the_scene_fails_everywhere_and_does_not_come_back() {
+fn a_body_that_leaves_the_scene_fails_every_watch_for_good() {
     for scene in chart_scenes() {
         let built = (scene.build)(scene.sizes[0]);
         let mut watch = (scene.watch)(&built);
-        let mut world = Told(starts(&built));
+        let mut world = PrescribedWorld(starts(&built));
         let last = world.0.len() - 1;
-        let start = world.0[last].place();
+        let start = world.0[last].position_in_plane();
         world.teleport(last, [1e6, 0.0], 0.0);
-        watch.see(0.1, &world);
+        watch.observe(0.1, &world);
         world.teleport(last, start, 0.0);
-        watch.see(scene.seconds, &world);
+        watch.observe(scene.seconds, &world);
         assert_eq!(watch.failed(), Some("flew off"), "{}", scene.name);
     }
 }
 
 #[test]
-fn the_largest_of_nothing_is_nan_and_nan_counts_as_infinite() {
-    let mut largest = Largest::default();
+fn the_maximum_of_no_numbers_is_nan_and_nan_counts_as_infinite() {
+    let mut largest = Maximum::default();
     assert!(largest.get().is_nan());
     for value in [1.0, 3.0, -2.0] {
         largest.take(value);
@@ -227,35 +230,35 @@ fn the_largest_of_nothing_is_nan_and_nan_counts_as_infinite() {
 
 #[test]
 fn one_watch_keeps_the_worst_and_another_the_last() {
-    let world = Told(Vec::new());
+    let world = PrescribedWorld(Vec::new());
     let value = |time: f64, _: &dyn World| (time < 3.0).then_some(10.0 - 2.0 * time);
     let mut worst = worst(value);
     let mut last = last(value);
     for time in 0..5 {
-        worst.see(f64::from(time), &world);
-        last.see(f64::from(time), &world);
+        worst.observe(f64::from(time), &world);
+        last.observe(f64::from(time), &world);
     }
     assert_eq!((worst.error(), last.error()), (10.0, 6.0));
 }
 
 #[test]
-fn the_first_failure_is_the_one_that_is_told() {
-    let world = Told(Vec::new());
+fn the_first_failure_is_the_one_reported() {
+    let world = PrescribedWorld(Vec::new());
     let verdict = |time: f64, _: &dyn World| match time as i32 {
         0 => None,
         1 => Some("first"),
         _ => Some("second"),
     };
     let mut watch = failing(worst(|_, _| Some(0.0)), 1.0, verdict);
-    watch.see(0.0, &world);
+    watch.observe(0.0, &world);
     assert_eq!((watch.error(), watch.failed()), (0.0, None));
-    watch.see(1.0, &world);
-    watch.see(2.0, &world);
+    watch.observe(1.0, &world);
+    watch.observe(2.0, &world);
     assert_eq!((watch.error(), watch.failed()), (f64::INFINITY, Some("first")));
 }
 
 #[test]
-fn every_scene_of_the_chart_has_a_name_of_its_own_and_says_what_it_measures() {
+fn every_scene_of_the_chart_has_a_unique_name_and_names_its_quantity() {
     let scenes = chart_scenes();
     let mut names: Vec<_> = scenes.iter().map(|scene| scene.name).collect();
     names.sort_unstable();
@@ -282,7 +285,7 @@ fn other_engines_are_charted_everywhere_but_against_the_laws_of_our_own_steps() 
 }
 
 #[test]
-fn every_scene_of_the_chart_begins_well_with_every_method_of_ours() {
+fn every_scene_of_the_chart_starts_without_failure_with_every_method_of_ours() {
     for scene in chart_scenes() {
         let built = (scene.build)(scene.sizes[0]);
         for method in methods() {
@@ -291,10 +294,10 @@ fn every_scene_of_the_chart_begins_well_with_every_method_of_ours() {
                 continue;
             };
             let mut watch = (scene.watch)(&built);
-            watch.see(0.0, &*world);
+            watch.observe(0.0, &*world);
             for step in 1..=24 {
                 world.step(1.0 / 240.0);
-                watch.see(f64::from(step) / 240.0, &*world);
+                watch.observe(f64::from(step) / 240.0, &*world);
             }
             let failed = watch.failed().filter(|failed| *failed != "nothing to measure");
             assert_eq!(failed, None, "{} with {}", scene.name, method.name);

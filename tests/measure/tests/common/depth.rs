@@ -1,10 +1,10 @@
-//! Worlds that are not as they should be, to show measures and judges what they should see.
+//! Worlds with known errors, for tests that measures and judges find these errors.
 
 use measure::depth::{DepthMethod, depth_methods};
 use measure::scenes::depth::DepthScene;
 use measure::world::{BodyState, World};
 
-/// A method of this workspace.
+/// Returns the 2.5D method of this workspace with a name.
 pub(crate) fn method(name: &str) -> DepthMethod {
     let found = depth_methods().into_iter().find(|method| method.name == name);
     found.unwrap_or_else(|| panic!("there is no method {name}"))
@@ -18,7 +18,7 @@ pub(crate) fn thesis() -> DepthMethod {
     method("2.5D, thesis")
 }
 
-/// A world that shows another one, changed.
+/// A world whose bodies have the states of another one, each altered by the function `change`.
 pub(crate) struct Changed<F> {
     pub(crate) world: Box<dyn World>,
     pub(crate) change: F,
@@ -42,7 +42,7 @@ impl<F: Fn(usize, BodyState) -> BodyState> World for Changed<F> {
     }
 }
 
-/// A world in which nothing ever moves, and nothing is beneath anything.
+/// A world whose objects never move. No object has a surface beneath it. Holds the state of each object.
 pub(crate) struct Frozen(Vec<BodyState>);
 
 impl Frozen {

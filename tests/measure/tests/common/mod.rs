@@ -1,6 +1,6 @@
-//! Worlds that are as they are told to be, to show measures and judges what they should see.
+//! Worlds with prescribed states, for tests that measures and judges report these states.
 
-// Either test program uses a part of it.
+// Each of the two test programs uses only some of these items.
 #![allow(dead_code)]
 
 pub(crate) mod depth;

@@ -1,14 +1,14 @@
-//! A world without physics, to show measures what they should see.
+//! A world without physics, for tests that measures report its prescribed states.
 
 use conformance::scene::{BodySpec, Scene};
 use farseer_core::math::Vector2;
 use measure::charts::{ChartScene, chart_scenes};
 use measure::world::{BodyState, World};
 
-/// A world that is where it is told to be.
-pub(crate) struct Told(pub(crate) Vec<BodyState>);
+/// A world with prescribed states, one per body. A step changes none of them.
+pub(crate) struct PrescribedWorld(pub(crate) Vec<BodyState>);
 
-impl World for Told {
+impl World for PrescribedWorld {
     fn step(&mut self, _: f32) {}
 
     fn body(&self, index: usize) -> BodyState {
@@ -30,12 +30,12 @@ impl World for Told {
     }
 }
 
-/// A place or a velocity in the plane.
+/// Returns a position (px) or a velocity (px/s) in the plane, with 0 for Z.
 pub(crate) fn flat([x, y]: [f64; 2]) -> [f64; 3] {
     [x, y, 0.0]
 }
 
-/// The states in which the bodies of a scene start.
+/// Returns the initial state of each body of a scene.
 pub(crate) fn starts(scene: &Scene) -> Vec<BodyState> {
     let state = |body: &BodySpec| {
         let position = body.position.unwrap_or_else(Vector2::zeros);
@@ -55,7 +55,8 @@ pub(crate) fn chart(name: &str) -> ChartScene {
     scene.unwrap_or_else(|| panic!("there is no scene {name}"))
 }
 
-/// Shows the watch of a scene a world that moves as it is told, every `dt` until the end.
+/// Runs the watch of the chart scene `name` on bodies that `law` moves, with a step of `dt` s, until the scene ends. Returns
+/// the error in the scene's unit and the failure.
 pub(crate) fn watched(
     name: &str,
     dt: f64,
@@ -64,18 +65,18 @@ pub(crate) fn watched(
     let chart = chart(name);
     let scene = (chart.build)(chart.sizes[0]);
     let mut watch = (chart.watch)(&scene);
-    let mut world = Told(starts(&scene));
-    watch.see(0.0, &world);
+    let mut world = PrescribedWorld(starts(&scene));
+    watch.observe(0.0, &world);
     for step in 1..=(chart.seconds / dt).round() as u32 {
         let time = f64::from(step) * dt;
         law(time, &mut world.0);
-        watch.see(time, &world);
+        watch.observe(time, &world);
     }
     (watch.error(), watch.failed())
 }
 
-/// Asserts that what moves by the law of a scene has no error, up to a tolerance.
-pub(crate) fn assert_right(name: &str, dt: f64, tolerance: f64, law: impl FnMut(f64, &mut [BodyState])) {
+/// Asserts that bodies which move by `law` have an error of at most `tolerance`, in the unit of the scene `name`. `dt` in s.
+pub(crate) fn assert_no_error(name: &str, dt: f64, tolerance: f64, law: impl FnMut(f64, &mut [BodyState])) {
     let (error, failed) = watched(name, dt, law);
     assert_eq!(failed, None, "{name}");
     assert!(error <= tolerance, "{name}: {error}");

@@ -1,4 +1,4 @@
-//! Shapes, friction and restitution.
+//! Tests shapes, friction and restitution in the peers.
 
 use super::{G, STEP, at, body, disc, floor, geom, in_both, near, run, scene, settings, weightless};
 use conformance::scene::*;
@@ -18,12 +18,13 @@ fn restitution_is_the_mean_of_both() {
             world.step(STEP);
             top = top.min(world.body(ball).position[1]);
         }
-        // The hit is noticed up to a step early or late: by so much higher or lower.
+        // The impact is up to a step early or late, and the height changes by the path of that step.
         near(name, top, -16.0 - 160.0 / 4.0, 2.0 * G * fall * f64::from(STEP));
     });
 }
 
-/// How far a box slides that begins at 200 px/s, beside v^2 / (2 mu g).
+/// Asserts that a box with an initial speed of 200 px/s slides by v^2 / (2 mu g), where mu is `friction`. `rule` combines the
+/// two friction coefficients, 0.9 and 0.1.
 fn slides(rule: Option<Friction>, friction: f64) {
     let mut scene = scene();
     scene.simulator.solver.friction_type = rule;
@@ -59,18 +60,19 @@ fn a_circle_is_a_circle_however_few_edges_it_has() {
     settings(&mut scene).angular_velocity = Some(1.0);
     in_both(&scene, |name, world| {
         run(world, 2.0);
-        // It rolls on as what it is: at half of 1 / 3 of the speed of its rim, if friction makes it roll.
+        // Friction makes the disc roll: its velocity is its angular velocity times the radius of its shape.
         near(name, world.body(ball).position[1], -16.0, 0.2);
         near(name, world.body(ball).velocity[0], world.body(ball).angular_velocity * 16.0, 0.5);
     });
 }
 
 #[test]
-fn a_geom_sits_where_its_offset_puts_it() {
+fn a_geom_is_at_its_offset() {
     let mut scene = scene();
     floor(&mut scene, 0.5, 0.0);
     let index = body(&mut scene, BodyShape::Rectangle { width: 64.0, height: 32.0, mass: 1.0 }, [0.0, -60.0]);
-    // Lying turned by a right angle: what is 40 along its own x is 40 below, and what is 20 long there is 20 high.
+    // The geom is turned by a right angle, so its width of 20 px is vertical. The body comes to lie turned: its point at x = 40
+    // is 40 px below the centre.
     let box_ = geom(&mut scene, GeomShape::Rectangle { width: 20.0, height: 64.0 }, 0.5, 0.0);
     box_.offset = Some(at(40.0, 0.0));
     box_.rotation_offset = Some((PI / 2.0) as f32);
@@ -84,7 +86,7 @@ fn a_geom_sits_where_its_offset_puts_it() {
 #[test]
 fn a_notch_is_hollow() {
     let mut scene = scene();
-    // A channel: 40 wide, its bottom at y = -20, its walls up to -80.
+    // The outline is a channel: 40 px wide, its bottom at y = -20, its walls up to y = -80.
     let points = [
         (-60.0, 0.0),
         (-60.0, -80.0),
@@ -109,7 +111,7 @@ fn a_notch_is_hollow() {
 }
 
 #[test]
-fn polygons_of_many_corners_stand_as_high_as_they_are() {
+fn polygons_of_many_corners_keep_their_height() {
     let mut scene = scene();
     floor(&mut scene, 0.5, 0.0);
     let outline = Outline { form: OutlineForm::Circle { radius: 64.0, edges: 20 }, subdivide: None };
@@ -118,7 +120,7 @@ fn polygons_of_many_corners_stand_as_high_as_they_are() {
     geom(&mut scene, GeomShape::Polygon { outline }, 0.5, 0.0);
     in_both(&scene, |name, world| {
         run(world, 4.0);
-        // On an edge or, balancing, on a corner.
+        // The polygon lies on an edge or balances on a corner.
         let height = -world.body(index).position[1];
         let edge = 64.0 * (PI / 20.0).cos();
         assert!((edge - 0.5..64.5).contains(&height), "{name}: {height}");
@@ -126,7 +128,7 @@ fn polygons_of_many_corners_stand_as_high_as_they_are() {
 }
 
 #[test]
-fn shapes_of_one_group_do_not_meet() {
+fn shapes_of_one_group_do_not_collide() {
     let mut scene = weightless();
     for (x, group) in [(0.0, 7), (100.0, 7), (1000.0, 7), (1100.0, -7), (2000.0, 0), (2100.0, 0)] {
         disc(&mut scene, [x, 0.0]);

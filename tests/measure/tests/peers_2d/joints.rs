@@ -1,4 +1,4 @@
-//! Joints, and the angles that they hold or leave.
+//! Tests joints in the peers, and the angles that joints hold or leave free.
 
 use super::{
     G, PASSES, STEP, at, body, disc, in_both, joint, near, period, refusals, run, scene, settings, weightless,
@@ -9,7 +9,8 @@ use measure::method::Setting;
 use measure::world::masses;
 use std::f64::consts::TAU;
 
-/// A bar from a joint at (0, 0), hanging 160 px down and 0.1 rad aside, and its period for small swings.
+/// Returns a scene with a bar that hangs from a joint at (0, 0), and the period of its small swings in s. The bar hangs 160 px
+/// down and 0.1 rad aside.
 fn pendulum() -> (Scene, f64) {
     let mut scene = scene();
     let (x, y) = (160.0 * 0.1_f64.sin(), 160.0 * 0.1_f64.cos());
@@ -17,7 +18,7 @@ fn pendulum() -> (Scene, f64) {
     let mass = masses(&scene)[0];
     let inertia = mass.inertia + mass.mass * 160.0 * 160.0;
     let small = TAU * (inertia / (mass.mass * G * 160.0)).sqrt();
-    // The first term of the series in the amplitude.
+    // The correction of the period is the first term of its series in the amplitude.
     (scene, small * (1.0 + 0.1 * 0.1 / 16.0))
 }
 
@@ -54,7 +55,7 @@ fn a_bob_on_a_pin_joint_has_its_period_and_keeps_its_distance() {
     let expected = TAU * (160.0 / G).sqrt() * (1.0 + 0.1 * 0.1 / 16.0);
     in_both(&scene, |name, world| {
         near(name, period(world, 20.0, |world| world.body(1).position[0]), expected, 2e-3 * expected);
-        let [x, y] = world.body(1).place();
+        let [x, y] = world.body(1).position_in_plane();
         near(name, x.hypot(y), 160.0, 0.1);
     });
 }
@@ -76,7 +77,7 @@ fn a_slider_joint_from_zero_on_is_a_rope() {
 }
 
 #[test]
-fn box2d_holds_a_least_distance_and_rapier_says_it_does_not() {
+fn box2d_has_minimum_distances_and_rapier_refuses_them() {
     let mut scene = scene();
     disc(&mut scene, [0.0, 0.0]);
     scene.bodies[0].is_static = Some(true);
@@ -109,7 +110,7 @@ fn welded_bodies_move_as_one() {
 }
 
 #[test]
-fn an_angle_joint_holds_an_angle_and_nothing_else() {
+fn an_angle_joint_constrains_the_angle_alone() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
     disc(&mut scene, [100.0, 0.0]);
@@ -121,7 +122,7 @@ fn an_angle_joint_holds_an_angle_and_nothing_else() {
         run(world, 2.0);
         let (one, two) = (world.body(0), world.body(1));
         near(name, two.angle - one.angle, 0.3, 0.02);
-        // Their common angular momentum.
+        // The common angular momentum of both bodies is kept.
         near(name, one.angular_velocity, 2.0, 0.02);
         near(name, two.position[0], 120.0, 0.05);
         near(name, one.position[0], 0.0, 0.01);

@@ -1,10 +1,10 @@
-//! What peers do not have, refuse or hold down.
+//! Tests features that the peers lack, refuse or limit.
 
 use super::{at, body, disc, floor, geom, in_both, joint, near, refusals, run, scene, settings, weightless};
 use conformance::scene::*;
 
 #[test]
-fn what_no_peer_has_is_refused_with_a_reason() {
+fn features_that_no_peer_has_are_refused_with_a_reason() {
     type Change = fn(&mut Scene);
     let changes: [(Change, &str); 7] = [
         (|scene| settings(scene).quadratic_drag_enabled = Some(true), "no quadratic drag"),
@@ -55,7 +55,7 @@ fn a_bullet_does_not_pass_a_thin_static_wall() {
 }
 
 #[test]
-fn speeds_that_they_hold_down_are_refused_and_those_below_are_kept() {
+fn speeds_above_the_limit_of_the_peers_are_refused_and_lower_ones_are_kept() {
     let thrown = |speed: f32| {
         let mut scene = weightless();
         disc(&mut scene, [0.0, 0.0]);
@@ -71,7 +71,7 @@ fn speeds_that_they_hold_down_are_refused_and_those_below_are_kept() {
 }
 
 #[test]
-fn impulses_speed_nothing_up_beyond_400_m_a_second() {
+fn impulses_accelerate_no_body_beyond_400_m_per_second() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
     in_both(&scene, |name, world| {
@@ -82,7 +82,7 @@ fn impulses_speed_nothing_up_beyond_400_m_a_second() {
 }
 
 #[test]
-fn box2d_bounces_nothing_slower_than_1_m_a_second() {
+fn box2d_has_no_restitution_below_1_m_per_second() {
     for (speed, after) in [(31.0, [-31.0, 0.0]), (33.0, [-33.0, -33.0])] {
         let mut scene = weightless();
         floor(&mut scene, 0.0, 1.0);
@@ -97,7 +97,7 @@ fn box2d_bounces_nothing_slower_than_1_m_a_second() {
 }
 
 #[test]
-fn a_velocity_that_is_no_number_ends_nothing_but_the_body() {
+fn a_nan_velocity_affects_only_its_body() {
     let mut scene = scene();
     disc(&mut scene, [0.0, 0.0]);
     geom(&mut scene, GeomShape::Circle { radius: 16.0, edges: 8 }, 0.5, 0.0);
@@ -105,7 +105,7 @@ fn a_velocity_that_is_no_number_ends_nothing_but_the_body() {
         world.set_velocity(0, [f64::NAN, 0.0], 0.0);
         run(world, 0.5);
         let body = world.body(0);
-        // Box2D refuses it and goes on as if nothing had been said.
+        // Box2D refuses the edit and goes on without it.
         assert!(name != "Box2D 3" || body.is_finite(), "{body:?}");
     });
 }

@@ -1,10 +1,10 @@
-//! `rapier2d` and Box2D do with a scene what its numbers say: so a difference between engines is theirs, and not one of
-//! the translation.
+//! Tests that `rapier2d` and Box2D simulate a scene with its own parameters. A difference between engines is then a property of
+//! the engines, and not an error of the translation.
 //!
 //! `cargo test -p measure --features peers --test peers_2d`.
 //!
-//! Both engines make short steps within a step: falls and swings are off by a multiple of that, of first order.
-//! Tolerances are that, or measured where it is said.
+//! Both engines divide a step into short ones. Falls and swings have errors of first order in these. Tolerances follow from
+//! this, or were measured where a comment says so.
 
 mod assemblies;
 mod contacts;
@@ -20,9 +20,9 @@ use measure::engines::peers_2d::{box2d_methods, rapier_methods};
 use measure::method::{Method, Setting};
 use measure::world::World;
 
-/// Gravity in px/s².
+/// Gravity, px/s².
 const G: f64 = 320.0;
-/// Step in s, and the steps made in it.
+/// Length of a step, s. Each step has `PASSES` substeps.
 const STEP: f32 = 1.0 / 240.0;
 const PASSES: u32 = 4;
 
@@ -30,7 +30,7 @@ fn peers() -> Vec<Method> {
     rapier_methods().into_iter().chain(box2d_methods()).collect()
 }
 
-/// Checks something of a scene in both.
+/// Runs `check` on a scene in each of the two engines.
 fn in_both(scene: &Scene, check: impl Fn(&str, &mut dyn World)) {
     for peer in peers() {
         let world = (peer.build)(scene, Setting::fixed(STEP, PASSES));
@@ -39,7 +39,7 @@ fn in_both(scene: &Scene, check: impl Fn(&str, &mut dyn World)) {
     }
 }
 
-/// What both say to a scene that they should refuse.
+/// Returns the error of each of the two engines for a scene; `None` if the engine accepts it.
 fn refusals(scene: &Scene) -> [Option<String>; 2] {
     let [rapier, box2d] = [&rapier_methods()[0], &box2d_methods()[0]]
         .map(|peer| (peer.build)(scene, Setting::fixed(STEP, PASSES)).err());
@@ -67,7 +67,7 @@ fn scene() -> Scene {
     scene
 }
 
-/// Adds a body without drag.
+/// Adds a body without drag to a scene, at a position in px. Returns its index.
 fn body(scene: &mut Scene, shape: BodyShape, position: [f32; 2]) -> usize {
     let settings =
         BodySettings { linear_drag: Some(0.0), rotational_drag: Some(0.0), ..BodySettings::default() };
@@ -92,7 +92,7 @@ fn geom(scene: &mut Scene, shape: GeomShape, friction: f32, restitution: f32) ->
     scene.geoms.last_mut().expect("it was just added")
 }
 
-/// A floor whose surface is y = 0.
+/// Adds a floor to a scene, whose surface is at y = 0. Returns the index of its body.
 fn floor(scene: &mut Scene, friction: f32, restitution: f32) -> usize {
     let (width, height) = (2000.0, 64.0);
     let index = body(scene, BodyShape::Rectangle { width, height, mass: 1.0 }, [0.0, 32.0]);
@@ -121,7 +121,7 @@ fn at(x: f32, y: f32) -> Vector2 {
     Vector2::new(x, y)
 }
 
-/// The mean period of something that swings about 0, in s, by its ways up through 0.
+/// Returns the mean period, in s, with which `measure` oscillates about 0, by its upward zero crossings in a run of `seconds`.
 fn period(world: &mut dyn World, seconds: f64, measure: impl Fn(&dyn World) -> f64) -> f64 {
     let mut crossings = Vec::new();
     let mut before = measure(world);

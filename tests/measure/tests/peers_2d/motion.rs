@@ -1,4 +1,4 @@
-//! Free motion, and that it repeats.
+//! Tests free motion in the peers, and that it is the same in a second run.
 
 use super::{G, PASSES, STEP, at, disc, geom, in_both, near, peers, run, scene, settings, weightless};
 use conformance::scene::*;
@@ -12,7 +12,7 @@ fn a_body_falls_by_half_g_t_squared() {
         run(world, 2.0);
         let body = world.body(0);
         near(name, body.velocity[1], G * 2.0, 1e-3 * G);
-        // A sum of speeds at the ends of steps.
+        // The fall is a sum of the velocities at the ends of steps, which exceeds the parabola.
         near(name, body.position[1], -50.0 + G * 2.0, G * f64::from(STEP));
         near(name, body.position[0], 10.0, 1e-6);
     });
@@ -46,14 +46,15 @@ fn rotational_drag_brakes_with_the_square_of_the_angular_velocity() {
         run(world, 3.0);
         let expected = -8.0 / (1.0 + 40.0 * 8.0 * 3.0 / inertia);
         near(name, world.body(0).angular_velocity, expected, 0.01);
-        // The default of 0.001 would be felt as 4e-4 here: it is left out.
+        // The default drag coefficient of 0.001 would change the velocity by 4e-4 rad/s here. The peers get no drag in its
+        // place.
         near(name, world.body(1).angular_velocity, -8.0, 1e-5);
         near(name, world.body(2).angular_velocity, -8.0, 1e-5);
     });
 }
 
 #[test]
-fn angles_are_counted_beyond_whole_turns() {
+fn angles_count_full_turns() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
     settings(&mut scene).angular_velocity = Some(30.0);
@@ -61,7 +62,8 @@ fn angles_are_counted_beyond_whole_turns() {
     in_both(&scene, |name, world| {
         for step in 1..=480 {
             world.step(STEP);
-            // Rotations are turned by the tangent and brought to length again: that lacks (w h)^3 / 3.
+            // The engines advance a unit rotation along its tangent and normalize it. The angle of a substep is too small by (w
+            // h)^3 / 3.
             let lack = (30.0 * f64::from(STEP) / f64::from(PASSES)).powi(3) / 3.0;
             let tolerance = f64::from(step) * f64::from(PASSES) * lack * 1.1 + 1e-4;
             near(name, world.body(0).angle, 20.0 + 30.0 * f64::from(step) * f64::from(STEP), tolerance);
@@ -73,7 +75,7 @@ fn angles_are_counted_beyond_whole_turns() {
 fn an_impulse_changes_the_velocity_by_itself_over_the_mass() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
-    // The shape has no say in it.
+    // The shape with an offset does not affect the mass or the centre of mass, which are the body's own.
     geom(&mut scene, GeomShape::Rectangle { width: 100.0, height: 100.0 }, 0.5, 0.0).offset =
         Some(at(9.0, 0.0));
     in_both(&scene, |name, world| {
@@ -87,7 +89,7 @@ fn an_impulse_changes_the_velocity_by_itself_over_the_mass() {
 }
 
 #[test]
-fn velocities_and_places_can_be_set() {
+fn velocities_and_positions_can_be_set() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
     in_both(&scene, |name, world| {

@@ -1,4 +1,4 @@
-//! What has come to rest sleeps, if that is asked for.
+//! Tests that bodies at rest sleep in the peers if sleep is enabled.
 
 use super::{STEP, body, floor, geom, in_both, run, scene};
 use conformance::scene::*;
@@ -7,7 +7,7 @@ use measure::sleep::pushes::run_pushes;
 use measure::sleep::sleepers;
 use measure::world::World;
 
-/// A box that has lain on a floor for two seconds.
+/// Runs `check` in each of the two engines on a box that has lain on a floor for two seconds.
 fn with_box(sleeps: bool, check: impl Fn(&str, &mut dyn World, usize)) {
     let mut scene = scene();
     floor(&mut scene, 0.5, 0.0);
@@ -24,17 +24,17 @@ fn with_box(sleeps: bool, check: impl Fn(&str, &mut dyn World, usize)) {
 }
 
 #[test]
-fn what_rests_sleeps_if_that_is_asked_for() {
+fn bodies_at_rest_sleep_if_sleep_is_enabled() {
     with_box(true, |name, world, index| assert!(world.is_asleep(index), "{name}"));
 }
 
 #[test]
-fn what_rests_does_not_sleep_if_nobody_asks_for_that() {
+fn bodies_at_rest_stay_awake_by_default() {
     with_box(false, |name, world, index| assert!(!world.is_asleep(index), "{name}"));
 }
 
 #[test]
-fn what_sleeps_is_awake_once_sleep_is_switched_off_and_stays_so() {
+fn disabling_sleep_wakes_all_bodies_for_good() {
     with_box(true, |name, world, index| {
         world.set_sleep_enabled(false);
         world.step(STEP);
@@ -45,7 +45,7 @@ fn what_sleeps_is_awake_once_sleep_is_switched_off_and_stays_so() {
 }
 
 #[test]
-fn what_sleeps_is_woken_by_an_impulse() {
+fn an_impulse_wakes_a_sleeping_body() {
     with_box(true, |name, world, index| {
         world.apply_impulse(index, [32.0, 0.0]);
         world.step(STEP);

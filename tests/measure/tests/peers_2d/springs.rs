@@ -1,4 +1,4 @@
-//! Springs swing with the frequency that follows from their numbers.
+//! Tests that springs in the peers swing with the frequency of their stiffness and the masses.
 
 use super::{at, body, disc, in_both, joint, near, period, run, settings, spring, weightless};
 use conformance::scene::*;
@@ -19,7 +19,7 @@ fn a_spring_swings_with_its_frequency() {
 }
 
 #[test]
-fn damping_takes_a_spring_its_amplitude() {
+fn damping_reduces_the_amplitude_of_a_spring() {
     let mut scene = weightless();
     disc(&mut scene, [130.0, 0.0]);
     let (body_attach_point, world_attach_point) = (at(0.0, 0.0), at(0.0, 0.0));
@@ -27,7 +27,7 @@ fn damping_takes_a_spring_its_amplitude() {
     spring(&mut scene, kind, 50.0, 1.0).settings.rest_length = Some(100.0);
     in_both(&scene, |name, world| {
         let (rate, frequency) = (1.0 / 4.0, (25.0_f64 - 1.0 / 16.0).sqrt());
-        // Implicit steps damp as well: by k h / 2 besides the spring's d, which is 2.6 % of it at four steps a step.
+        // Implicit steps of length h damp as well: by k h / 2, 2.6 % of the damping d of the spring with four substeps a step.
         let cycles = 3.0 * TAU / frequency;
         run(world, cycles);
         let expected = 30.0 * (-rate * cycles).exp();
@@ -55,7 +55,7 @@ fn a_spring_on_the_rim_turns_a_body_with_its_lever() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
     joint(&mut scene, JointKind::FixedRevolute { body: 0, anchor: at(0.0, 0.0) });
-    // From far below, so that its direction hardly changes.
+    // The other end of the spring is far below the body, so that its direction hardly changes.
     let (body_attach_point, world_attach_point) = (at(12.0, 0.0), at(12.0, 3200.0));
     let kind = SpringKind::FixedLinear { body: 0, body_attach_point, world_attach_point };
     spring(&mut scene, kind, 30.0, 0.0);
@@ -68,7 +68,7 @@ fn a_spring_on_the_rim_turns_a_body_with_its_lever() {
 }
 
 #[test]
-fn a_spring_on_the_rim_of_a_free_body_feels_less_mass() {
+fn a_spring_on_the_rim_of_a_free_body_has_a_smaller_effective_mass() {
     let mut scene = weightless();
     disc(&mut scene, [0.0, 0.0]);
     let (body_attach_point, world_attach_point) = (at(12.0, 0.0), at(12.0, 3200.0));
@@ -76,7 +76,7 @@ fn a_spring_on_the_rim_of_a_free_body_feels_less_mass() {
     spring(&mut scene, kind, 30.0, 0.0);
     let inertia = masses(&scene)[0].inertia;
     in_both(&scene, |name, world| {
-        // The mode that moves the rim alone.
+        // The initial velocities excite only the mode in which the point of attachment moves.
         let mobility = 1.0 / 2.0 + 12.0 * 12.0 / inertia;
         world.set_velocity(0, [0.0, 3.0 / 2.0], 3.0 * 12.0 / inertia);
         let expected = TAU / (30.0 * mobility).sqrt();

@@ -1,12 +1,12 @@
-//! The scenes of Box2D's benchmark: how many bodies they have, what judges them, and that every engine there is comes to a
-//! sound state, with the feature `peers` Box2D too.
+//! Tests the scenes of Box2D's benchmark: their numbers of bodies, the judge of final states, and sound final states in every
+//! engine. With the feature `peers`, Box2D is one of the engines.
 
 use measure::arena::*;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// An engine in which all stays where it begins.
+/// An engine in which all bodies keep their initial states, one [`State`] per body.
 #[derive(Default)]
 struct Still(Rc<RefCell<Vec<State>>>);
 
@@ -57,7 +57,7 @@ fn make_steps(play: &mut Play<'_>, steps: usize) {
     }
 }
 
-/// Dynamic bodies after some steps.
+/// Returns the number of dynamic bodies of a scene after `steps` steps.
 fn bodies_after(scene: &Scene, steps: usize) -> usize {
     let mut play = Play::within(scene, Box::new(Still::default())).expect("it refuses nothing");
     make_steps(&mut play, steps);
@@ -70,15 +70,15 @@ fn release_sizes_have_the_number_of_bodies_of_their_closed_forms() {
         ("large_pyramid", 100 * 101 / 2),
         ("many_pyramids", 20 * 20 * 55),
         ("junkyard", 200 * 40),
-        // The drum, the ram and the blade are one more.
+        // The drum is one dynamic body more; in the next lines it is the ram and the blade.
         ("tumbler", 45 * 45 + 1),
         ("smash", 120 * 80 + 1),
         ("spinner", 2 * 3038 + 1),
         ("washer", 90 * 90),
-        // Seven discs are held.
+        // Seven discs of the grid are static.
         ("joint_grid", 100 * 100 - 7),
         ("compounds", 20 * 150),
-        // 40 columns of five floors with five ragdolls of eleven bones.
+        // The scene has 40 columns of five floors with five ragdolls of eleven bones.
         ("rain", 40 * 25 * 11),
     ]);
     for entry in scenes() {
@@ -91,15 +91,15 @@ fn release_sizes_have_the_number_of_bodies_of_their_closed_forms() {
 fn a_quarter_of_the_size_has_about_a_quarter_of_the_bodies() {
     for entry in scenes() {
         let [whole, quarter] = [1.0, 0.25].map(|size| bodies_after(&(entry.build)(size), 330) as f32);
-        // Counts along two sides are rounded: of 45 to 23, which is 2 % more than a half.
+        // Bodies along each of two sides are rounded: half of 45 becomes 23, which is 2 % more.
         assert!((quarter / whole - 0.25).abs() < 0.02, "{}: {quarter} of {whole}", entry.name);
     }
 }
 
 #[test]
-fn ragdolls_that_have_been_there_for_320_steps_go() {
+fn ragdolls_are_removed_after_320_steps() {
     let scene = scene("rain", 1.0 / 20.0);
-    // Two columns: the first group comes at step 0, and goes when the third one comes.
+    // The scene has two columns. The first group is added at step 0, and removed when the third group is added.
     assert_eq!([1, 160, 161, 320, 321].map(|steps| bodies_after(&scene, steps)), [275, 275, 550, 550, 550]);
     let mut play = Play::within(&scene, Box::new(Still::default())).expect("it refuses nothing");
     make_steps(&mut play, 321);
@@ -134,7 +134,7 @@ fn the_judge_measures_overlaps_of_all_forms() {
     let circle = Form::Circle { centre: [0.0; 2], radius: 0.5 };
     let forms = [(capsule, 0.25), (rounded, 0.5), (circle, 0.5)];
     for (form, half) in forms {
-        // Each is 0.1 m in the box to its left.
+        // Each form overlaps the box to its left by 0.1 m.
         let other = Body::dynamic([0.5 + half - 0.1, 0.0], vec![Shape::new(form.clone())]);
         let verdict = judged(vec![unit_box(0.0), other], Vec::new(), limits(), |_| {});
         assert!((verdict.deepest - 0.1).abs() < 1e-6, "{form:?}: {}", verdict.deepest);
@@ -150,12 +150,13 @@ fn the_judge_counts_boxes_that_touch_and_not_those_apart() {
 }
 
 #[test]
-fn the_judge_sees_gaps_escapes_speeds_and_numbers_that_are_none() {
+fn the_judge_detects_gaps_escapes_speeds_and_non_finite_states() {
     let joint = || vec![Joint::new([0, 1], [1.0, 0.5])];
     let bodies = || [0.0, 2.0].map(unit_box).to_vec();
     let verdict = |edit: &dyn Fn(&mut [State])| judged(bodies(), joint(), limits(), edit);
     assert!(verdict(&|_| {}).is_sound(&limits()));
-    // The anchor of the second body turns by a right angle, and is moved by the square root of 2 times its arm.
+    // The rotation by a right angle moves the anchor of the second body by the square root of 2 times the distance from the
+    // centre.
     let turned = verdict(&|states| states[1].angle = std::f32::consts::FRAC_PI_2);
     assert!((turned.gap - (1.0_f64 + 0.25).sqrt() * 2.0_f64.sqrt()).abs() < 1e-6, "{}", turned.gap);
     let escaped = verdict(&|states| states[1].position = [11.0, 0.0]);
@@ -171,11 +172,11 @@ fn a_body_has_the_mass_centre_and_inertia_of_its_shapes() {
     let near = |a: f32, b: f32| assert!((a - b).abs() < 1e-6, "{a} is not {b}");
     let two = [[0.5, 1.0], [3.5, 1.0]].map(|at| Shape::rectangle([0.5; 2], at).with_density(2.0));
     let pair = Body::dynamic([10.0, 0.0], two.to_vec());
-    // Two squares of 2 kg, 1.5 m from their common centre: 2 (2 / 6 + 2 * 1.5 * 1.5).
+    // Two squares of 2 kg are 1.5 m from their common centre: the moment of inertia is 2 (2 / 6 + 2 * 1.5 * 1.5).
     near(pair.mass, 4.0);
     near(pair.inertia, 4.0 / 6.0 + 9.0);
     assert_eq!(pair.position, [12.0, 1.0]);
-    // A capsule of no length is a disc.
+    // A capsule whose ends coincide is a disc.
     let of = |form| Body::dynamic([0.0; 2], vec![Shape::new(form)]);
     let capsule = of(Form::Capsule { ends: [[1.0, 1.0], [1.0, 1.0]], radius: 0.5 });
     let disc = of(Form::Circle { centre: [1.0, 1.0], radius: 0.5 });
@@ -198,7 +199,7 @@ fn growth_is_the_exponent_of_time_over_bodies() {
     assert_eq!(exponents, [1.5, 1.5]);
 }
 
-/// Plays some steps of a scene, and gives the states of all its dynamic bodies and the verdict.
+/// Plays `steps` steps of a scene in an engine. Returns the final state of each dynamic body, and the verdict.
 fn played(scene: &Scene, engine: EngineEntry, steps: usize) -> (Vec<State>, Verdict) {
     let mut play = Play::new(scene, engine).expect("the engine takes the scene");
     make_steps(&mut play, steps);
@@ -207,7 +208,7 @@ fn played(scene: &Scene, engine: EngineEntry, steps: usize) -> (Vec<State>, Verd
     (states, judge(&mut play))
 }
 
-/// The angle of a body after half a second, in rad.
+/// Returns the angle of a body after half a second, in radians.
 fn angle_after_half_a_second(scene: &Scene, engine: EngineEntry, body: usize) -> f32 {
     let mut play = Play::new(scene, engine).expect("the engine takes the scene");
     make_steps(&mut play, 30);
@@ -217,21 +218,22 @@ fn angle_after_half_a_second(scene: &Scene, engine: EngineEntry, body: usize) ->
 #[test]
 fn drums_and_blades_turn_anticlockwise_at_their_speeds() {
     for engine in engines() {
-        // The index of the body that turns, and 25 degrees per s or 5 rad per s.
+        // Each entry has the name of the scene, the index of the body that rotates, and its speed in radians/s: 25 degrees/s or
+        // 5.
         for (name, body, speed) in [("tumbler", 1, 0.436_332), ("washer", 0, 0.436_332), ("spinner", 1, 5.0)]
         {
             let angle = angle_after_half_a_second(&scene(name, 1.0 / 16.0), engine, body);
-            // A motor takes a step or two to come to its speed.
+            // A motor takes a step or two to reach its speed.
             assert!((angle - speed / 2.0).abs() < speed / 20.0, "{name} in {}: {angle} rad", engine.name);
         }
     }
 }
 
 #[test]
-fn joints_of_falling_ragdolls_go_into_their_limits_and_towards_their_references() {
+fn joints_of_falling_ragdolls_move_into_their_limits_and_towards_their_reference_angles() {
     let scene = scene("rain", 1.0 / 40.0);
     for engine in engines() {
-        // The first ragdoll begins with body 1: an upper leg and the lower one, an upper arm and the lower one.
+        // The first ragdoll begins with body 1. Bodies 4 and 5 are an upper and a lower leg, 8 and 9 an upper and a lower arm.
         let angle = |body: usize| angle_after_half_a_second(&scene, engine, body);
         let (knee, elbow) = (angle(5) - angle(4), angle(9) - angle(8));
         let limits = [-0.5, -0.02].map(|limit| limit * std::f32::consts::PI);
@@ -241,8 +243,8 @@ fn joints_of_falling_ragdolls_go_into_their_limits_and_towards_their_references(
     }
 }
 
-/// A test of each scene at a part of its release size: after some steps its state is sound in every engine, and a second run
-/// comes to the same bits.
+/// Makes a test for each scene, at a fraction of its release size. Asserts that its state after some steps is sound in every
+/// engine, and that a second run has the same bits.
 macro_rules! sound_and_deterministic {
     ($($name:ident: 1 / $part:literal, $steps:literal;)*) => {$(
         #[test]
@@ -266,7 +268,7 @@ macro_rules! sound_and_deterministic {
 mod comes_to_a_sound_state_twice_the_same {
     use super::*;
 
-    // After these steps all have landed, of compounds the first. In rain the first ragdolls have gone.
+    // After these steps all bodies have landed; in `compounds` the first ones have. In `rain` the first ragdolls are removed.
     sound_and_deterministic! {
         large_pyramid: 1 / 100, 120;
         many_pyramids: 1 / 100, 120;

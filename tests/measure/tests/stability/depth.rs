@@ -1,17 +1,18 @@
-//! Where the methods of the 2.5D engine hold, and where they are known to fail, so that a change of either is seen: the
-//! families of the stability map come out as is written down in `golden/stability/depth.txt`.
+//! Tests the limits of the methods of the 2.5D engine: the outcomes of the families of the stability map must equal those in
+//! `golden/stability/depth.txt`.
 //!
-//! What is written down is not what should be but what is. All values of every family are run always, at few settings,
-//! but for the crowds. All settings, and the large crowds: see `plane.rs`.
+//! The golden file records the present outcomes, not the desired ones, so that the tests find any change. They run each family
+//! with all of its values, but with few settings; of the family `Crowd`, they run only the values up to 1,000 objects. An
+//! ignored test runs all settings and values (the head of `plane.rs` has its command).
 
 use crate::common::depth::{Changed, Frozen, faithful, thesis};
-use crate::written::{Written, assert_all_come_out, assert_all_is_written_down};
+use crate::written::{GoldenFamilies, assert_all_equal_golden, assert_golden_is_complete};
 use measure::depth::{DepthFamily, depth_families};
 use measure::method::Effort;
 use measure::stability::{reasons, sheet::sheet};
 use measure::world::BodyState;
 
-const WRITTEN: Written = Written {
+const GOLDEN: GoldenFamilies = GoldenFamilies {
     file: "depth.txt",
     text: include_str!("../../../golden/stability/depth.txt"),
     sheets: || {
@@ -20,9 +21,9 @@ const WRITTEN: Written = Written {
     },
 };
 
-/// The usual step in s.
+/// Length of a step, s: the usual one.
 const STEP: f32 = 1.0 / 60.0;
-/// The largest crowd that is run always.
+/// Largest number of objects of the family `Crowd` that is always run.
 const CROWD: f64 = 1e3;
 
 fn values(name: &str) -> Vec<f64> {
@@ -31,21 +32,21 @@ fn values(name: &str) -> Vec<f64> {
     values.iter().copied().filter(|&value| name != "Crowd" || value <= CROWD).collect()
 }
 
-come_out_as_written! {
-    WRITTEN, values;
-    things_land_on_platforms_as_they_did: "Land, fast", "Land, thin platform", "Land, over the edge";
-    heads_bump_as_they_did: "Head Bump, fast", "Head Bump, thin platform";
-    things_walk_off_edges_as_they_did: "Walk off each edge, fast", "Walk off each edge, low platform";
-    things_pass_under_as_they_did: "Pass under", "Pass under, fast";
-    steps_are_climbed_and_stop_as_they_did: "Step up", "Step that stops a ball", "Step that stops a box";
-    holes_are_fallen_into_and_seams_crossed_as_they_were: "Hole between platforms", "Narrow gap between platforms",
+outcomes_equal_golden! {
+    GOLDEN, values;
+    outcomes_of_landings_equal_the_golden_file: "Land, fast", "Land, thin platform", "Land, over the edge";
+    outcomes_of_head_bumps_equal_the_golden_file: "Head Bump, fast", "Head Bump, thin platform";
+    outcomes_of_walks_off_edges_equal_the_golden_file: "Walk off each edge, fast", "Walk off each edge, low platform";
+    outcomes_of_passes_under_platforms_equal_the_golden_file: "Pass under", "Pass under, fast";
+    outcomes_of_steps_equal_the_golden_file: "Step up", "Step that stops a ball", "Step that stops a box";
+    outcomes_of_gaps_and_seams_equal_the_golden_file: "Hole between platforms", "Narrow gap between platforms",
         "Seam of platforms, fast";
-    shadows_lie_where_they_did: "Shadow on the highest support", "Shadow of somebody sunk in";
-    somebody_is_thrown_over_someone_as_before: "Throw over someone";
-    what_comes_in_depth_misses_and_hits_as_it_did: "Depth miss", "Depth hit, fast", "Depth hit, thin",
+    outcomes_of_shadows_equal_the_golden_file: "Shadow on the highest support", "Shadow of somebody sunk in";
+    outcomes_of_throws_over_a_figure_equal_the_golden_file: "Throw over someone";
+    outcomes_of_hits_in_depth_equal_the_golden_file: "Depth miss", "Depth hit, fast", "Depth hit, thin",
         "Depth hit, glancing";
-    what_comes_along_all_axes_is_thrown_back_as_it_was: "Diagonal hit, fast", "Diagonal hit, close";
-    crowds_stay_as_they_did: "Crowd";
+    outcomes_of_diagonal_hits_equal_the_golden_file: "Diagonal hit, fast", "Diagonal hit, close";
+    outcomes_of_crowds_with_depth_equal_the_golden_file: "Crowd";
 }
 
 #[test]
@@ -58,13 +59,13 @@ fn every_family_is_in_a_test() {
 }
 
 #[test]
-fn a_world_in_which_nothing_moves_fails_where_something_must_happen() {
-    // A crowd may rest.
+fn a_motionless_world_fails_families_that_need_motion() {
+    // In the family `Crowd` motion is not required.
     for family in depth_families() {
         let value = family.values[0];
         let scene = (family.build)(value, STEP);
         let (world, mut watch) = (Frozen::new(&scene), (family.judge)(value, &scene));
-        (0..=200).for_each(|step| watch.see(f64::from(step) / 200.0 * (family.seconds)(value), &world));
+        (0..=200).for_each(|step| watch.observe(f64::from(step) / 200.0 * (family.seconds)(value), &world));
         assert_eq!(watch.failed().is_none(), family.name == "Crowd", "{}", family.name);
     }
 }
@@ -84,7 +85,7 @@ fn a_state_that_is_not_finite_fails_in_every_family() {
             },
         };
         let mut watch = (family.judge)(value, &scene);
-        watch.see(0.0, &broken);
+        watch.observe(0.0, &broken);
         assert_eq!(watch.failed(), Some(reasons::NOT_FINITE), "{}", family.name);
     }
 }
@@ -98,12 +99,12 @@ fn quick_values_are_among_all_values() {
 }
 
 #[test]
-fn every_family_is_written_down_with_all_its_values_and_settings() {
-    assert_all_is_written_down(&WRITTEN);
+fn the_golden_file_has_every_family_with_all_values_and_settings() {
+    assert_golden_is_complete(&GOLDEN);
 }
 
 #[test]
 #[ignore = "minutes long: every family with all its values and settings"]
-fn every_family_comes_out_as_it_did() {
-    assert_all_come_out(&WRITTEN);
+fn the_outcomes_of_every_family_equal_the_golden_file() {
+    assert_all_equal_golden(&GOLDEN);
 }

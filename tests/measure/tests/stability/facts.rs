@@ -1,11 +1,11 @@
-//! What is known of the original's stability, measured there: boxes of 32 px, friction 0.5, 10 s.
+//! Tests known facts about the stability of Farseer, which were measured there: boxes of 32 px, friction 0.5, runs of 10 s.
 
 use measure::method::{Setting, methods};
 use measure::stability::map::{Cell, Verdict};
 use measure::stability::{families, reasons, sheet};
 
 fn stack(boxes: u32, setting: Setting) -> Cell {
-    // The original's defaults: the distance grid.
+    // Farseer's defaults include the distance grid as narrow phase.
     let family = families().into_iter().find(|family| family.name == "Vertical Stack");
     sheet::run(&family.expect("it is there"), f64::from(boxes), &methods()[0], setting)
 }

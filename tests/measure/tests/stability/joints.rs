@@ -1,4 +1,4 @@
-//! Joint scenes: what there is in them, and facts of a few.
+//! Tests joint scenes: the bodies and joints of all scenes, and facts about a few.
 
 use measure::joints::assembly::Assembly;
 use measure::joints::build::simulator;
@@ -9,7 +9,7 @@ use measure::joints::random::{scene, variants};
 use measure::joints::run::run;
 use measure::joints::table::Figures;
 
-/// Names of all scenes, with their numbers of bodies, joints and springs.
+/// Expected scenes, one a line: name, number of bodies, number of joints, number of springs.
 const SCENES: &str = include_str!("joint_scenes.txt");
 
 fn figures(name: &str) -> Figures {
@@ -20,7 +20,7 @@ fn figures(name: &str) -> Figures {
 
 fn built(assembly: &Assembly) -> [usize; 3] {
     let (mut simulator, _) = simulator(assembly, 4).unwrap_or_else(|error| panic!("{error}"));
-    // New objects enter the lists with an update.
+    // An update moves new objects into the simulator's lists.
     simulator.update(1.0 / 60.0);
     [simulator.body_list().len(), simulator.joint_list().len(), simulator.spring_list().len()]
 }
@@ -39,17 +39,18 @@ fn every_scene_is_built_with_all_its_bodies_joints_and_springs() {
 
 #[test]
 fn a_pendulum_keeps_its_length() {
-    // A thousandth of a px of 64.
+    // The limit is a thousandth of a px; the pendulum is 64 px long.
     let figures = figures("pendulum 1");
     assert!(figures.gap_px < 1e-3, "{figures:?}");
-    // It swings by 1 rad: a point of the bob has sqrt(2 g l (1 - cos 1)) at the bottom, and more by its own turning.
+    // The pendulum swings by 1 rad. At the bottom a point of the bob has the speed sqrt(2 g l (1 - cos 1)), and more because
+    // the bob rotates.
     let lowest = (2.0 * 320.0 * 64.0 * (1.0 - 1.0_f64.cos())).sqrt();
     assert!((lowest..1.2 * lowest).contains(&figures.speed_px_per_s), "{figures:?}");
     assert!(figures.energy_gained.is_some_and(|gain| gain < 0.01), "{figures:?}");
 }
 
 #[test]
-fn a_hung_chain_with_a_ball_of_a_thousand_times_a_link_stands_still_and_sleeps() {
+fn a_hung_chain_with_a_ball_of_a_thousand_times_a_link_comes_to_rest_and_sleeps() {
     let figures = figures("ball 1000 on chain 20 hung");
     assert!(figures.gap_px < 1e-3 && figures.speed_px_per_s < 1e-3 && figures.is_asleep, "{figures:?}");
 }
@@ -61,7 +62,7 @@ fn a_cantilever_of_welds_does_not_sag() {
 }
 
 #[test]
-fn a_motor_adds_energy_that_is_not_judged() {
+fn energy_gains_are_not_judged_in_scenes_with_a_motor() {
     assert_eq!(figures("cart 20 driven by motors 10 rad/s").energy_gained, None);
 }
 

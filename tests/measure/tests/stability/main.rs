@@ -1,4 +1,4 @@
-//! Where our methods hold and where they fail, and what judges it.
+//! Tests the limits of our methods, and the judges of the stability map.
 
 #[path = "../common/mod.rs"]
 mod common;

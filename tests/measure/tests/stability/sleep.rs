@@ -1,4 +1,4 @@
-//! What sleeps wakes where something comes, and nowhere else: with the precise set.
+//! Tests that a disturbance wakes a sleeping body and no other, with the precise set.
 
 use measure::method::{Method, methods};
 use measure::sleep::heaps::{HEAP, HeapsFigures, run_heaps};
@@ -19,13 +19,13 @@ fn pushed() -> PushFigures {
 }
 
 #[test]
-fn heaps_that_have_fallen_together_sleep() {
+fn collapsed_heaps_sleep() {
     let figures = four_heaps();
     assert_eq!((figures.boxes, figures.asleep), (4 * HEAP + 1, 4 * HEAP + 1));
 }
 
 #[test]
-fn a_box_that_lands_on_a_heap_wakes_boxes_of_it_and_of_no_other() {
+fn a_box_that_lands_on_a_heap_wakes_boxes_of_that_heap_alone() {
     let figures = four_heaps();
     assert!(figures.woken > 0);
     assert_eq!(figures.woken_elsewhere, 0);
@@ -37,7 +37,7 @@ fn a_heap_that_was_woken_sleeps_again() {
 }
 
 #[test]
-fn a_pyramid_that_is_pushed_at_its_foot_wakes_whole_in_the_next_step() {
+fn a_push_at_its_foot_wakes_all_of_a_pyramid_in_the_next_step() {
     let figures = pushed();
     assert_eq!(figures.woken_at_once, figures.boxes);
 }

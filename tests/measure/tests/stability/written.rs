@@ -1,20 +1,20 @@
-//! How the runs of a stability map came out, a letter each, beside what is written down of them.
+//! Compares the outcomes of a stability map with a golden file.
 //!
-//! A line of what is written down is `family; value; letters`, a letter for each of our methods and settings in the order
-//! of the full map's columns: a dot for what holds, else the letter of the reason (`measure::stability::reasons`).
+//! A line of the golden file is `family; value; letters`, with one letter for each of our methods and settings, in the order of
+//! the full map's columns. A dot means success; any other letter is the reason of the failure (`measure::stability::reasons`).
 
 use measure::stability::map::{Cell, Sheet, Verdict};
 use measure::stability::reasons;
 use std::fs;
 use std::path::Path;
 
-/// Makes a test of each of some groups of families, and a list of all families that are in a test.
-macro_rules! come_out_as_written {
+/// Makes a test for each group of families, and the list `TESTED` of all families in these tests.
+macro_rules! outcomes_equal_golden {
     ($written:expr, $values:expr; $($test:ident: $($family:literal),+;)+) => {
         $(
             #[test]
             fn $test() {
-                crate::written::assert_come_out(&$written, &[$($family),+], $values);
+                crate::written::assert_equal_golden(&$written, &[$($family),+], $values);
             }
         )+
 
@@ -22,20 +22,24 @@ macro_rules! come_out_as_written {
     };
 }
 
-/// What is written down of an engine's families.
-pub(crate) struct Written {
-    /// File below `golden/stability`.
+/// Golden file with the outcomes of an engine's families.
+pub(crate) struct GoldenFamilies {
+    /// Name of the file in the folder `golden/stability`.
     pub(crate) file: &'static str,
-    /// What is in it.
+    /// Text of the file.
     pub(crate) text: &'static str,
-    /// All maps with our methods, still to be made.
+    /// Function that returns the maps of all families with our methods. Their runs are still to be made.
     pub(crate) sheets: fn() -> Vec<Sheet>,
 }
 
-/// Runs some families with some of their values, at the settings that the table of first failures shows, and asserts
-/// that they come out as is written down.
+/// Runs the families `names`, each with the values that `values` returns for it, at the settings of the table of first
+/// failures. Asserts that the outcomes equal those of the golden file.
 #[track_caller]
-pub(crate) fn assert_come_out(written: &Written, names: &[&str], values: impl Fn(&str) -> Vec<f64>) {
+pub(crate) fn assert_equal_golden(
+    written: &GoldenFamilies,
+    names: &[&str],
+    values: impl Fn(&str) -> Vec<f64>,
+) {
     for sheet in (written.sheets)().iter().filter(|sheet| names.contains(&&*sheet.heading.name)) {
         for value in values(&sheet.heading.name) {
             let known = written.letters(sheet, value);
@@ -49,9 +53,9 @@ pub(crate) fn assert_come_out(written: &Written, names: &[&str], values: impl Fn
     }
 }
 
-/// Runs everything, and asserts that it comes out as is written down. If not, all of it is written to a file that can
-/// take its place.
-pub(crate) fn assert_all_come_out(written: &Written) {
+/// Runs all families and asserts that the outcomes equal those of the golden file. If they differ, writes them to a file that
+/// can replace the golden file.
+pub(crate) fn assert_all_equal_golden(written: &GoldenFamilies) {
     let found: Vec<String> = (written.sheets)().iter().flat_map(lines).collect();
     let known: Vec<&str> = written.lines().collect();
     if found != known {
@@ -64,8 +68,8 @@ pub(crate) fn assert_all_come_out(written: &Written) {
     }
 }
 
-/// Asserts that there is a line for every value of every family, in order, with a letter for every column.
-pub(crate) fn assert_all_is_written_down(written: &Written) {
+/// Asserts that the golden file has a line for every value of every family, in order, with a letter for every column.
+pub(crate) fn assert_golden_is_complete(written: &GoldenFamilies) {
     let sheets = (written.sheets)();
     let expected = sheets.iter().flat_map(|sheet| {
         let heading = &sheet.heading;
@@ -77,7 +81,7 @@ pub(crate) fn assert_all_is_written_down(written: &Written) {
     assert_eq!(found, expected.collect::<Vec<_>>());
 }
 
-impl Written {
+impl GoldenFamilies {
     fn lines(&self) -> impl Iterator<Item = &'static str> {
         self.text.lines().filter(|line| !line.starts_with('#'))
     }
@@ -89,7 +93,7 @@ impl Written {
     }
 }
 
-/// What a line begins with.
+/// Returns the beginning of the line of a value: family and value.
 fn head(sheet: &Sheet, value: f64) -> String {
     format!("{}; {value:e}", sheet.heading.name)
 }

@@ -1,28 +1,28 @@
-//! Two recordings of a scene, and the table of what is compared.
+//! Two recordings of a scene, one in each engine, and the table that compares them.
 
 use super::recording::Recording;
 use measure::engines::depth::TwoHalf;
 use measure::engines::rapier3d::Rapier;
 use measure::scenes::depth::DepthScene;
-use measure::world::{BodyState, Met};
+use measure::world::{BodyState, ContactPartner};
 use std::fmt::Write;
 use std::ops::Deref;
 use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
 
-/// How far ahead `rapier3d` foresees contacts, px: 0.02 of its length unit.
+/// Distance at which `rapier3d` makes speculative contacts, px: 0.02 of its length unit.
 pub(crate) const MARGIN: f64 = 0.8;
-/// The overlap in px that the solver of the 2D engine leaves alone.
+/// Penetration depth that the solver of the 2D engine leaves uncorrected, px.
 pub(crate) const SLOP: f64 = 0.05;
 
-/// Scenes are run while this is read, time is measured while it is written.
+/// Lock for the processor. Runs of scenes hold it for reading, and measurements of time for writing.
 static MACHINE: RwLock<()> = RwLock::new(());
 
-/// Waits until no scene is run, and lets none be run.
+/// Waits until no scene runs, and keeps scenes from running while the returned guard lives.
 pub(crate) fn alone() -> RwLockWriteGuard<'static, ()> {
     MACHINE.write().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A recording with what is measured in it.
+/// Recording of a scene in one engine, with functions that measure it.
 #[derive(Debug)]
 pub(crate) struct Run(Recording);
 
@@ -33,18 +33,18 @@ impl Deref for Run {
     }
 }
 
-/// When and where something was.
+/// Time and position at which an object crosses a height.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Crossing {
-    /// Time in s.
+    /// Time since the start of the scene, s.
     pub(crate) time: f64,
-    /// X, Y and Z in px.
+    /// Position of the object: X, Y and Z in px, Y up.
     pub(crate) position: [f64; 3],
 }
 
 impl Run {
-    /// When and where an object last was above a height before it first was below it, having been higher.
-    /// Between steps, in a straight line. NaN if it never was.
+    /// Returns when and where an object first falls from above a height, in px, to this height or below. Interpolates linearly
+    /// between two steps. Time and position are NaN if the object never does.
     pub(crate) fn crossing(&self, object: usize, height: f64) -> Crossing {
         let states: Vec<BodyState> = self.states(object).copied().collect();
         let found = states.windows(2).enumerate().find(|(_, pair)| {
@@ -58,13 +58,13 @@ impl Run {
         Crossing { time: (index as f64 + part) * self.dt(), position }
     }
 
-    /// Rotation of an object in the step nearest to a [`crossing`](Self::crossing). NaN if there is none.
+    /// Returns the angle of an object, in radians, in the step nearest to a [`crossing`](Self::crossing). NaN if there is none.
     pub(crate) fn crossing_rotation(&self, object: usize, height: f64) -> f64 {
         let time = self.crossing(object, height).time;
         if time.is_nan() { f64::NAN } else { self.state_at(object, time).angle }
     }
 
-    /// Greatest height of an object on the way up that begins within three steps of a time.
+    /// Returns the greatest height of an object, in px, from three steps after `time` (s) until it falls again.
     pub(crate) fn apex_after(&self, object: usize, time: f64) -> f64 {
         let after = self.states(object).skip((time / self.dt()).ceil() as usize + 3);
         let mut top = f64::NAN;
@@ -77,18 +77,18 @@ impl Run {
         top
     }
 
-    /// Speed of an object at the end, px/s.
+    /// Returns the speed of an object at the end of the scene, px/s.
     pub(crate) fn speed(&self, object: usize) -> f64 {
         self.last(object).speed()
     }
 
-    /// Mean over the first `count` objects at the end.
+    /// Returns the mean of `measure` over the first `count` objects at the end of the scene, in the unit of `measure`.
     pub(crate) fn mean(&self, count: usize, measure: impl Fn(BodyState) -> f64) -> f64 {
         (0..count).map(|object| measure(self.last(object))).sum::<f64>() / count as f64
     }
 }
 
-/// A line of the table.
+/// A line of the table: a quantity in both engines and its tolerances.
 #[derive(Debug)]
 pub(crate) struct Check {
     quantity: String,
@@ -100,23 +100,24 @@ pub(crate) struct Check {
 }
 
 impl Check {
-    /// The most by which the two may differ, and this engine from a closed form.
+    /// Sets the greatest difference from `rapier3d` and from the closed form, in the unit of the quantity.
     pub(crate) fn tolerance(&mut self, value: f64) -> &mut Self {
         self.tolerances(value, value)
     }
 
-    /// The most by which the two may differ; the most by which this engine may differ from a closed form.
+    /// Sets the greatest difference of our engine from `rapier3d` (`of_peer`) and from the closed form (`of_form`), in the unit
+    /// of the quantity.
     pub(crate) fn tolerances(&mut self, of_peer: f64, of_form: f64) -> &mut Self {
         (self.tolerance, self.tolerance_of_form) = (of_peer, of_form);
         self
     }
 
-    /// What it is in closed form.
-    pub(crate) fn form(&mut self, value: f64) {
+    /// Sets the value of the quantity in closed form.
+    pub(crate) fn closed_form(&mut self, value: f64) {
         self.form = Some(value);
     }
 
-    /// What is wrong, if anything.
+    /// Returns the differences that are too great, as text: that from `rapier3d`, and that from the closed form.
     fn faults(&self) -> Vec<&'static str> {
         let is_near = |value: f64, tolerance: f64| (self.ours - value).abs() <= tolerance;
         let mut faults = Vec::new();
@@ -130,7 +131,7 @@ impl Check {
     }
 }
 
-/// A scene in both engines.
+/// Recordings of a scene in our engine and in `rapier3d`, and the checks that compare them.
 #[derive(Debug)]
 pub(crate) struct Both {
     name: String,
@@ -141,7 +142,7 @@ pub(crate) struct Both {
 }
 
 impl Both {
-    /// Runs a scene in both.
+    /// Runs a scene in both engines and records it.
     pub(crate) fn run(scene: &DepthScene) -> Self {
         let _shared = MACHINE.read().unwrap_or_else(PoisonError::into_inner);
         Both {
@@ -153,12 +154,12 @@ impl Both {
         }
     }
 
-    /// Measures something in this engine's run.
+    /// Returns a quantity of the run in our engine, in the unit of `measure`.
     pub(crate) fn measure(&self, measure: impl Fn(&Run) -> f64) -> f64 {
         measure(&self.ours)
     }
 
-    /// Compares a quantity. Nothing is near enough until a tolerance is given.
+    /// Adds a check that compares a quantity of both runs. The check fails until a tolerance is set.
     pub(crate) fn check(&mut self, quantity: &str, measure: impl Fn(&Run) -> f64) -> &mut Check {
         self.checks.push(Check {
             quantity: quantity.to_owned(),
@@ -171,13 +172,17 @@ impl Both {
         self.checks.last_mut().expect("one was just pushed")
     }
 
-    /// Whether neither of a pair is the ground or a platform.
-    pub(crate) fn of_objects((a, b): &(Met, Met)) -> bool {
-        matches!((a, b), (Met::Object(_), Met::Object(_)))
+    /// Returns whether both of a pair are objects: neither is the ground or a platform.
+    pub(crate) fn of_objects((a, b): &(ContactPartner, ContactPartner)) -> bool {
+        matches!((a, b), (ContactPartner::Object(_), ContactPartner::Object(_)))
     }
 
-    /// Compares who met whom first, of the pairs that count.
-    pub(crate) fn hits(&mut self, expected: &[(Met, Met)], counts: impl Fn(&(Met, Met)) -> bool) {
+    /// Compares the first contacts of both runs with `expected`. Only pairs for which `counts` returns true are compared.
+    pub(crate) fn hits(
+        &mut self,
+        expected: &[(ContactPartner, ContactPartner)],
+        counts: impl Fn(&(ContactPartner, ContactPartner)) -> bool,
+    ) {
         for (name, run) in [("twohalf", &self.ours), ("rapier3d", &self.peer)] {
             let pairs: Vec<_> = run.hits().iter().map(|hit| hit.pair).filter(|pair| counts(pair)).collect();
             if pairs != expected {
@@ -186,7 +191,7 @@ impl Both {
         }
     }
 
-    /// Prints the table and fails if anything differs by more than it may.
+    /// Prints the table. Fails if a quantity differs by more than its tolerance, or if the first contacts differ.
     pub(crate) fn report(self) {
         let mut table = format!(
             "\n{:<32}{:>12}{:>12}{:>12}{:>12}{:>12}\n",
@@ -206,7 +211,7 @@ impl Both {
             .expect("a string takes everything");
             faults.extend(wrong.into_iter().map(|fault| format!("{quantity} {fault}")));
         }
-        // In one piece: tests run side by side.
+        // The table is printed by one call, because tests run in parallel.
         print!("{table}");
         assert!(faults.is_empty(), "{}: {}", self.name, faults.join("; "));
     }

@@ -1,14 +1,15 @@
-//! The 2.5D engine beside `rapier3d`, in scenes that are not chaotic: where things land and rest, how fast they
-//! are, who is hit first.
+//! Compares the 2.5D engine with `rapier3d` in scenes that are not chaotic: where objects land and rest, how fast they are, and
+//! which one is hit first.
 //!
 //! `cargo test --release -p measure --features peers --test twohalf_peers -- --nocapture` prints the tables.
 //!
-//! Where the tolerances come from:
-//! - **A fall**: after a time t, symplectic Euler is g t dt / 2 below the parabola, so a crossing (between two steps by
-//!   interpolation) is early by that over the speed; `rapier3d` makes four such steps in one, for a quarter of it.
-//! - **Contacts** are noticed at the end of a step here, so they act up to a step late and up to v dt too deep;
-//!   `rapier3d` foresees them from [`MARGIN`] on.
-//! - **Rest**: an overlap of [`SLOP`] is left alone here.
+//! Origin of the tolerances:
+//! - **A fall**: after a time t, symplectic Euler is g t dt / 2 below the parabola. Divided by the speed, this is the time by
+//!   which it crosses a height too early. `rapier3d` makes four substeps per step, for a quarter of that. A crossing between
+//!   two steps is interpolated.
+//! - **Contacts** are found at the end of a step in our engine, so they act up to a step late and up to v dt too deep.
+//!   `rapier3d` has speculative contacts from [`MARGIN`] on.
+//! - **Rest**: our engine leaves an overlap of [`SLOP`] uncorrected.
 
 mod closed_forms;
 mod comparison;
@@ -19,40 +20,44 @@ use comparison::{Both, MARGIN, Run, SLOP, alone};
 use measure::engines::depth::TwoHalf;
 use measure::engines::rapier3d::Rapier;
 use measure::scenes::depth::*;
-use measure::world::{BodyState, Met, World};
+use measure::world::{BodyState, ContactPartner, World};
 use std::time::Instant;
 
-/// Length of a step in s.
+/// Length of a step, s.
 const STEP: f64 = DT as f64;
-/// Gravity in px/s².
+/// Gravity, px/s².
 const G: f64 = GRAVITY as f64;
-/// The height over a surface at which landing is measured: beyond what `rapier3d` foresees.
+/// Height above a surface, px, at which landing is measured. It is greater than the distance of the speculative contacts of
+/// `rapier3d`.
 const LANDING: f64 = 1.0;
 
-/// By how much a fall that crosses a height after a time, at a speed downwards, is early. A little more, for the
-/// bend of the path within a step.
+/// Returns the tolerance of the time, in s, at which a fall crosses a height after `time` s, with a downward `speed` in px/s.
+/// It is the error of symplectic Euler, and 5 % more for the curvature of the path within a step.
 fn of_fall(time: f64, speed: f64) -> f64 {
     1.05 * G * time * STEP / 2.0 / speed
 }
 
-/// A contact that begins to act a step late, and the path.
+/// Returns the tolerance of a position, in px, after a contact that begins to act a step late, at a `speed` in px/s. Half a
+/// step is added for the error of the path.
 fn of_contact(speed: f64) -> f64 {
     1.5 * speed * STEP
 }
 
 #[test]
-fn a_box_dropped_flat_lands_when_it_should_and_stays_there() {
+fn a_box_dropped_flat_lands_on_time_and_stays() {
     let mut both = Both::run(&drop_onto_ground());
     let time = (2.0 * (100.0 - LANDING) / G).sqrt();
     both.check("time of landing", |run| run.crossing(0, LANDING).time)
         .tolerance(of_fall(time, G * time))
-        .form(time);
-    both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).form(0.0);
-    // Nothing pushes it aside but the rounding of its rotation. `rapier3d` lets it rock: measured.
+        .closed_form(time);
+    both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).closed_form(0.0);
+    // In our engine only rounding errors of the rotation move the box aside. In `rapier3d` it rocks: measured tolerance.
     for (name, axis, value, rocking) in [("rest, X", 0, 20.0, 1.5), ("rest, Z", 2, 35.0, 0.0)] {
-        both.check(name, |run| run.last(0).position[axis]).tolerances(rocking + 0.02, 0.02).form(value);
+        both.check(name, |run| run.last(0).position[axis])
+            .tolerances(rocking + 0.02, 0.02)
+            .closed_form(value);
     }
-    both.check("rest, rotation", |run| run.last(0).angle).tolerance(1e-3).form(0.0);
+    both.check("rest, rotation", |run| run.last(0).angle).tolerance(1e-3).closed_form(0.0);
     both.report();
 }
 
@@ -63,17 +68,17 @@ fn a_ball_bounces_to_the_square_of_its_restitution() {
     let time = (2.0 * (200.0 - LANDING) / G).sqrt();
     both.check("time of landing", |run| run.crossing(0, LANDING).time)
         .tolerance(of_fall(time, G * time))
-        .form(time);
-    // The speed of the impact is known within 1.5 g dt, the place within v dt.
+        .closed_form(time);
+    // The speed of the impact is known up to 1.5 g dt, and the position up to v dt.
     let tolerance = 1.6 * speed * STEP + MARGIN;
     both.check("height of the bounce", |run| run.apex_after(0, run.crossing(0, LANDING).time))
         .tolerance(tolerance)
-        .form(0.36 * 200.0);
+        .closed_form(0.36 * 200.0);
     both.report();
 }
 
 #[test]
-fn a_box_slides_as_far_as_friction_lets_it() {
+fn a_box_slides_the_distance_of_its_friction() {
     for (name, direction) in
         [("slide_in_x", [1.0, 0.0]), ("slide_in_depth", [0.0, 1.0]), ("slide_obliquely", [0.6, 0.8])]
     {
@@ -85,15 +90,17 @@ fn a_box_slides_as_far_as_friction_lets_it() {
         let aside = |state: BodyState| {
             state.position[0] * f64::from(direction[1]) - state.position[2] * f64::from(direction[0])
         };
-        both.check("rest, along", |run| along(run.last(0))).tolerance(of_contact(100.0)).form(distance);
-        // The direction is that of the sliding, to a thousandth. `rapier3d` fits the impulse along X and Z to the
-        // different inertia of the box in both (1.3 to 1 here, as its contacts are off its middle) before it cuts
-        // it to size, so that it brakes too little along X.
+        both.check("rest, along", |run| along(run.last(0)))
+            .tolerance(of_contact(100.0))
+            .closed_form(distance);
+        // The box must keep the direction of its sliding to a thousandth. `rapier3d` solves for the friction impulses along X
+        // and Z with their different effective masses before it clamps them. Their ratio is 1.3 to 1 here, as the contacts are
+        // off the middle of the box. So it brakes too little along X.
         let deflection = if direction[0] * direction[1] == 0.0 { 0.0 } else { 10.0 };
         both.check("rest, aside", |run| aside(run.last(0)))
             .tolerances(deflection + 0.001 * distance, 0.001 * distance)
-            .form(0.0);
-        both.check("rest, speed", |run| run.speed(0)).tolerance(0.01).form(0.0);
+            .closed_form(0.0);
+        both.check("rest, speed", |run| run.speed(0)).tolerance(0.01).closed_form(0.0);
         both.report();
     }
 }
@@ -111,11 +118,11 @@ fn a_ball_thrown_flat_ends_up_rolling_at_two_thirds_of_its_speed() {
             let name = if axis == 0 { "X" } else { "Z" };
             both.check(&format!("{name} after 3 s"), |run| run.last(0).position[axis])
                 .tolerance(of_contact(90.0))
-                .form(distance * part);
-            // Of the friction of one step.
+                .closed_form(distance * part);
+            // The tolerance is the change of velocity by friction in one step.
             both.check(&format!("speed along {name}"), |run| run.last(0).velocity[axis])
                 .tolerance(0.3 * G * STEP)
-                .form(60.0 * part);
+                .closed_form(60.0 * part);
         }
         both.report();
     }
@@ -127,18 +134,19 @@ fn a_ball_thrown_in_all_directions_lands_where_the_parabola_ends_and_rolls_on() 
     let speed = (100.0_f64 * 100.0 - 2.0 * G * LANDING).sqrt();
     let time = (100.0 + speed) / G;
     let early = of_fall(time, speed);
-    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(early).form(time);
-    // The impact presses hard enough (0.4 of 100 px/s against a third of 78) for rolling at once, with two thirds of
-    // the speed. In `rapier3d` it is foreseen, and rubs up to half of the margin beyond the ball's 10 px.
+    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(early).closed_form(time);
+    // The friction limit of the impact, 0.4 of 100 px/s, exceeds the change that rolling needs, a third of 78 px/s. So the ball
+    // rolls at once, with two thirds of its speed. `rapier3d` has a speculative contact, where friction acts up to half of the
+    // margin beyond the radius of 10 px.
     let arm = 10.0 + MARGIN / 2.0;
     let farther = arm * arm / (arm * arm + 50.0) - 2.0 / 3.0;
     for (name, axis, start, speed) in [("X", 0, 30.0, 50.0), ("Z", 2, 40.0, 60.0)] {
         both.check(&format!("landing, {name}"), |run| run.crossing(0, LANDING).position[axis])
             .tolerance(early * speed)
-            .form(start + speed * time);
+            .closed_form(start + speed * time);
         both.check(&format!("speed along {name}"), |run| run.last(0).velocity[axis])
             .tolerances(farther * speed + 0.01, 0.01)
-            .form(speed * 2.0 / 3.0);
+            .closed_form(speed * 2.0 / 3.0);
     }
     both.report();
 }
@@ -149,24 +157,26 @@ fn a_box_thrown_onto_a_platform_slides_to_rest_on_it() {
     let root = (150.0 * 150.0 - 2.0 * G * (60.0 + LANDING)).sqrt();
     let time = (150.0 + root) / G;
     let early = of_fall(time, root);
-    both.check("time of landing", |run| run.crossing(0, 60.0 + LANDING).time).tolerance(early).form(time);
-    // The impact takes friction times its own change of speed from the 75 px/s in the direction (0.8, 0.6).
+    both.check("time of landing", |run| run.crossing(0, 60.0 + LANDING).time)
+        .tolerance(early)
+        .closed_form(time);
+    // The friction of the impact takes half of the impact's change of speed from the 75 px/s along (0.8, 0.6).
     let impact = (150.0_f64 * 150.0 - 2.0 * G * 60.0).sqrt();
     let sliding = 75.0 - 0.5 * impact;
     let distance = sliding * sliding / (2.0 * 0.5 * G);
-    // The speed of the impact is known within 1.5 g dt, its time within `early` and a step.
+    // The speed of the impact is known up to 1.5 g dt, and its time up to `early` and a step.
     let of_sliding = 1.5 * G * STEP * 0.5 * sliding / (0.5 * G);
     let landing = (150.0 + impact) / G;
     for (name, axis, start, speed, part) in [("X", 0, -100.0, 60.0, 0.8), ("Z", 2, -60.0, 45.0, 0.6)] {
         both.check(&format!("landing, {name}"), |run| run.crossing(0, 60.0 + LANDING).position[axis])
             .tolerance(early * speed)
-            .form(start + speed * time);
+            .closed_form(start + speed * time);
         both.check(&format!("rest, {name}"), |run| run.last(0).position[axis])
             .tolerance((early + STEP) * speed + of_sliding * part)
-            .form(start + speed * landing + distance * part);
+            .closed_form(start + speed * landing + distance * part);
     }
-    both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).form(60.0);
-    both.check("rest, rotation", |run| run.last(0).angle).tolerance(1e-3).form(0.0);
+    both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).closed_form(60.0);
+    both.check("rest, rotation", |run| run.last(0).angle).tolerance(1e-3).closed_form(0.0);
     both.report();
 }
 
@@ -179,17 +189,23 @@ fn a_box_slides_down_a_slope_and_off_its_end() {
     let speed = acceleration * 3.0;
     both.check("X after 3 s", |run| run.state_at(0, 3.0).position[0])
         .tolerance(of_contact(speed) * cosine)
-        .form(start + acceleration * 4.5 * cosine);
+        .closed_form(start + acceleration * 4.5 * cosine);
     both.check("speed along X after 3 s", |run| run.state_at(0, 3.0).velocity[0])
-        // Of one step.
+        // The tolerance is the change of velocity in one step.
         .tolerance(acceleration * STEP * cosine)
-        .form(speed * cosine);
-    both.check("Z at the end", |run| run.last(0).position[2]).tolerance(0.01).form(10.0);
-    // It tips over the edge, which is noticed up to a step late; measured.
+        .closed_form(speed * cosine);
+    both.check("Z at the end", |run| run.last(0).position[2]).tolerance(0.01).closed_form(10.0);
+    // The box tips over the edge, which the engine notices up to a step late. The tolerances are measured.
     both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(STEP);
     both.check("landing, X", |run| run.crossing(0, LANDING).position[0]).tolerance(1.0);
-    both.check("rest, speed", |run| run.speed(0)).tolerance(0.1).form(0.0);
-    both.hits(&[(Met::Object(0), Met::Platform(0)), (Met::Object(0), Met::Ground)], |_| true);
+    both.check("rest, speed", |run| run.speed(0)).tolerance(0.1).closed_form(0.0);
+    both.hits(
+        &[
+            (ContactPartner::Object(0), ContactPartner::Platform(0)),
+            (ContactPartner::Object(0), ContactPartner::Ground),
+        ],
+        |_| true,
+    );
     both.report();
 }
 
@@ -202,44 +218,47 @@ fn a_ball_rolls_down_a_slope_with_two_thirds_of_the_acceleration() {
     let speed = acceleration * 3.0;
     both.check("X after 3 s", |run| run.state_at(0, 3.0).position[0])
         .tolerance(of_contact(speed) * cosine)
-        .form(start + acceleration * 4.5 * cosine);
-    // It leaves the slope 210 px on, its centre 15 px above the edge, too fast to tip over it.
+        .closed_form(start + acceleration * 4.5 * cosine);
+    // The ball leaves the slope after 210 px, with its centre 15 px above the edge, too fast to tip over it.
     let end = (2.0 * acceleration * 210.0).sqrt();
     let [x, y] = [start + 210.0 * cosine, end_of_slope_height() + 15.0 * cosine];
     let fall = ((end * sine).powi(2) + 2.0 * G * (y - 15.0 - LANDING)).sqrt() - end * sine;
     both.check("time of landing", |run| run.crossing(0, LANDING).time)
         .tolerance(1.5 * STEP)
-        .form(end / acceleration + fall / G);
+        .closed_form(end / acceleration + fall / G);
     both.check("landing, X", |run| run.crossing(0, LANDING).position[0])
         .tolerance(of_contact(end * cosine))
-        .form(x + end * cosine * fall / G);
+        .closed_form(x + end * cosine * fall / G);
     both.report();
 }
 
-/// Height of the edge at the lower end of the slope's upper face: 120 px down from its middle.
+/// Returns the height, in px, of the lower end of the slope's upper face. This end is 120 px down the slope from the middle of
+/// the face.
 fn end_of_slope_height() -> f64 {
     let [sine, cosine] = SLOPE_SINE_AND_COSINE.map(f64::from);
     110.0 + 10.0 * cosine - 120.0 * sine
 }
 
 #[test]
-fn a_ball_that_drifts_along_z_on_a_slope_rolls_both_ways() {
+fn a_ball_that_drifts_along_z_on_a_slope_rolls_along_both_axes() {
     let mut both = Both::run(&ball_rolling_down_slope("drift_on_slope", 12.0));
     let [_, cosine] = SLOPE_SINE_AND_COSINE.map(f64::from);
-    // Friction stops the sliding within 0.1 s, in which the direction in which it acts turns.
+    // Friction stops the sliding within 0.1 s. Its direction turns meanwhile.
     let sliding = 0.1 * 12.0;
     both.check("X after 3 s", |run| run.state_at(0, 3.0).position[0])
         .tolerance(of_contact(77.0) * cosine + sliding);
     both.check("Z after 3 s", |run| run.state_at(0, 3.0).position[2])
         .tolerance(of_contact(12.0) + 0.1)
-        .form(-20.0 + 8.0 * 3.0 + sliding / 6.0);
-    both.check("speed along Z after 3 s", |run| run.state_at(0, 3.0).velocity[2]).tolerance(0.3).form(8.0);
+        .closed_form(-20.0 + 8.0 * 3.0 + sliding / 6.0);
+    both.check("speed along Z after 3 s", |run| run.state_at(0, 3.0).velocity[2])
+        .tolerance(0.3)
+        .closed_form(8.0);
     both.check("landing, Z", |run| run.crossing(0, LANDING).position[2]).tolerance(0.5);
     both.report();
 }
 
 #[test]
-fn two_balls_that_meet_obliquely_part_as_the_line_between_their_centres_says() {
+fn an_oblique_hit_of_balls_acts_along_the_line_of_centres() {
     let scene = balls_meeting_obliquely();
     let [a, b] = [0, 1].map(|index: usize| scene.objects[index].clone());
     let [velocity_a, velocity_b] = [&a, &b].map(|object| object.velocity.map(f64::from));
@@ -261,15 +280,16 @@ fn two_balls_that_meet_obliquely_part_as_the_line_between_their_centres_says() {
     let mut both = Both::run(&scene);
     for object in 0..2 {
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
-            // The normal is that of an instant within the step; for `rapier3d`, of one before the hit.
+            // Our engine takes the normal of an instant up to a step after the hit; `rapier3d` takes that of an instant before
+            // the hit.
             let ours = (late[object][axis] - exact[object][axis]).abs() + 1e-3;
             let foreseen = (early[object][axis] - exact[object][axis]).abs();
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
                 .tolerances(ours + foreseen, ours)
-                .form(exact[object][axis]);
+                .closed_form(exact[object][axis]);
         }
     }
-    both.hits(&[(Met::Object(0), Met::Object(1))], |_| true);
+    both.hits(&[(ContactPartner::Object(0), ContactPartner::Object(1))], |_| true);
     both.report();
 }
 
@@ -280,15 +300,15 @@ fn a_box_pushed_into_another_along_z_shares_its_momentum() {
     for (object, velocity) in [a, b].into_iter().enumerate() {
         both.check(&format!("speed of {object}, Z"), |run| run.last(object).velocity[2])
             .tolerance(0.05)
-            .form(velocity[2]);
+            .closed_form(velocity[2]);
         both.check(&format!("Y of {object}"), |run| run.last(object).position[1])
             .tolerance(1.2 * SLOP)
-            .form(0.0);
+            .closed_form(0.0);
         both.check(&format!("X of {object}"), |run| run.last(object).position[0])
             .tolerance(0.02)
-            .form([0.0, 6.0][object]);
+            .closed_form([0.0, 6.0][object]);
     }
-    both.hits(&[(Met::Object(0), Met::Object(1))], Both::of_objects);
+    both.hits(&[(ContactPartner::Object(0), ContactPartner::Object(1))], Both::of_objects);
     both.report();
 }
 
@@ -298,21 +318,21 @@ fn a_ball_bounces_back_from_the_front_of_a_box() {
     let [a, b] = after_hit(([0.0, 0.0, 90.0], 1.0), ([0.0; 3], 1.0 / 3.0), 0.6, [0.0, 0.0, 1.0]);
     for (object, velocity) in [a, b].into_iter().enumerate() {
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
-            // What a step of gravity adds is bounced back by the ground.
+            // The ground reflects the velocity that gravity adds in a step.
             let tolerance = if axis == 1 { G * STEP } else { 0.05 };
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
                 .tolerance(tolerance)
-                .form(velocity[axis]);
+                .closed_form(velocity[axis]);
         }
     }
-    both.hits(&[(Met::Object(0), Met::Object(1))], Both::of_objects);
+    both.hits(&[(ContactPartner::Object(0), ContactPartner::Object(1))], Both::of_objects);
     both.report();
 }
 
 #[test]
 fn a_ball_glances_off_the_upright_edge_of_a_post() {
     let velocity = [0.0, 0.0, 80.0];
-    // The edge is 11 px to the right of the path and 80 px ahead.
+    // The edge is 11 px to the right of the ball's path and 80 px ahead.
     let towards_edge = |time: f64| [11.0, 0.0, 80.0 - 80.0 * time];
     let distance = |time: f64| towards_edge(time)[2].hypot(11.0);
     let time = time_of_meeting(distance, 15.0, 1.0);
@@ -325,7 +345,7 @@ fn a_ball_glances_off_the_upright_edge_of_a_post() {
         let foreseen = (early[axis] - exact[axis]).abs();
         both.check(&format!("speed, {name}"), |run| run.last(0).velocity[axis])
             .tolerances(ours + foreseen, ours)
-            .form(exact[axis]);
+            .closed_form(exact[axis]);
     }
     both.report();
 }
@@ -333,22 +353,22 @@ fn a_ball_glances_off_the_upright_edge_of_a_post() {
 #[test]
 fn a_row_of_balls_is_hit_one_after_the_other() {
     let mut both = Both::run(&row_of_three_hits());
-    let pairs = [0, 1, 2].map(|index| (Met::Object(index), Met::Object(index + 1)));
+    let pairs = [0, 1, 2].map(|index| (ContactPartner::Object(index), ContactPartner::Object(index + 1)));
     both.hits(&pairs, Both::of_objects);
     for (index, (a, b)) in pairs.into_iter().enumerate() {
-        // Here every hit is noticed at the end of a step and acts in the next; the overlap of up to v dt shortens
-        // the next way. There it is foreseen.
+        // Our engine finds every hit at the end of a step, and the hit acts in the next step. The overlap of up to v dt
+        // shortens the next flight. `rapier3d` finds hits ahead.
         let number = (index + 1) as f64;
         both.check(&format!("time of hit {}", index + 1), |run| run.time_of_hit(a, b).unwrap_or(f64::NAN))
             .tolerances(2.0 * STEP * number + MARGIN / 100.0, 2.0 * STEP * number)
-            .form(0.3 * number);
+            .closed_form(0.3 * number);
     }
     for object in 0..4 {
         let passed_on = if object == 3 { 100.0 } else { 0.0 };
         for (name, axis, part) in [("X", 0, 0.6), ("Z", 2, 0.8)] {
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
                 .tolerance(0.01)
-                .form(passed_on * part);
+                .closed_form(passed_on * part);
         }
     }
     both.report();
@@ -357,15 +377,15 @@ fn a_row_of_balls_is_hit_one_after_the_other() {
 #[test]
 fn a_ball_leaves_a_platform_by_its_far_edge() {
     let mut both = Both::run(&ball_off_far_edge());
-    // Its middle passes the edge too fast to tip over it, and falls from 60 px.
+    // The middle of the ball passes the edge too fast to tip over it, and falls from 60 px.
     let (leaves, falls) = (50.0 / 60.0, (2.0 * (60.0 - LANDING) / G).sqrt());
     let time = leaves + falls;
     let tolerance = STEP + of_fall(falls, G * falls);
-    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(tolerance).form(time);
+    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(tolerance).closed_form(time);
     for (name, axis, start, speed) in [("X", 0, -40.0, 30.0), ("Z", 2, 10.0, 60.0)] {
         both.check(&format!("landing, {name}"), |run| run.crossing(0, LANDING).position[axis])
             .tolerance(tolerance * speed)
-            .form(start + speed * time);
+            .closed_form(start + speed * time);
     }
     both.report();
 }
@@ -376,28 +396,28 @@ fn a_box_leaves_a_platform_by_its_near_edge_when_no_part_of_it_is_over_it() {
     let (leaves, falls) = (65.0 / 60.0, (2.0 * (60.0 - LANDING) / G).sqrt());
     let time = leaves + falls;
     let tolerance = STEP + of_fall(falls, G * falls);
-    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(tolerance).form(time);
+    both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(tolerance).closed_form(time);
     both.check("landing, Z", |run| run.crossing(0, LANDING).position[2])
         .tolerance(tolerance * 60.0)
-        .form(-10.0 - 60.0 * time);
-    both.check("landing, X", |run| run.crossing(0, LANDING).position[0]).tolerance(0.01).form(20.0);
-    both.check("rotation", |run| run.crossing_rotation(0, LANDING)).tolerance(1e-3).form(0.0);
+        .closed_form(-10.0 - 60.0 * time);
+    both.check("landing, X", |run| run.crossing(0, LANDING).position[0]).tolerance(0.01).closed_form(20.0);
+    both.check("rotation", |run| run.crossing_rotation(0, LANDING)).tolerance(1e-3).closed_form(0.0);
     both.report();
 }
 
-/// How long after an impact velocities are looked at, in s.
+/// Time after an impact at which velocities are read, s.
 const AFTER_IMPACT: f64 = 0.02;
 
-/// Compares the velocity just after a fall on a corner with the closed form. `rapier3d` bounces off corners although
-/// nothing is restituted; by how much is measured.
+/// Compares the velocity just after a fall on a corner with the closed form `velocity`, px/s along X and up. The box falls by
+/// `height` px. `rapier3d` bounces off corners although the restitution is 0: `bounce` is the measured excess in px/s.
 fn check_fall_on_corner(both: &mut Both, height: f64, velocity: [f64; 2], bounce: f64) {
     let time = (2.0 * height / G).sqrt() + AFTER_IMPACT;
-    // Gravity goes on, and the impact is up to 1.5 steps late.
+    // Gravity continues after the impact, which is up to 1.5 steps late.
     let tolerance = G * (AFTER_IMPACT + 1.5 * STEP);
     for (name, axis, value) in [("X", 0, velocity[0]), ("Y", 1, velocity[1])] {
         both.check(&format!("speed after impact, {name}"), |run| run.state_at(0, time).velocity[axis])
             .tolerances(tolerance + bounce, tolerance)
-            .form(value);
+            .closed_form(value);
     }
 }
 
@@ -406,67 +426,74 @@ fn a_box_dropped_beyond_the_edge_of_a_platform_tips_over_it() {
     let mut both = Both::run(&box_tipping_over_edge());
     let inertia = (44.0 * 44.0 + 30.0 * 30.0) / 12.0;
     check_fall_on_corner(&mut both, 10.0, after_fall_on_corner(10.0, inertia, [-6.0, -15.0], 0.5), 7.0);
-    // Measured; `rapier3d` is ahead since it bounced.
+    // The tolerances are measured. `rapier3d` is ahead because the box bounced.
     both.check("time of landing", |run| run.crossing(0, LANDING).time).tolerance(0.2);
     both.check("landing, X", |run| run.crossing(0, LANDING).position[0]).tolerance(2.0);
     both.check("landing, rotation", |run| run.crossing_rotation(0, LANDING)).tolerance(0.05);
-    both.check("rest, Z", |run| run.last(0).position[2]).tolerance(0.01).form(5.0);
-    both.hits(&[(Met::Object(0), Met::Platform(0)), (Met::Object(0), Met::Ground)], |_| true);
+    both.check("rest, Z", |run| run.last(0).position[2]).tolerance(0.01).closed_form(5.0);
+    both.hits(
+        &[
+            (ContactPartner::Object(0), ContactPartner::Platform(0)),
+            (ContactPartner::Object(0), ContactPartner::Ground),
+        ],
+        |_| true,
+    );
     both.report();
 }
 
 #[test]
-fn the_sides_of_platforms_throw_things_back() {
+fn objects_bounce_off_the_sides_of_platforms() {
     let mut both = Both::run(&against_every_side());
     let after = [[-45.0, 0.0, 0.0], [0.0, 0.0, -45.0], [5.0, -45.0, 0.0]];
     for (object, velocity) in after.into_iter().enumerate() {
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
-            // Where a side is hit at several points, `rapier3d` ends its passes before they agree: measured.
+            // Where an object hits a side at several points, `rapier3d` ends its iterations before they converge: measured
+            // tolerance.
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
                 .tolerances(if object == 0 && axis < 2 { 0.3 } else { 0.01 }, 0.01)
-                .form(velocity[axis]);
+                .closed_form(velocity[axis]);
         }
     }
-    both.check("rotation of 0", |run| run.last(0).angle).tolerances(3e-3, 1e-3).form(0.0);
+    both.check("rotation of 0", |run| run.last(0).angle).tolerances(3e-3, 1e-3).closed_form(0.0);
     both.report();
 }
 
 #[test]
-fn a_sheared_side_throws_things_back_along_its_normal() {
+fn objects_bounce_off_a_sheared_side_along_its_normal() {
     let mut both = Both::run(&against_sheared_side());
     let away = [1.0, 0.0, -shear_of_side()];
     let [after, _] = after_hit(([90.0, 0.0, 0.0], 1.0), ([0.0; 3], 0.0), 0.5, away);
     for object in 0..2 {
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
-            // Where the box's edge hits the side at two points, `rapier3d` ends with a restitution of 0.62 instead of
-            // 0.5: measured.
+            // Where the box's edge hits the side at two points, `rapier3d` has a restitution of 0.62 instead of 0.5: measured
+            // tolerance.
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
                 .tolerances(if object == 1 && axis != 1 { 9.0 } else { 0.01 }, 0.01)
-                .form(after[axis]);
+                .closed_form(after[axis]);
         }
     }
     both.report();
 }
 
 #[test]
-fn friction_takes_along_what_stands_on_a_sliding_box() {
+fn friction_carries_the_load_of_a_sliding_box() {
     let mut both = Both::run(&box_on_sliding_box());
-    // The load slides until both have two thirds of the speed.
+    // The load slides until both boxes have two thirds of the initial speed.
     let (acceleration, end) = (0.3 * G, 2.5);
     let sliding = 50.0 / (acceleration * 1.5);
     let path = acceleration * sliding * sliding / 2.0 + 50.0 * 2.0 / 3.0 * (end - sliding);
     for (name, axis, part) in [("X", 0, 0.6), ("Z", 2, 0.8)] {
-        // `rapier3d` is deflected as in the oblique sliding: measured.
+        // In `rapier3d` friction deflects the load, as it does a box that slides obliquely: measured tolerance.
         both.check(&format!("{name} of the load"), |run| run.last(1).position[axis])
             .tolerances(of_contact(50.0) + 1.0, of_contact(50.0))
-            .form(10.0 + path * part);
+            .closed_form(10.0 + path * part);
         for object in 0..2 {
             both.check(&format!("speed of {object}, {name}"), |run| run.last(object).velocity[axis])
                 .tolerance(0.1)
-                .form(50.0 * 2.0 / 3.0 * part);
+                .closed_form(50.0 * 2.0 / 3.0 * part);
         }
     }
-    both.check("rest, Y of the load", |run| run.last(1).position[1]).tolerance(2.4 * SLOP).form(20.0);
+    both.check("rest, Y of the load", |run| run.last(1).position[1]).tolerance(2.4 * SLOP).closed_form(20.0);
     both.report();
 }
 
@@ -476,13 +503,13 @@ fn a_box_that_falls_on_an_edge_comes_to_rest_on_a_side() {
     let time = (2.0 * (60.0 - LANDING) / G).sqrt();
     both.check("time of landing", |run| run.crossing(0, LANDING).time)
         .tolerance(of_fall(time, G * time))
-        .form(time);
+        .closed_form(time);
     let (inertia, corner) = ((60.0 * 60.0 + 40.0 * 40.0) / 12.0, turned([30.0, -20.0], 0.3));
     check_fall_on_corner(&mut both, 60.0, after_fall_on_corner(60.0, inertia, corner, 0.6), 13.0);
-    // Measured; `rapier3d` slides on while it bounces.
+    // The tolerance is measured. In `rapier3d` the box slides on while it bounces.
     both.check("rest, X", |run| run.last(0).position[0]).tolerance(10.0);
-    both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).form(0.0);
-    both.check("rest, rotation", |run| run.last(0).angle).tolerance(5e-3).form(0.0);
+    both.check("rest, Y", |run| run.last(0).position[1]).tolerance(1.2 * SLOP).closed_form(0.0);
+    both.check("rest, rotation", |run| run.last(0).angle).tolerance(5e-3).closed_form(0.0);
     both.report();
 }
 
@@ -492,7 +519,8 @@ fn heaps_settle_to_the_same_height_and_spread() {
         let mut both = Both::run(&pile(count));
         let height = |state: BodyState| state.position[1];
         let from_middle = |state: BodyState| state.position[0].hypot(state.position[2]);
-        // Which way things fall is chance: three standard errors of the difference of two means.
+        // The directions in which objects fall are random. The tolerance is three standard errors of the difference of two
+        // means.
         let errors = 3.0 * (2.0 / count as f64).sqrt();
         let deviation = |measure: fn(BodyState) -> f64| {
             move |run: &Run| {
@@ -504,7 +532,7 @@ fn heaps_settle_to_the_same_height_and_spread() {
         let of_spread = both.measure(deviation(from_middle)) * errors;
         both.check("mean height", |run| run.mean(count, height)).tolerance(of_height);
         both.check("mean distance from the middle", |run| run.mean(count, from_middle)).tolerance(of_spread);
-        // Both still roll about; measured.
+        // In both engines objects still roll: measured tolerance.
         both.check("mean speed", |run| run.mean(count, |state| state.speed())).tolerance(1.0);
         both.report();
     }
@@ -516,9 +544,10 @@ fn traffic_neither_sinks_nor_leaves_nor_gains_speed_in_either() {
         let scene = traffic(count);
         let [wall, ..] = scene.objects[count + 1].position.map(f64::from);
         let (mut ours, mut peer) = (TwoHalf::new(&scene), Rapier::new(&scene));
-        // The fastest falls 140 px and goes at 90 px/s along X and Z. A heavier one may pass on a little more.
+        // The fastest object falls by 140 px and moves at 90 px/s along X and Z. A heavier object may pass on up to 1.5 times
+        // as much.
         let fastest = 1.5 * (2.0 * G * 140.0 + 2.0 * 90.0_f64.powi(2)).sqrt();
-        // What is noticed a step late, from both sides.
+        // Two objects that move towards each other may meet up to a step before the contact is found.
         let deepest = 2.0 * fastest * STEP;
         for step in 1..=400 {
             for (name, engine) in [("twohalf", &mut ours as &mut dyn World), ("rapier3d", &mut peer)] {
@@ -539,8 +568,7 @@ fn traffic_neither_sinks_nor_leaves_nor_gains_speed_in_either() {
     }
 }
 
-/// Time per step of both, printed and not asserted: with the settings that both have by default, on one core, side
-/// by side in turns.
+/// Prints the time per step of both engines and asserts none. Both have their default settings, run on one core and take turns.
 #[test]
 fn the_time_per_step_of_both_is_printed() {
     const ROUNDS: usize = 5;
@@ -564,7 +592,7 @@ fn the_time_per_step_of_both_is_printed() {
     print!("{table}");
 }
 
-/// Mean time per step in ms.
+/// Returns the mean time per step, ms. Steps have a length of `dt` s.
 fn time_of(engine: &mut dyn World, dt: f32, steps: u32) -> f64 {
     let start = Instant::now();
     for _ in 0..steps {

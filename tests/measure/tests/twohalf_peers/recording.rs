@@ -1,31 +1,31 @@
-//! What happened in a run.
+//! Records the states and first contacts of a scene in one engine.
 
 use std::collections::BTreeSet;
 
 use measure::scenes::depth::DepthScene;
-use measure::world::{BodyState, Met, World};
+use measure::world::{BodyState, ContactPartner, World};
 
-/// Two things that met for the first time.
+/// First contact of two objects, or of an object with the ground or a platform.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Hit {
-    /// How many steps had been made when it was noticed.
+    /// Number of steps after which the contact was found.
     pub(crate) step: usize,
-    /// The pair, the lesser one first.
-    pub(crate) pair: (Met, Met),
+    /// Both partners of the contact, the lesser in their order first.
+    pub(crate) pair: (ContactPartner, ContactPartner),
 }
 
-/// All states of all objects, and who met whom when.
+/// States of all objects after every step, and the first contact of each pair.
 #[derive(Debug, Clone)]
 pub(crate) struct Recording {
     dt: f64,
     objects: usize,
-    /// By step, then by object; the first are those before the first step.
+    /// States by step, and by object within a step. The first ones are those before the first step.
     states: Vec<BodyState>,
     hits: Vec<Hit>,
 }
 
 impl Recording {
-    /// Runs a scene to its end.
+    /// Runs a scene in `world` to its end and records it.
     pub(crate) fn new(scene: &DepthScene, world: &mut dyn World) -> Self {
         let objects = scene.objects.len();
         let mut recording =
@@ -37,7 +37,7 @@ impl Recording {
             recording.states.extend((0..objects).map(|object| world.body(object)));
             pairs.clear();
             world.touching(&mut pairs);
-            // Two that are noticed in one step have no order.
+            // Contacts that are found in the same step have no order in time, so they are sorted.
             pairs.sort_unstable();
             let new = pairs.iter().filter(|pair| known.insert(**pair));
             recording.hits.extend(new.map(|&pair| Hit { step, pair }));
@@ -45,35 +45,35 @@ impl Recording {
         recording
     }
 
-    /// Length of a step in s.
+    /// Returns the length of a step, s.
     pub(crate) fn dt(&self) -> f64 {
         self.dt
     }
 
-    /// States of an object, from before the first step on.
+    /// Returns the states of an object: before the first step, and after each step.
     pub(crate) fn states(&self, object: usize) -> impl ExactSizeIterator<Item = &BodyState> {
         self.states.iter().skip(object).step_by(self.objects)
     }
 
-    /// BodyState of an object after a time in s.
+    /// Returns the state of an object in the step nearest to `time`, s.
     pub(crate) fn state_at(&self, object: usize, time: f64) -> BodyState {
         let step = ((time / self.dt).round() as usize).min(self.states.len() / self.objects - 1);
         self.states[step * self.objects + object]
     }
 
-    /// BodyState of an object at the end.
+    /// Returns the state of an object at the end of the scene.
     pub(crate) fn last(&self, object: usize) -> BodyState {
         self.states[self.states.len() - self.objects + object]
     }
 
-    /// Who met whom for the first time, in order.
+    /// Returns the first contact of each pair, in order of time.
     pub(crate) fn hits(&self) -> &[Hit] {
         &self.hits
     }
 
-    /// Time in s at which two things met for the first time.
-    pub(crate) fn time_of_hit(&self, a: Met, b: Met) -> Option<f64> {
-        let pair = Met::pair(a, b);
+    /// Returns the time of the first contact of two objects, s; `None` if they never touch.
+    pub(crate) fn time_of_hit(&self, a: ContactPartner, b: ContactPartner) -> Option<f64> {
+        let pair = ContactPartner::pair(a, b);
         self.hits.iter().find(|hit| hit.pair == pair).map(|hit| hit.step as f64 * self.dt)
     }
 }

@@ -98,7 +98,7 @@ fn check_2_the_octagon_lies_where_the_original_has_it() {
 }
 
 #[test]
-fn check_2_entry_is_told_once_while_the_force_is_the_same_every_time() {
+fn check_2_entry_is_reported_once_while_the_force_is_the_same_every_time() {
     let mut basin = Basin::with_octagon();
     let (load, entries) = basin.update_at(-0.5);
     assert_load(load, HALF_IN);
@@ -127,7 +127,7 @@ fn check_2_a_geom_that_only_touches_the_box_in_between_enters_again() {
 }
 
 #[test]
-fn check_2_after_a_reset_entry_is_told_again() {
+fn check_2_after_a_reset_entry_is_reported_again() {
     let mut basin = Basin::with_octagon();
     basin.update_at(-0.5);
     basin.drag().reset();
@@ -154,7 +154,7 @@ fn check_2_a_drag_that_would_be_nan_is_not_applied_and_reported() {
 }
 
 #[test]
-fn check_3_a_box_with_two_corners_in_the_water_feels_nothing() {
+fn check_3_a_box_with_two_corners_in_the_water_has_no_force() {
     let outline = [v(-1.0, -1.0), v(-1.0, 1.0), v(1.0, 1.0), v(1.0, -1.0)];
     let mut basin = Basin::new(Vertices::from(&outline[..]));
     let (load, entries) = basin.update_at(0.0);

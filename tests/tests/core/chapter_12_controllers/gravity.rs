@@ -8,7 +8,7 @@ use farseer_core::{
     Body, BodyId, Controller, ControllerId, Event, GravityController, GravityType, Methods, PhysicsSimulator,
 };
 
-/// Three bodies and a gravity controller. The update itself uses forces up, so that another controller looks at them.
+/// Three bodies and a gravity controller. The update itself clears forces, so that another controller reads them.
 struct Attraction {
     simulator: PhysicsSimulator,
     bodies: [BodyId; 3],
@@ -40,7 +40,7 @@ impl Attraction {
         gravity.set_gravity_type(GravityType::DistanceSquared);
     }
 
-    /// The forces of the controller, seen by a user-defined controller after it.
+    /// The forces of the controller, read by a user-defined controller after it.
     fn forces(&mut self) -> [Vector2; 3] {
         let looks = add_controller(&mut self.simulator, Controller::user_defined());
         let mut handler = Looks { controller: looks, look: Look { bodies: self.bodies, forces: None } };
@@ -108,13 +108,13 @@ fn check_10_bodies_without_gravity_and_disabled_ones_are_left_out() {
 }
 
 #[test]
-fn check_10_a_body_at_a_source_feels_nothing_of_it_which_is_reported() {
+fn check_10_a_body_at_a_source_gets_no_force_from_it_which_is_reported() {
     for methods in both_sets() {
         let mut attraction = Attraction::new(methods);
         let [a, ..] = attraction.bodies;
         attraction.simulator[a].set_position(v(1.0, -1.0));
         let [force, ..] = attraction.forces();
-        // What is left comes from b at (2, 5) from there, out of half the radius, and from c at (-3, 2).
+        // The rest comes from b at (2, 5) from there, beyond half the radius, and from c at (-3, 2).
         let pull = |x: f32, y: f32| v(x, y) * (10.0 / (x * x + y * y)) * 2.0;
         let expected = pull(2.0, 5.0) + pull(-3.0, 2.0);
         approx::assert_relative_eq!(force.x, expected.x, max_relative = 1e-5);

@@ -52,7 +52,7 @@ fn check_12_a_slow_body_is_disabled_after_a_second() {
 }
 
 #[test]
-fn check_13_a_body_woken_by_one_before_it_is_looked_at_in_the_same_pass() {
+fn check_13_a_body_woken_by_an_earlier_one_is_tested_in_the_same_pass() {
     for methods in both_sets() {
         let (mut simulator, controller) = with_inactivity(methods);
         add_body(&mut simulator, 100.0, false);
@@ -66,7 +66,7 @@ fn check_13_a_body_woken_by_one_before_it_is_looked_at_in_the_same_pass() {
 }
 
 #[test]
-fn check_13_a_body_woken_by_one_after_it_is_not() {
+fn check_13_a_body_woken_by_a_later_one_is_not() {
     for methods in both_sets() {
         let (mut simulator, controller) = with_inactivity(methods);
         let a = add_body(&mut simulator, 0.0, true);
@@ -94,7 +94,7 @@ fn check_13_a_body_may_be_disabled_and_woken_in_one_pass() {
 }
 
 #[test]
-fn check_15_a_disabled_controller_stays_in_the_list_and_a_disposed_one_goes() {
+fn check_15_a_disabled_controller_stays_in_the_list_and_a_disposed_one_is_removed() {
     for methods in both_sets() {
         let (mut simulator, controller) = with_inactivity(methods);
         simulator[controller].set_enabled(false);

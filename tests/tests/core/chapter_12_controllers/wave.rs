@@ -1,4 +1,4 @@
-//! Waves, and what floats on them.
+//! Waves, and bodies that float on them.
 
 use super::{DT, add_controller, bits, floating, follow};
 use conformance::fixtures::plane::v;
@@ -92,7 +92,7 @@ fn check_7_points_are_compared_with_the_extended_surface() {
 }
 
 #[test]
-fn check_7_a_place_that_does_not_fit_32_bits_is_taken_for_the_first_segment() {
+fn check_7_a_position_that_does_not_fit_32_bits_is_taken_for_the_first_segment() {
     let mut wave = wave_of_check_7();
     assert!(!wave.contains(v(3e10, 1.0)));
     assert_eq!(wave.vector_near_wave_edge(), v(-3.0, 2.0));

@@ -1,4 +1,4 @@
-//! Contacts that a handler takes away, adds or changes.
+//! Contacts that a handler removes, adds or changes.
 
 use conformance::fixtures::plane::{both_sets, is_finite, not_finite, v};
 use farseer_core::{Contact, Context};

@@ -1,4 +1,4 @@
-//! What a handler does to bodies and geoms in the middle of an update.
+//! Edits of bodies and geoms by a handler in the middle of an update.
 
 use conformance::fixtures::plane::{is_finite, lively_scene, methods, not_finite, pairs, v};
 use farseer_core::{BodyId, CollisionCategory, Contact, Context, Event, EventHandler, GeomId, Methods};
@@ -44,7 +44,7 @@ fn a_body_moved_inside_a_callback_takes_its_geom_along_at_once() {
         let (geom, position) = seen.unwrap();
         assert_eq!(position, v(500.0, 500.0));
         assert!(simulator.geom(geom).unwrap().position().x > 490.0);
-        // The pairs behind see it where it is now; the precise set has found all contacts before it asks about the first.
+        // The later pairs use the new position; the precise set has found all contacts before its first callback.
         let found = if let Methods::Faithful { .. } = methods { 1 } else { 2 };
         assert_eq!(pairs(&simulator).len(), found, "{methods:?}");
         assert!(is_finite(&simulator));
@@ -80,7 +80,7 @@ fn a_geom_disposed_inside_a_callback_has_no_later_contacts() {
     }
 }
 
-/// Ways to part a geom from what it touches.
+/// Edits that separate a geom from its contacts.
 const PARTINGS: [fn(&mut Context<'_>, GeomId); 4] = [
     |context, geom| context.dispose(geom).unwrap(),
     |context, geom| {
@@ -99,7 +99,7 @@ const PARTINGS: [fn(&mut Context<'_>, GeomId); 4] = [
     },
 ];
 
-/// Parts a geom from what it touches when it is told of the first collision, and notes who is asked.
+/// Separates a geom from its contacts in the first collision callback, and records the calls.
 struct Parts {
     part: fn(&mut Context<'_>, GeomId),
     geom: GeomId,
@@ -122,9 +122,9 @@ impl EventHandler for Parts {
     }
 }
 
-/// The precise set knows all contacts before it asks about the first.
+/// The precise set knows all contacts before its first callback.
 #[test]
-fn what_is_parted_inside_a_callback_is_not_asked_about_and_pushes_nothing() {
+fn pairs_separated_in_a_callback_get_no_callback_and_no_impulse() {
     for (number, part) in PARTINGS.into_iter().enumerate() {
         let mut simulator = stack(Methods::PRECISE);
         simulator.update(0.01);
@@ -135,7 +135,7 @@ fn what_is_parted_inside_a_callback_is_not_asked_about_and_pushes_nothing() {
         let mut handler = Parts { part, geom: top, asked: Vec::new() };
         simulator.update_with(0.01, &mut handler);
         assert_eq!(handler.asked, [(floor, middle), (middle, floor)], "parting {number}");
-        // The floor would not stop a push from above within a step, but it lies as it lay.
+        // The floor would not stop an impulse from above within a step, but the body is at rest as before.
         assert!(simulator[body].linear_velocity().norm() < 5.0, "parting {number}");
     }
 }
@@ -160,7 +160,7 @@ fn bodies_may_be_disposed_inside_every_callback() {
     }
 }
 
-/// Disposes, removes and adds what it is told about, in one kind of callback.
+/// Disposes, removes and adds the objects of a callback, in one kind of callback.
 struct DisposesIn {
     callback: usize,
     left: usize,

@@ -1,4 +1,4 @@
-//! What handlers are told, in which order, and what the events say of that.
+//! Calls of handlers, their order, and the matching events.
 
 use conformance::fixtures::plane::{
     Game, add_box, both_sets, faithful_methods, lively_scene, methods, simulator, simulator_with, state, v,
@@ -7,9 +7,9 @@ use farseer_core::{BodyId, Event, ObjectId, PhysicsSimulator};
 
 use super::{Log, collision, told};
 
-/// The precise set asks handlers in every update, and has events for what begins and ends.
+/// The precise set calls handlers in every update, and has events for begins and ends.
 #[test]
-fn events_are_what_a_handler_is_told() {
+fn events_equal_the_calls_of_a_handler() {
     for methods in faithful_methods() {
         for (refuses_collisions, asks_broad_phase, refuses_pairs) in
             [(false, false, false), (true, false, false), (false, true, false), (false, true, true)]
@@ -32,7 +32,7 @@ fn events_are_what_a_handler_is_told() {
 }
 
 #[test]
-fn a_handler_that_only_looks_changes_no_bit() {
+fn a_handler_without_edits_changes_no_bit() {
     for methods in methods() {
         let (mut plain, mut watched) = (lively_scene(methods, 7), lively_scene(methods, 7));
         let mut log = Log::default();
@@ -63,7 +63,7 @@ fn boxes_that_overlap_without_contact_separate_in_every_update() {
 
 /// Behaviour chapter 03, check 3.
 #[test]
-fn both_sides_are_told_of_a_collision_in_every_update() {
+fn both_sides_of_a_collision_get_callbacks_in_every_update() {
     let mut simulator = simulator(0.0);
     let (_, a) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     let (_, b) = add_box(&mut simulator, (10.0, 10.0), v(9.0, 0.0));
@@ -96,7 +96,7 @@ fn geoms_enter_before_bodies_and_leave_before_bodies() {
 
 /// Behaviour chapter 04, check 3.
 #[test]
-fn what_is_removed_and_added_again_ends_up_removed() {
+fn objects_removed_and_added_again_end_up_removed() {
     for methods in both_sets() {
         let mut simulator = simulator_with(0.0, methods);
         let (_, geom) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
@@ -118,7 +118,7 @@ fn what_is_removed_and_added_again_ends_up_removed() {
 }
 
 #[test]
-fn edited_bodies_are_told_of_in_the_order_of_their_edits() {
+fn edited_bodies_are_reported_in_the_order_of_their_edits() {
     for methods in both_sets() {
         let mut simulator = simulator_with(0.0, methods);
         let bodies: Vec<BodyId> =
@@ -133,9 +133,9 @@ fn edited_bodies_are_told_of_in_the_order_of_their_edits() {
     }
 }
 
-/// Behaviour chapter 02, check 10. The precise set tells of what has moved, and of nothing else.
+/// Behaviour chapter 02, check 10. The precise set reports the bodies that have moved, and no others.
 #[test]
-fn bodies_are_told_of_from_their_first_movement_on() {
+fn bodies_are_reported_from_their_first_movement_on() {
     let mut simulator = simulator(0.0);
     let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     simulator.update(0.01);
@@ -154,13 +154,13 @@ fn bodies_are_told_of_from_their_first_movement_on() {
     simulator[body].set_linear_velocity(v(0.0, 0.0));
     assert_eq!([step(&mut simulator), step(&mut simulator)], [2, 3]);
     simulator[body].reset_dynamics();
-    // Once for the reset, which the original tells of at once, and once for the update.
+    // Once for the reset, which the original reports at once, and once for the update.
     assert_eq!(step(&mut simulator), 5);
 }
 
 /// Behaviour chapter 02, check 13.
 #[test]
-fn a_body_disposed_twice_is_told_of_twice() {
+fn a_body_disposed_twice_is_reported_twice() {
     for methods in both_sets() {
         let mut simulator = simulator_with(0.0, methods);
         let (body, _) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));

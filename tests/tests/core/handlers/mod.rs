@@ -1,5 +1,4 @@
-//! Callbacks: their order, what the events say about them, vetoes, and what may be done inside of them (behaviour
-//! chapters 03, 04 and 08).
+//! Callbacks: their order, the matching events, vetoes, and the edits that they may make (behaviour chapters 03, 04 and 08).
 
 mod contacts;
 mod editing;
@@ -12,7 +11,7 @@ use farseer_core::{
     BodyId, Contact, Context, Event, EventHandler, GeomId, Methods, ObjectId, PhysicsSimulator,
 };
 
-/// Writes down what it is told, in the words of [`Event`].
+/// Records its calls, as [`Event`]s.
 #[derive(Default)]
 struct Log {
     events: Vec<Event>,
@@ -66,7 +65,7 @@ impl EventHandler for Log {
     }
 }
 
-/// What a handler is told in one update.
+/// Calls of a handler in one update.
 fn told(simulator: &mut PhysicsSimulator, log: &mut Log) -> Vec<Event> {
     log.events.clear();
     simulator.update_with(0.01, log);
@@ -77,7 +76,7 @@ fn collision(this: GeomId, other: GeomId, contacts: u32, vetoed: bool) -> Event 
     Event::Collision { this, other, contacts, vetoed }
 }
 
-/// Does something at the first collision it is told of.
+/// Calls a function at the first collision.
 struct AtCollision<F>(Option<F>);
 
 impl<F: FnOnce(&mut Context<'_>, GeomId, GeomId, &mut Vec<Contact>) -> bool> EventHandler for AtCollision<F> {
@@ -105,7 +104,7 @@ fn stack(methods: Methods) -> PhysicsSimulator {
     simulator
 }
 
-/// The geom that takes part in both pairs of a stack.
+/// The geom that is in both pairs of a stack.
 fn middle_of_stack(context: &Context<'_>, this: GeomId, other: GeomId) -> GeomId {
     let is_middle = |&geom: &GeomId| context.geom(geom).unwrap().id() == 1;
     [this, other].into_iter().find(is_middle).unwrap()

@@ -1,9 +1,9 @@
-//! Bodies that a handler moves when it is told that they have moved.
+//! Bodies that a handler moves when they have moved.
 
 use conformance::fixtures::plane::{add_box, both_sets, simulator_with, v};
 use farseer_core::{BodyId, Context, Event, EventHandler};
 
-/// Keeps every body where it is told of it, whatever happens; stops after a while so that the test ends.
+/// Puts every moved body back to its position in every callback; stops after a while so that the test ends.
 struct Holds {
     position: farseer_core::math::Vector2,
     calls: u32,

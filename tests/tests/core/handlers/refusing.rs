@@ -7,7 +7,7 @@ use super::{Log, collision, told};
 
 /// Behaviour chapter 03, check 4.
 #[test]
-fn a_refused_collision_is_not_told_to_the_second_side_and_separates() {
+fn a_refused_collision_is_not_reported_to_the_second_side_and_separates() {
     let mut simulator = simulator(0.0);
     let (_, a) = add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));
     let (_, b) = add_box(&mut simulator, (10.0, 10.0), v(9.0, 0.0));
@@ -21,7 +21,7 @@ fn a_refused_collision_is_not_told_to_the_second_side_and_separates() {
 }
 
 #[test]
-fn a_refused_pair_is_asked_for_again_except_by_sweep_and_prune() {
+fn a_refused_pair_gets_the_callback_again_except_with_sweep_and_prune() {
     for (broad, asked_again) in BROAD_PHASES.into_iter().zip([true, false, true, true]) {
         let mut simulator = simulator_with(0.0, faithful(broad, NarrowPhaseCollider::DistanceGrid));
         add_box(&mut simulator, (10.0, 10.0), v(0.0, 0.0));

@@ -1,4 +1,4 @@
-//! What is edited, refused, told, asked, saved and loaded.
+//! Edits, refusals, callbacks, queries, saving and loading.
 
 use conformance::fixtures::plane::{Random, Refuses, faithful_methods};
 use farseer_core::{CollisionCategory, Error, Event};
@@ -15,7 +15,7 @@ fn standing() -> (PhysicsSimulator, GeomId, BodyId, GeomId) {
 }
 
 #[test]
-fn what_stands_on_it_drops_through_while_their_categories_are_parted() {
+fn a_body_on_it_drops_through_while_their_categories_do_not_match() {
     let (mut simulator, platform, body, geom) = standing();
     simulator[platform].set_collision_categories(CollisionCategory::CAT2);
     simulator[platform].set_collides_with(CollisionCategory::NONE);
@@ -23,7 +23,7 @@ fn what_stands_on_it_drops_through_while_their_categories_are_parted() {
     assert_near(simulator[body].position().y, -20.0, REST, "all categories meet still");
     simulator[geom].set_collision_categories(CollisionCategory::CAT1);
     simulator[geom].set_collides_with(CollisionCategory::CAT1);
-    // In a tenth of a second it is 5 px deep, and goes on as if nothing were there when they meet again.
+    // In a tenth of a second it is 5 px deep, and flies on freely when they meet again.
     run_for(&mut simulator, 0.1, 60.0);
     let (place, speed) = (simulator[body].position(), simulator[body].linear_velocity());
     simulator[geom].set_collides_with(CollisionCategory::ALL);
@@ -38,7 +38,7 @@ fn what_stands_on_it_drops_through_while_their_categories_are_parted() {
 }
 
 #[test]
-fn what_a_handler_refuses_drops_through_and_what_it_refuses_for_a_moment_stays() {
+fn a_refused_body_drops_through_and_a_momentarily_refused_one_stays() {
     let (mut simulator, _, body, _) = standing();
     simulator.update_with(1.0 / 60.0, &mut Refuses::Collisions);
     run_for(&mut simulator, 1.0, 60.0);
@@ -53,7 +53,7 @@ fn what_a_handler_refuses_drops_through_and_what_it_refuses_for_a_moment_stays()
 }
 
 #[test]
-fn what_stands_on_it_when_it_is_opened_stays_and_what_stands_in_it_when_it_is_closed_is_pushed_out() {
+fn opening_it_keeps_bodies_on_it_and_closing_it_pushes_out_bodies_in_it() {
     let (mut simulator, platform, body, _) = standing();
     let (inside, _) = add_box(&mut simulator, (20.0, 20.0), v(60.0, -15.0));
     simulator[inside].set_ignore_gravity(true);
@@ -71,7 +71,7 @@ fn what_stands_on_it_when_it_is_opened_stays_and_what_stands_in_it_when_it_is_cl
 }
 
 #[test]
-fn what_is_put_into_it_passes_and_what_is_put_on_it_stands() {
+fn a_body_placed_in_it_passes_and_one_placed_on_it_stands() {
     for rate in RATES {
         for (y, passes) in [(-20.0, false), (-19.5, false), (-19.0, true), (-10.0, true), (0.0, true)] {
             let (mut simulator, _, _) = stage();
@@ -86,7 +86,7 @@ fn what_is_put_into_it_passes_and_what_is_put_on_it_stands() {
 }
 
 #[test]
-fn what_sleeps_in_it_does_not_touch_it_and_what_it_sleeps_on_bears_it() {
+fn a_body_asleep_in_it_does_not_touch_it_and_rests_on_its_support() {
     let (mut simulator, _, platform) = stage();
     add_floor(&mut simulator, (400.0, 20.0), v(0.0, 15.0));
     let (body, _) = add_box(&mut simulator, (20.0, 20.0), v(0.0, -5.0));
@@ -94,14 +94,14 @@ fn what_sleeps_in_it_does_not_touch_it_and_what_it_sleeps_on_bears_it() {
     assert!(simulator.is_asleep(body));
     assert_near(simulator[body].position().y, -5.0, REST, "what sleeps on the floor");
     assert_eq!(simulator.arbiter_count(), 1, "it touches the floor alone");
-    // The floor goes, and the platform is closed: each wakes it.
+    // The floor is removed, and the platform is closed: each wakes it.
     simulator.set_one_way(platform, None).unwrap();
     run_for(&mut simulator, 1.0, 60.0);
     assert_near(simulator[body].position().y, -20.0, REST, "what was pushed out");
 }
 
 #[test]
-fn nobody_is_told_of_what_passes_and_both_of_what_lands() {
+fn passing_has_no_events_and_landing_has_events_for_both_sides() {
     let (mut simulator, _, platform) = stage();
     let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(0.0, 40.0));
     simulator[body].set_linear_velocity(v(0.0, -450.0));
@@ -122,7 +122,7 @@ fn nobody_is_told_of_what_passes_and_both_of_what_lands() {
 }
 
 #[test]
-fn a_sensor_hears_of_a_one_way_geom_and_a_one_way_sensor_of_all_from_all_sides() {
+fn a_sensor_reports_one_way_geoms_and_a_one_way_sensor_reports_bodies_from_all_sides() {
     for is_platform in [true, false] {
         let (mut simulator, _, platform) = stage();
         let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(0.0, 40.0));
@@ -154,7 +154,7 @@ fn rays_points_and_boxes_meet_it_from_all_sides() {
 }
 
 #[test]
-fn the_faithful_set_has_none() {
+fn the_faithful_set_has_no_one_way_geoms() {
     for methods in faithful_methods() {
         let mut simulator = simulator_with(GRAVITY, methods);
         let (_, geom) = add_floor(&mut simulator, (200.0, 20.0), v(0.0, 0.0));
@@ -179,7 +179,7 @@ fn the_faithful_set_has_none() {
 }
 
 #[test]
-fn a_direction_counts_by_where_it_points_and_needs_a_length() {
+fn a_direction_is_normalised_and_must_not_be_zero() {
     let (mut simulator, body, geom) = stage();
     for scale in [1e-30, 1e-3, 7.0, 1e30] {
         simulator.set_one_way(geom, Some(v(3.0, -4.0) * scale)).unwrap();
@@ -201,7 +201,7 @@ fn a_direction_counts_by_where_it_points_and_needs_a_length() {
     assert_eq!(simulator.set_one_way(geom, None), Err(Error::StaleId { argument: "geom" }));
 }
 
-/// Things that are thrown at one-way geoms of all kinds, some of which move.
+/// Bodies that are thrown at one-way geoms of all kinds, some of which move.
 fn lively() -> PhysicsSimulator {
     let (mut simulator, _, _) = stage();
     let (lift, of_lift) = add_box(&mut simulator, (120.0, 12.0), v(-180.0, 20.0));
@@ -223,7 +223,7 @@ fn lively() -> PhysicsSimulator {
     simulator
 }
 
-/// Steps, throws something, and now and then edits a direction or moves something.
+/// Steps, throws a body, and now and then edits a direction or moves a geom.
 fn play(simulator: &mut PhysicsSimulator, random: &mut Random, step: usize) {
     let bodies = simulator.body_list().to_vec();
     if bodies.len() > 4 {

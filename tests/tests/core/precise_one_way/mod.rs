@@ -12,15 +12,15 @@ use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomId, GeomPlacement, Meth
 
 const RATES: [f32; 4] = [30.0, 60.0, 120.0, 240.0];
 const GRAVITY: f32 = 900.0;
-/// Of the platform, whose middle is the origin: half of its height, and so how high its top is.
+/// Half of the platform's height in px, and so the height of its top: its middle is the origin.
 const HALF: f32 = 10.0;
-/// What rests is no deeper in what bears it, px.
+/// Greatest penetration of a resting body in its support, px.
 const REST: f32 = 0.05;
 const UP: Vector2 = Vector2::new(0.0, -1.0);
 
 type Adder = fn(&mut PhysicsSimulator, Vector2) -> (BodyId, GeomId);
 
-/// How each thing is added, and how high its origin is above the floor it stands on.
+/// Functions that add each shape, and the height of its origin above its floor.
 const THINGS: [(&str, Adder, f32); 5] = [
     ("crate", |simulator, place| add_box(simulator, (20.0, 20.0), place), 10.0),
     ("ball", |simulator, place| add_circle(simulator, 10.0, 12, place), 10.0),
@@ -30,7 +30,7 @@ const THINGS: [(&str, Adder, f32); 5] = [
     ("figure", add_figure, 30.0),
 ];
 
-/// A capsule that stands, and cannot turn.
+/// A capsule that stands, with locked rotation.
 fn add_capsule(simulator: &mut PhysicsSimulator, position: Vector2) -> (BodyId, GeomId) {
     let body = BodyFactory::create_capsule_body_in(simulator, 40.0, 8.0, 1.0).unwrap();
     simulator[body].set_position(position);
@@ -82,7 +82,7 @@ fn assert_near(value: f32, expected: f32, tolerance: f32, what: &str) {
     assert!((value - expected).abs() <= tolerance, "{what}: {value} is not {expected}");
 }
 
-/// Fails unless a thing stands so high.
+/// Asserts that a body stands at a height.
 fn assert_stands(
     simulator: &PhysicsSimulator,
     body: BodyId,
@@ -95,7 +95,7 @@ fn assert_stands(
     assert!(simulator[body].linear_velocity().norm() < 0.5, "{what} moves");
 }
 
-/// Fails unless a thing moves, to the last bit, as one would that nothing is in the way of; and nobody is told.
+/// Asserts that a body moves, to the last bit, as without any obstacle, and that no callback is called.
 fn assert_flies_free(
     stage: impl Fn() -> PhysicsSimulator,
     add: Adder,

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A stage whose platform moves so from the start.
+/// A stage whose platform has this velocity from the start.
 fn lift(velocity: Vector2, spin: f32) -> (PhysicsSimulator, BodyId) {
     let (mut simulator, platform, _) = stage();
     simulator[platform].set_is_static(false);
@@ -13,7 +13,7 @@ fn lift(velocity: Vector2, spin: f32) -> (PhysicsSimulator, BodyId) {
 }
 
 #[test]
-fn a_lift_takes_along_what_stands_on_it_up_and_down() {
+fn a_one_way_lift_carries_its_load_up_and_down() {
     for (name, add, height) in THINGS {
         for rate in RATES {
             let (mut simulator, platform) = lift(v(0.0, 0.0), 0.0);
@@ -30,7 +30,7 @@ fn a_lift_takes_along_what_stands_on_it_up_and_down() {
 }
 
 #[test]
-fn one_that_is_moved_to_places_carries_what_stands_on_it() {
+fn one_with_targets_carries_its_load() {
     for rate in RATES {
         let (mut simulator, platform) = lift(v(0.0, 0.0), 0.0);
         let (rider, _) = add_box(&mut simulator, (20.0, 20.0), v(0.0, -20.0));
@@ -47,7 +47,7 @@ fn one_that_is_moved_to_places_carries_what_stands_on_it() {
 }
 
 #[test]
-fn one_that_rises_lifts_what_is_above_and_passes_what_is_in_it() {
+fn a_rising_one_lifts_bodies_above_it_and_passes_bodies_in_it() {
     for rate in RATES {
         for speed in [30.0, 120.0, 300.0] {
             let (mut simulator, _) = lift(v(0.0, -speed), 0.0);
@@ -63,7 +63,7 @@ fn one_that_rises_lifts_what_is_above_and_passes_what_is_in_it() {
 }
 
 #[test]
-fn one_that_sinks_on_what_stands_below_passes_over_it_and_does_not_wake_it() {
+fn a_sinking_one_passes_over_bodies_below_and_does_not_wake_them() {
     for rate in RATES {
         let (mut simulator, platform) = lift(v(0.0, 0.0), 0.0);
         add_floor(&mut simulator, (400.0, 20.0), v(0.0, 110.0));
@@ -79,7 +79,7 @@ fn one_that_sinks_on_what_stands_below_passes_over_it_and_does_not_wake_it() {
 }
 
 #[test]
-fn one_that_rises_wakes_and_lifts_what_sleeps_on_something_else() {
+fn a_rising_one_wakes_and_lifts_bodies_asleep_on_another_support() {
     for rate in RATES {
         let (mut simulator, platform) = lift(v(0.0, 0.0), 0.0);
         // A plank on two posts, one on each side of the lift.
@@ -95,7 +95,7 @@ fn one_that_rises_wakes_and_lifts_what_sleeps_on_something_else() {
     }
 }
 
-/// A bar of 200 x 20 px about its middle that turns in a world without gravity, and a ball at rest in its way.
+/// A bar of 200 x 20 px about its middle that turns in a world without gravity, and a ball at rest in its path.
 fn turning(spin: f32, at: Vector2) -> (PhysicsSimulator, BodyId) {
     let (mut simulator, _) = lift(v(0.0, 0.0), spin);
     simulator.set_gravity(v(0.0, 0.0)).unwrap();
@@ -104,10 +104,10 @@ fn turning(spin: f32, at: Vector2) -> (PhysicsSimulator, BodyId) {
 }
 
 #[test]
-fn one_that_turns_strikes_with_the_side_that_holds_and_passes_with_the_others() {
+fn a_turning_one_strikes_with_its_closed_side_and_passes_with_the_others() {
     for rate in RATES {
         for spin in [1.0, -1.0, 6.0, -6.0f32] {
-            // Turning clockwise on the screen, its right half comes down with its back, and its left half up with its face.
+            // It turns clockwise on the screen: its right half comes down with its back, and its left half up with its face.
             let (mut simulator, struck) = turning(spin, v(-70.0 * spin.signum(), -40.0));
             run_for(&mut simulator, 1.5 / spin.abs(), rate);
             let speed = simulator[struck].linear_velocity().norm();
@@ -127,7 +127,7 @@ fn one_that_turns_strikes_with_the_side_that_holds_and_passes_with_the_others() 
 }
 
 #[test]
-fn what_jumps_through_one_that_moves_lands_on_it() {
+fn a_body_that_jumps_through_a_moving_one_lands_on_it() {
     for rate in RATES {
         for velocity in [v(0.0, -40.0), v(0.0, 40.0), v(60.0, 0.0), v(-60.0, -30.0)] {
             let (mut simulator, platform) = lift(velocity, 0.0);

@@ -1,4 +1,4 @@
-//! One-way geoms of all shapes, and on bodies that are pushed themselves.
+//! One-way geoms of all shapes, and on dynamic bodies.
 
 use farseer_core::{Body, JointFactory};
 
@@ -27,7 +27,7 @@ fn valley_stage() -> PhysicsSimulator {
 }
 
 #[test]
-fn what_falls_on_a_chain_lands_and_stays_on_it_from_edge_to_edge() {
+fn a_body_that_falls_on_a_chain_lands_and_stays_on_it_from_edge_to_edge() {
     for (name, add, height) in THINGS {
         for (rate, speed) in RATES.into_iter().flat_map(|rate| [0.0, 20_000.0].map(|speed| (rate, speed))) {
             let mut simulator = valley_stage();
@@ -36,12 +36,12 @@ fn what_falls_on_a_chain_lands_and_stays_on_it_from_edge_to_edge() {
             for step in 0..(6.0 * rate) as usize {
                 simulator.update(1.0 / rate);
                 let place = simulator[body].position();
-                // What was thrown in may fly out over the rim.
+                // Bodies that were thrown in may fly out over the rim.
                 if place.x.abs() > 200.0 - height {
                     assert!(speed > 0.0, "{name}, {step} at {rate} Hz: {place}");
                     break;
                 }
-                // Nothing that touches the valley has its middle below it.
+                // A body that touches the valley has its middle above it.
                 assert!(place.y < -0.0015 * place.x * place.x, "{name}, {step} at {rate} Hz: {place}");
             }
         }
@@ -49,7 +49,7 @@ fn what_falls_on_a_chain_lands_and_stays_on_it_from_edge_to_edge() {
 }
 
 #[test]
-fn what_rises_through_a_chain_flies_as_if_nothing_were_there_and_lands_on_it() {
+fn a_body_that_rises_through_a_chain_flies_freely_and_lands_on_it() {
     for (name, add, height) in THINGS {
         for x in [-83.0, 0.0, 40.0] {
             let from = v(x, 12.0 + height);
@@ -85,8 +85,8 @@ fn a_box_slides_over_the_edges_of_a_straight_chain_as_over_a_closed_one() {
 }
 
 #[test]
-fn what_is_steeper_than_sixty_degrees_is_a_side() {
-    // One slope looks 59 degrees away from up, the other one 61.
+fn a_face_steeper_than_sixty_degrees_is_a_side() {
+    // The normal of one slope is 59 degrees away from up, that of the other 61.
     for (angle, holds) in [(59.0f32, true), (61.0, false)] {
         for rate in RATES {
             let mut simulator = empty();
@@ -111,7 +111,7 @@ fn round_stage(edges: i32, radius: f32) -> PhysicsSimulator {
 }
 
 #[test]
-fn a_round_one_holds_where_it_looks_up() {
+fn a_round_one_is_closed_where_its_normal_points_up() {
     // A true circle, and a hexagon with a corner on each side.
     for (edges, top) in [(24, 50.0), (6, 50.0 * 0.75f32.sqrt())] {
         for rate in RATES {
@@ -122,7 +122,7 @@ fn a_round_one_holds_where_it_looks_up() {
         }
         let from_below = (v(5.0, 100.0), v(0.0, -700.0));
         assert_flies_free(|| round_stage(edges, 50.0), |s, at| add_circle(s, 10.0, 12, at), from_below, 0.7);
-        // Past the equator, where it looks to the side.
+        // Past the equator, where its normal points to the side.
         let from_side = (v(-120.0, -20.0), v(400.0, 0.0));
         assert_flies_free(|| round_stage(edges, 50.0), |s, at| add_circle(s, 10.0, 12, at), from_side, 0.6);
         let beside = (v(-55.0, -150.0), v(0.0, 0.0));
@@ -131,7 +131,7 @@ fn a_round_one_holds_where_it_looks_up() {
 }
 
 #[test]
-fn a_capsule_that_lies_holds_along_its_back() {
+fn a_lying_capsule_is_closed_along_its_upper_side() {
     for rate in RATES {
         let mut simulator = empty();
         let (body, geom) = add_capsule(&mut simulator, v(0.0, 0.0));
@@ -163,7 +163,7 @@ fn tub_stage() -> (PhysicsSimulator, Vector2) {
 }
 
 #[test]
-fn what_has_landed_in_a_concave_one_is_kept_by_all_of_it() {
+fn a_body_that_has_landed_in_a_concave_one_collides_with_all_of_it() {
     for (rate, way) in RATES.into_iter().flat_map(|rate| [-150.0, 150.0].map(|way| (rate, way))) {
         let (mut simulator, floor) = tub_stage();
         let (body, _) = add_box(&mut simulator, (20.0, 20.0), floor + v(0.0, -40.0));
@@ -182,7 +182,7 @@ fn what_has_landed_in_a_concave_one_is_kept_by_all_of_it() {
 }
 
 #[test]
-fn what_comes_through_the_wall_of_a_concave_one_lands_in_it_or_falls_through_its_floor() {
+fn a_body_through_the_wall_of_a_concave_one_lands_in_it_or_falls_through_its_floor() {
     let (_, floor) = tub_stage();
     // Two px below the top of the floor.
     let from = (floor + v(-100.0, -8.0), v(300.0, -30.0));
@@ -197,7 +197,7 @@ fn what_comes_through_the_wall_of_a_concave_one_lands_in_it_or_falls_through_its
 }
 
 #[test]
-fn what_has_some_of_its_geoms_out_and_others_in_passes_as_a_whole() {
+fn all_geoms_of_a_partly_emerged_body_pass() {
     // The foot is still in the platform when the figure turns back, and the chest above it.
     let from = v(0.0, HALF + 50.0);
     for way in [70.0f32, 80.0, 95.0] {
@@ -240,7 +240,7 @@ fn a_hanging_bridge_is_jumped_through_and_stood_on() {
 }
 
 #[test]
-fn where_both_are_one_way_what_lands_lands_on_both() {
+fn a_body_lands_where_both_of_two_geoms_are_one_way() {
     let meet = |of_other: Option<Vector2>| {
         let (mut simulator, _, _) = stage();
         let (body, geom) = add_box(&mut simulator, (20.0, 20.0), v(0.0, -60.0));

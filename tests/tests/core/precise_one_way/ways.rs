@@ -1,9 +1,9 @@
-//! What lands and what passes, by where it comes from.
+//! Landing and passing, by the direction of the approach.
 
 use super::*;
 
 #[test]
-fn what_falls_lands_from_any_height() {
+fn a_falling_body_lands_from_any_height() {
     for (name, add, height) in THINGS {
         for (rate, above) in
             RATES.into_iter().flat_map(|rate| [0.0, 1.0, 30.0, 300.0, 3000.0].map(|above| (rate, above)))
@@ -17,7 +17,7 @@ fn what_falls_lands_from_any_height() {
 }
 
 #[test]
-fn what_falls_moves_as_on_a_closed_one_to_the_last_bit() {
+fn a_falling_body_moves_as_on_a_closed_one_to_the_last_bit() {
     for (name, add, height) in THINGS {
         for (rate, above) in RATES.into_iter().flat_map(|rate| [5.0, 50.0, 333.0].map(|above| (rate, above)))
         {
@@ -44,7 +44,7 @@ fn what_falls_moves_as_on_a_closed_one_to_the_last_bit() {
 }
 
 #[test]
-fn what_goes_further_in_a_step_than_it_and_the_platform_are_thick_lands() {
+fn a_body_faster_than_its_and_the_platforms_thickness_per_step_lands() {
     for (name, add, height) in THINGS {
         for rate in RATES {
             for speed in [2000.0, 20_000.0] {
@@ -59,18 +59,18 @@ fn what_goes_further_in_a_step_than_it_and_the_platform_are_thick_lands() {
 }
 
 #[test]
-fn what_rises_from_below_flies_as_if_nothing_were_there() {
+fn a_body_that_rises_from_below_flies_freely() {
     for (_, add, height) in THINGS {
         // The tallest one is out after 0.2 s, and falls after 0.5 s.
         let from = v(0.0, HALF + height + 20.0);
         assert_flies_free(|| stage().0, add, (from, v(0.0, -600.0)), 0.5);
-        // And this fast it would stop at what is not open.
+        // At this speed a closed platform would stop it.
         assert_flies_free(|| stage().0, add, (from, v(0.0, -20_000.0)), 0.5);
     }
 }
 
 #[test]
-fn what_has_risen_through_it_lands_on_it() {
+fn a_body_that_has_risen_through_it_lands_on_it() {
     for (name, add, height) in THINGS {
         for (rate, speed) in
             RATES.into_iter().flat_map(|rate| [450.0, 600.0, 700.0].map(|speed| (rate, speed)))
@@ -85,7 +85,7 @@ fn what_has_risen_through_it_lands_on_it() {
 }
 
 #[test]
-fn what_turns_back_before_it_is_out_falls_as_if_nothing_were_there() {
+fn a_body_that_turns_back_before_it_has_emerged_falls_freely() {
     for (_, add, height) in THINGS {
         // To where its highest point is 2 and 12 px above the underside, and its lowest 5 and 0.3 px below the top.
         let ways = [22.0, 32.0, 20.0 + 20.0 + 2.0 * height - 5.0, 20.0 + 20.0 + 2.0 * height - 0.3];
@@ -98,7 +98,7 @@ fn what_turns_back_before_it_is_out_falls_as_if_nothing_were_there() {
 }
 
 #[test]
-fn what_comes_from_the_side_below_the_top_passes_through() {
+fn a_body_from_the_side_below_the_top_passes_through() {
     for (_, add, height) in THINGS {
         for way in [400.0, -400.0, 3000.0, -20_000.0f32] {
             // Its soles rise by 0.05 * 0.05 * 900 / 2 to 3 px below the top, and it leaves again falling.
@@ -109,7 +109,7 @@ fn what_comes_from_the_side_below_the_top_passes_through() {
 }
 
 #[test]
-fn a_ball_that_meets_the_corner_from_the_side_passes_and_from_above_lands() {
+fn a_ball_at_the_corner_passes_from_the_side_and_lands_from_above() {
     for rate in RATES {
         let (mut simulator, _, _) = stage();
         // Its lowest point comes 4 px below the top before it meets the corner.
@@ -128,7 +128,7 @@ fn a_ball_that_meets_the_corner_from_the_side_passes_and_from_above_lands() {
 }
 
 #[test]
-fn a_door_lets_pass_one_way_and_shuts_in_the_other() {
+fn a_one_way_door_is_open_in_one_direction_and_closed_in_the_other() {
     for rate in RATES {
         let mut simulator = simulator_with(0.0, Methods::PRECISE);
         let (_, wall) = add_floor(&mut simulator, (10.0, 200.0), v(0.0, 0.0));
@@ -149,7 +149,7 @@ fn a_door_lets_pass_one_way_and_shuts_in_the_other() {
 }
 
 #[test]
-fn a_tilted_one_is_open_below_and_holds_above() {
+fn a_tilted_one_is_open_from_below_and_closed_from_above() {
     for rate in RATES {
         for tilt in [-0.3f32, 0.3] {
             let (mut simulator, platform, _) = stage();

@@ -1,6 +1,6 @@
 //! Figures that walk, as a player feels it, at 30 to 240 steps per second. Gravity 900 px/s².
 //!
-//! Figures are 30 x 60 x 20 px with mass 70 and friction 0.4, so that nothing here is owed to smooth soles.
+//! Figures are 30 x 60 x 20 px with mass 70 and friction 0.4, so that no result depends on smooth soles.
 
 mod refused;
 mod round;
@@ -21,7 +21,7 @@ const CYLINDER: DepthProfile = DepthProfile::Cylinder { radius: 15.0, height: 60
 const CAPSULE: DepthProfile = DepthProfile::Capsule { radius: 15.0, height: 60.0 };
 const STILL: MoveInput = MoveInput { x: 0.0, z: 0.0, jump: false };
 const RIGHT: MoveInput = MoveInput { x: 150.0, z: 0.0, jump: false };
-/// Against walls that give way who is in the air is held off alone.
+/// Only a figure in the air is kept away from dynamic walls.
 const JUMP: MoveInput = MoveInput { jump: true, ..RIGHT };
 
 /// A scene with one figure.
@@ -50,7 +50,7 @@ impl Stage {
         self.simulator.update(self.dt);
     }
 
-    /// Steps for some seconds, and looks at each.
+    /// Steps for some seconds, and calls a function after each.
     fn walk(&mut self, wish: MoveInput, seconds: f32, mut look: impl FnMut(&mut Self)) {
         for _ in 0..(seconds / self.dt).round() as usize {
             self.step(wish);
@@ -95,7 +95,7 @@ impl Stage {
 }
 
 thread_local! {
-    /// Of the figures of a test.
+    /// Shape of the figures of a test.
     static SHAPE: Cell<Option<DepthProfile>> = const { Cell::new(None) };
 }
 
@@ -112,7 +112,8 @@ fn figure(simulator: &mut TwoHalfPhysicsSimulator, place: [f32; 3]) -> BodyId {
     body
 }
 
-/// One that was loaded walks on with the same bits; what is near is asked for before the next update. Both are edited in between.
+/// Asserts that a loaded figure walks on with the same bits; neighbours are collected before the next update. Both are edited
+/// in between.
 fn assert_walks_on(stage: &Stage, name: &str, edit: impl Fn(&mut TwoHalfPhysicsSimulator)) {
     let saved = serde_json::to_string(&stage.simulator).unwrap();
     let loaded = serde_json::from_str::<TwoHalfPhysicsSimulator>(&saved).unwrap();
@@ -125,7 +126,7 @@ fn assert_walks_on(stage: &Stage, name: &str, edit: impl Fn(&mut TwoHalfPhysicsS
     assert_eq!(one, other, "{name}");
 }
 
-/// A stage with a crate of a height in the way, and the crate that is the floor.
+/// A stage with a crate of a height in the path, and the crate that is the floor.
 fn with_crate(rate: f32, height: f32) -> (Stage, BodyId, BodyId) {
     let mut stage = Stage::new(rate, [0.0, 20.0, 0.0]);
     let floor = stage.crate_box([400.0, 20.0, 100.0], 500.0, [0.0; 3]);
@@ -151,7 +152,7 @@ fn it_flies_on_with_the_same_bits_after_a_load_against_static_bodies() {
 }
 
 #[test]
-fn it_flies_on_with_the_same_bits_after_a_load_if_what_it_touches_is_edited_before_it_does() {
+fn it_flies_on_with_the_same_bits_after_a_load_if_its_contacts_are_edited_first() {
     for rate in RATES {
         let (mut stage, crate_box, _) = with_crate(rate, 200.0);
         let geom = stage.simulator.core().geoms_of(crate_box)[0];
@@ -165,7 +166,7 @@ fn it_flies_on_with_the_same_bits_after_a_load_if_what_it_touches_is_edited_befo
 
 type Edit = fn(&mut TwoHalfPhysicsSimulator, BodyId);
 
-/// What may have been done to what a figure touches, between the last update and the save.
+/// Edits of the objects that a figure touches, between the last update and the save.
 const EDITS: [(&str, Edit); 6] = [
     ("disabled", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_enabled(false)),
     ("static", |simulator, body| simulator.body_mut(body).unwrap().core_mut().set_is_static(true)),
@@ -182,7 +183,7 @@ const EDITS: [(&str, Edit); 6] = [
 ];
 
 #[test]
-fn it_goes_on_with_the_same_bits_after_a_load_if_what_it_touches_was_edited_before_the_save() {
+fn it_goes_on_with_the_same_bits_after_a_load_if_its_contacts_were_edited_before_the_save() {
     for (rate, (name, edit)) in RATES.into_iter().flat_map(|rate| EDITS.map(|edit| (rate, edit))) {
         let (mut stage, crate_box, floor) = with_crate(rate, 200.0);
         stage.walk(JUMP, 0.5, |stage| {
@@ -451,8 +452,8 @@ fn it_pushes_light_bodies_and_not_heavy_ones() {
             stage.walk(RIGHT, 2.0, |stage| assert_near(stage.soles(), 0.0, 0.2));
             place(&stage.simulator, load).x - 60.0
         };
-        // 70 x 1500 is what it can do; friction holds 0.4 x 900 times the mass: 292. What is heavier gives way by what passes
-        // leave: 2.6 to 5.2 px were measured.
+        // 70 x 1500 is its greatest force; friction resists 0.4 x 900 times the mass: 292. A heavier crate yields by the error
+        // of the iterations: 2.6 to 5.2 px were measured.
         let (light, heavy) = (push(20.0), push(400.0));
         assert!(light > 180.0 && heavy < 6.0, "{rate}: {light} {heavy}");
     }
@@ -495,7 +496,7 @@ fn it_gets_out_of_a_crowd_that_mills_about() {
 }
 
 #[test]
-fn it_says_what_it_stands_on() {
+fn it_reports_its_ground() {
     let mut stage = Stage::new(60.0, [0.0, 20.0, 0.0]);
     let platform = stage.platform([100.0, 20.0, 100.0], [0.0; 3], 0.0);
     stage.walk(STILL, 0.1, |_| {});
@@ -559,7 +560,7 @@ fn a_released_figure_falls_and_slides_like_any_body() {
 }
 
 #[test]
-fn invalid_settings_and_inputs_are_refused_and_change_nothing() {
+fn invalid_settings_and_inputs_are_refused_without_effect() {
     let mut stage = Stage::new(60.0, [0.0; 3]);
     stage.walk(RIGHT, 0.2, |_| {});
     let (walker, before) = (stage.walker, velocity(&stage.simulator, stage.figure));
@@ -585,7 +586,7 @@ fn invalid_settings_and_inputs_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn numbers_at_their_limits_do_no_harm() {
+fn numbers_at_their_limits_are_safe() {
     let mut stage = Stage::new(60.0, [0.0; 3]);
     let wish = MoveInput { x: f32::MAX, z: f32::MIN, jump: true };
     stage.walker.walk =
@@ -634,7 +635,7 @@ fn a_rotating_platform_carries_figures_and_its_edge_rotates_with_it() {
             stage.walk(STILL, 1.0, |_| {});
             stage.walk(STILL, 2.0, |stage| assert!(stage.walker.is_grounded()));
             let at = stage.at();
-            // It has turned by 1.5 but for what it took to be taken along.
+            // It has turned by 1.5 but for the time until it was taken along.
             assert_near(at.z.atan2(at.x), 1.5, 0.1);
             assert_near((at.x * at.x + at.z * at.z).sqrt(), 100.0, 2.5);
             // Past its edge it falls.

@@ -4,7 +4,7 @@ use super::*;
 use conformance::fixtures::depth::geom_of;
 use twohalf::{Collision, Context, Event, EventHandler};
 
-/// Refuses what a function says of the place of the figure and of what it touches.
+/// Refuses contacts by a function of the position of the figure and of its contact.
 struct Refusing<F>(BodyId, F);
 
 impl<F: FnMut(Vector3, ContactTarget) -> bool> EventHandler for Refusing<F> {
@@ -15,7 +15,7 @@ impl<F: FnMut(Vector3, ContactTarget) -> bool> EventHandler for Refusing<F> {
 }
 
 impl Stage {
-    /// Walks for some seconds with a handler that refuses this, and looks at each step.
+    /// Walks for some seconds with a handler that refuses this, and checks each step.
     fn walk_refused(
         &mut self,
         wish: MoveInput,
@@ -58,7 +58,7 @@ fn over_ground_that_is_refused_it_falls_as_any_body() {
                 |stage| {
                     let is_over = is_over_hole(stage.at());
                     since += if is_over { stage.dt } else { 0.0 };
-                    // The handler answers in the update after, and gravity acts from the next one on.
+                    // The handler returns in the update after, and gravity acts from the next one on.
                     let late = (since - 3.0 * stage.dt).max(0.0);
                     assert!(
                         stage.soles() < 0.3 - 0.5 * GRAVITY * late * late,
@@ -73,7 +73,7 @@ fn over_ground_that_is_refused_it_falls_as_any_body() {
 }
 
 #[test]
-fn a_platform_flush_with_the_one_it_comes_from_lets_it_through_if_it_is_refused() {
+fn a_figure_falls_through_a_refused_platform_flush_with_its_own() {
     in_all_shapes(|| {
         let mut stage = Stage::new(60.0, [0.0, 50.0, 0.0]);
         stage.platform([200.0, 50.0, 200.0], [0.0, 0.0, 0.0], 0.0);
@@ -85,7 +85,7 @@ fn a_platform_flush_with_the_one_it_comes_from_lets_it_through_if_it_is_refused(
 }
 
 #[test]
-fn a_slope_and_a_static_body_that_are_refused_let_it_through() {
+fn a_figure_passes_a_refused_slope_and_a_refused_static_body() {
     let mut stage = Stage::new(60.0, [0.0, 200.0, 0.0]);
     let slope = stage.platform([400.0, 20.0, 200.0], [0.0, 150.0, 0.0], 0.3);
     stage.walk(STILL, 1.0, |_| {});
@@ -138,7 +138,7 @@ fn walls_that_are_refused_are_walked_through() {
 }
 
 #[test]
-fn an_edge_that_is_refused_is_not_held_on_to() {
+fn a_refused_edge_is_not_grabbed() {
     let mut stage = Stage::new(60.0, [0.0, 100.0, 0.0]);
     stage.walker.walk.ledge_reach = 60.0;
     let wall = stage.platform([40.0, 90.0, 200.0], [40.0, 0.0, 0.0], 0.0);
@@ -151,7 +151,7 @@ fn an_edge_that_is_refused_is_not_held_on_to() {
             hung += usize::from(stage.walker.ledge().is_some());
         },
     );
-    // One step until the handler was asked.
+    // One step until the handler was called.
     assert!(hung <= 1 && stage.soles() < 0.2, "{hung} {}", stage.at());
 }
 
@@ -175,14 +175,14 @@ fn a_platform_ignored_for_one_figure_carries_another_and_carries_again_once_it_i
         stage.simulator.update_with(dt, &mut One(refused_geom, floor));
     }
     assert!(stage.soles() < 0.1 && walker.is_grounded() && place(&stage.simulator, other).y > 49.9);
-    // Without a handler nothing refuses.
+    // Without a handler no contact is refused.
     stage.simulator.body_mut(figure).unwrap().set_position3d(Vector3::new(-100.0, 50.0, 0.0));
     stage.walk(STILL, 0.5, |_| {});
     assert_near(stage.soles(), 50.0, 0.1);
 }
 
 #[test]
-fn a_handler_that_accepts_everything_changes_no_bit_and_hears_of_walls_without_contacts() {
+fn a_handler_that_accepts_all_changes_no_bit_and_is_called_for_walls_without_contacts() {
     let mut plain = Stage::new(60.0, [0.0, 0.0, 0.0]);
     plain.platform([40.0, 100.0, 200.0], [100.0, 0.0, 0.0], 0.0);
     plain.platform([60.0, 6.0, 200.0], [30.0, 0.0, 0.0], 0.0);

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// What figures of every shape do.
+/// Tests of figures of every shape.
 const ALL: [fn(); 27] = [
     it_reaches_the_speed_of_the_input_by_its_acceleration_and_keeps_it,
     downhill_it_stays_on_the_floor_in_all_steps_at_the_speed_of_the_input,
@@ -24,24 +24,24 @@ const ALL: [fn(); 27] = [
     it_pushes_light_bodies_and_not_heavy_ones,
     a_blow_throws_it_off_the_floor,
     it_gets_out_of_a_crowd_that_mills_about,
-    it_says_what_it_stands_on,
+    it_reports_its_ground,
     a_curb_along_z_is_walked_up_too,
     a_low_ceiling_ends_a_jump_and_does_not_hold_the_figure,
     a_figure_that_was_saved_with_the_simulator_goes_on_with_the_same_bits,
     a_released_figure_falls_and_slides_like_any_body,
-    invalid_settings_and_inputs_are_refused_and_change_nothing,
-    numbers_at_their_limits_do_no_harm,
+    invalid_settings_and_inputs_are_refused_without_effect,
+    numbers_at_their_limits_are_safe,
 ];
 
 #[test]
-fn a_figure_that_is_a_cylinder_does_all_that() {
+fn a_cylinder_passes_all_tests_of_walking() {
     SHAPE.set(Some(CYLINDER));
     ALL.into_iter().for_each(|test| test());
     SHAPE.set(None);
 }
 
 #[test]
-fn a_figure_that_is_a_capsule_does_all_that() {
+fn a_capsule_passes_all_tests_of_walking() {
     SHAPE.set(Some(CAPSULE));
     ALL.into_iter().for_each(|test| test());
     SHAPE.set(None);
@@ -73,7 +73,7 @@ fn two_cylinders_that_walk_at_each_other_pass_nineteen_twentieths_aside() {
             stage.step(RIGHT);
         }
         assert!(stage.at().x > 200.0 && place(&stage.simulator, other).x < -100.0, "{rate}");
-        // They come 300 px/s nearer to each other, and are in each other for a step.
+        // They approach each other at 300 px/s, and overlap for a step.
         let aside = place(&stage.simulator, other).z - stage.at().z;
         assert!((20.0 - 30.0 / rate..21.0).contains(&aside), "{rate}: {aside}");
         SHAPE.set(None);
@@ -106,10 +106,10 @@ fn a_capsule_lies_on_a_slope_with_its_round_end() {
 }
 
 #[test]
-fn over_an_edge_a_capsule_sinks_as_it_is_round_and_falls_where_that_is_too_steep() {
+fn a_capsule_sinks_over_an_edge_by_its_roundness_and_falls_where_that_is_too_steep() {
     for (radius, rate) in [8.0, 15.0, 30.0].into_iter().flat_map(|it| RATES.map(|rate| (it, rate))) {
         let mut stage = beside_an_edge(rate, radius, -40.0, 100.0);
-        // Where 50 degrees are reached.
+        // The position with a slope of 50 degrees.
         let steep = radius * 50f32.to_radians().sin();
         let mut before = stage.at();
         stage.walk(MoveInput { x: 60.0, ..STILL }, 2.0, |stage| {
@@ -118,7 +118,7 @@ fn over_an_edge_a_capsule_sinks_as_it_is_round_and_falls_where_that_is_too_steep
             let past = at.x.max(0.0);
             if past < steep - 60.0 / rate {
                 let round = (radius * radius - past * past).sqrt();
-                // In a step it goes straight on from where it touches.
+                // In a step it goes straight on from its contact.
                 let straight = (60.0 / rate) * (60.0 / rate) / (2.0 * radius * 0.64f32.powi(3));
                 let above = at.y - 100.0 - (round - radius);
                 assert!((-0.1..0.1 + straight).contains(&above), "{radius} {rate}: {at:?} {above}");
@@ -151,7 +151,7 @@ fn past_an_edge_a_capsule_stands_where_it_would_on_a_slope_and_slides_off_where_
     }
 }
 
-/// Whose radius is less than a step walks up that all the same, and who is fat hops as little.
+/// A capsule whose radius is less than a step walks up that all the same, and a thick one hops as little.
 #[test]
 fn capsules_of_all_radii_walk_up_and_down_a_curb() {
     let curbs = [0.5, 3.0, 7.0];
@@ -166,7 +166,7 @@ fn capsules_of_all_radii_walk_up_and_down_a_curb() {
                 let (at, speed) = (stage.at(), velocity(&stage.simulator, stage.figure).x);
                 assert!(stage.walker.is_grounded(), "{radius} {height} {rate}: {at:?}");
                 assert!(at.y <= height + 0.2, "{radius} {height} {rate}: {at:?}");
-                // Who comes down lands, and rubs on what he lands on.
+                // A figure that comes down lands, with friction on the object below.
                 assert!(speed > 140.0 || at.x > 200.0, "{radius} {height} {rate}: {speed} {at:?}");
                 if (100.0..200.0).contains(&at.x) {
                     assert!(at.y > height - 0.1, "{radius} {height} {rate}: {at:?}");
@@ -229,13 +229,13 @@ fn a_capsule_walks_over_a_ridge_without_leaving_the_floor() {
             assert!(stage.walker.is_grounded(), "{degrees} {rate}: {at:?}");
             // At 30 steps per second the corner of the steepest other ramp takes 22 of it for a step.
             assert!(speed > 125.0, "{degrees} {rate}: {speed} {at:?}");
-            // No hop beyond the slope, what it clears edges by, and how far it goes straight on over the ridge in a step.
+            // No hop beyond the slope, its clearance at edges, and the motion straight on over the ridge in a step.
             let way = 150.0 / rate;
             let step = way * slope.tan() + way * way / (30.0 * cos.powi(3));
             assert!((at.y - before.y).abs() < step + 0.3, "{degrees} {rate}: {before:?} {at:?}");
             (before, highest) = (at, highest.max(at.y));
         });
-        // It lies on the ridge with its lowest point, or passes over it within half a step.
+        // Its lowest point is on the ridge, or it passes over it within half a step.
         assert!(
             (-0.1..0.5 * 150.0 / rate * slope.tan() + 0.2).contains(&(highest - length * sin)),
             "{degrees} {rate}: {highest}"

@@ -1,4 +1,5 @@
-//! A figure is not squeezed through anything: thin walls, a corner, what flies at it, and what leaves it less room than it takes.
+//! A figure is not squeezed through anything: thin walls, a corner, flying bodies, and presses that leave it less space than
+//! its size.
 
 use super::*;
 
@@ -85,7 +86,7 @@ fn between_a_press_and_a_thin_wall_it_stays_between_them() {
     for_all(|rate| {
         let mut stage = Stage::new(rate, [60.0, 0.0, 0.0]);
         wall_to_the_right(&mut stage);
-        // It leaves 20 px of room, where the figure takes 30.
+        // It leaves 20 px of space, where the figure needs 30.
         let press = stage.platform([40.0, 300.0, 600.0], [-60.0, 0.0, 0.0], 0.0);
         let goes = |stage: &mut Stage, speed: f32, seconds: f32| {
             let velocity = Vector3::new(speed, 0.0, 0.0);
@@ -108,7 +109,7 @@ fn between_a_press_and_a_thin_floor_it_stays_above_the_floor() {
     for_all(|rate| {
         let mut stage = Stage::new(rate, [0.0, 100.0, 0.0]);
         stage.platform([400.0, THIN, 400.0], [0.0, 100.0 - THIN, 0.0], 0.0);
-        // It leaves 40 px of room, where the figure is 60 px high.
+        // It leaves 40 px of space, where the figure is 60 px high.
         let press = stage.platform([400.0, 40.0, 400.0], [0.0, 200.0, 0.0], 0.0);
         for (speed, seconds) in [(-30.0, 2.0), (0.0, 1.0), (30.0, 2.0)] {
             let velocity = Vector3::new(0.0, speed, 0.0);

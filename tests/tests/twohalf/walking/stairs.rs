@@ -1,4 +1,5 @@
-//! Stairs whose steps are as high as [`CharacterSettings::step_up`] and [`CharacterSettings::snap`], or a little lower or higher.
+//! Stairs whose steps are as high as [`CharacterSettings::step_up`] and [`CharacterSettings::snap`], or a little lower or
+//! higher.
 
 use super::*;
 use conformance::fixtures::depth::fix;
@@ -145,7 +146,7 @@ fn short_treads_are_walked_at_full_speed_in_long_steps() {
     }
 }
 
-/// The second stair lies under the round end too, and is higher than a step, but far from the surface of that.
+/// The second stair is under the round end too, and is higher than a step, but far from the surface of that.
 #[test]
 fn a_round_end_wider_than_two_treads_is_not_stopped_by_the_second_stair() {
     let shape = Some(DepthProfile::Capsule { radius: 25.0, height: 60.0 });
@@ -161,7 +162,7 @@ fn a_round_end_wider_than_two_treads_is_not_stopped_by_the_second_stair() {
 }
 
 #[test]
-fn up_stairs_it_walks_however_little_it_is_put_down() {
+fn it_walks_up_stairs_with_any_snap_distance() {
     for shape in [None, Some(CYLINDER)] {
         for stairs in all_stairs(8.0, 30.0).filter(|stairs| !stairs.is_down) {
             let walk = CharacterSettings { snap: 2.0, ..CharacterSettings::default() };

@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 use super::Region;
 use crate::{Result, Vector3};
 
-/// Drag rate of still water on a body of its own density, 1/s.
+/// Drag rate of still water on a body of the density of water, 1/s.
 const WATER_DRAG_RATE: f32 = 4.0;
 
-/// A fluid in a box of the world. It acts on the part of a geom that is inside.
+/// A fluid in a box of the world. It acts on the part of a geom that is inside of the box.
 ///
 /// Buoyancy acts at the centroid of the immersed part against the
 /// [gravity](crate::TwoHalfPhysicsSimulator::gravity) of the simulator, so bodies right themselves.

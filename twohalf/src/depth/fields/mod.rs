@@ -21,9 +21,9 @@ pub struct FieldId(u64);
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Field {
-    /// Water, mud, or moving air: buoyancy and drag.
+    /// The field is a fluid, such as water, mud or moving air: buoyancy and drag.
     Fluid(Fluid),
-    /// A point that attracts or repels.
+    /// The field is a point that attracts or repels bodies.
     Well(Well),
 }
 
@@ -49,12 +49,12 @@ impl From<Well> for Field {
     }
 }
 
-/// The fields of a simulator.
+/// All fields of a simulator.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Fields {
-    /// Sorted by id, which is the order of creation.
+    /// Fields sorted by id, which is the order of creation.
     list: Vec<(FieldId, Field)>,
-    /// Number of the next id; dimensionless.
+    /// Number of the next id that a field gets; dimensionless.
     next: u64,
 }
 
@@ -99,7 +99,7 @@ impl Fields {
         self.list.binary_search_by_key(&id, |(id, _)| *id).map_err(|_| stale("field"))
     }
 
-    /// Whether ids are sorted and fields are in range: false only for a damaged save.
+    /// Returns whether ids are sorted and fields are in range: false only for a damaged save.
     pub(crate) fn is_valid(&self) -> bool {
         self.list.windows(2).all(|pair| pair[0].0 < pair[1].0)
             && self.list.last().is_none_or(|(id, _)| id.0 < self.next)

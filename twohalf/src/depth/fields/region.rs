@@ -48,7 +48,7 @@ impl Region {
         self.high
     }
 
-    /// Whether a point is in the box, faces included.
+    /// Returns whether a point is in the box, faces included.
     pub fn contains(&self, point: Vector3) -> bool {
         (0..3).all(|axis| (self.low[axis]..=self.high[axis]).contains(&point[axis]))
     }

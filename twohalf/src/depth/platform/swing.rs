@@ -1,7 +1,7 @@
 //! Hinged platforms: doors that swing about an upright hinge.
 
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{Error, FixtureMotion, FixtureSwing, Swings};
+use farseer_core::{Error, HingeFeature, WorldBoxHinge, WorldBoxMotion};
 use serde::{Deserialize, Serialize};
 
 use super::{Platform, PlatformMotion};
@@ -73,30 +73,30 @@ impl Swing {
         (self.least_angle..=self.greatest_angle).contains(&yaw)
     }
 
-    /// The parameters in the form that the core takes. `out` is the centre of the platform relative to the
-    /// hinge at yaw 0, px.
-    fn core_swing(&self, out: [f32; 2]) -> Result<FixtureSwing> {
+    /// Returns the parameters as a hinge of the core. `out` is the centre of the platform relative to the hinge at yaw 0, along
+    /// X and Z, px.
+    fn core_swing(&self, out: [f32; 2]) -> Result<WorldBoxHinge> {
         let refused = Error::NotSupported {
             what: "platforms that swing, which are the feature `swing`",
             methods: "compiled",
         };
-        Ok(FixtureSwing {
-            hinge: self.hinge,
-            out,
+        Ok(WorldBoxHinge {
+            pivot: self.hinge,
+            box_offset: out,
             inertia: self.moment_of_inertia,
             stiffness: self.stiffness,
             damping: self.damping,
             rest_angle: self.rest_angle,
             stops: [self.least_angle, self.greatest_angle],
-            held: 0.0,
+            constraint_torque: 0.0,
             is_edited: true,
-            proof: Swings::new().ok_or(refused)?,
+            proof: HingeFeature::new().ok_or(refused)?,
         })
     }
 
-    fn from_core(hinge: &FixtureSwing) -> Self {
+    fn from_core(hinge: &WorldBoxHinge) -> Self {
         Swing {
-            hinge: hinge.hinge,
+            hinge: hinge.pivot,
             moment_of_inertia: hinge.inertia,
             stiffness: hinge.stiffness,
             damping: hinge.damping,
@@ -107,25 +107,25 @@ impl Swing {
     }
 }
 
-/// Whether the parameters are in range: false only for a damaged save.
-pub(super) fn is_valid(hinge: &FixtureSwing) -> bool {
-    let numbers = hinge.out.into_iter().chain([hinge.held]);
+/// Returns whether the parameters are in range: false only for a damaged save.
+pub(super) fn is_valid(hinge: &WorldBoxHinge) -> bool {
+    let numbers = hinge.box_offset.into_iter().chain([hinge.constraint_torque]);
     Swing::from_core(hinge).check().is_ok() && numbers.into_iter().all(|number| number.is_finite())
 }
 
 impl Platform {
-    /// Parameters of its hinge; `None` without one.
+    /// Parameters of the platform's hinge; `None` without a hinge.
     pub fn swing(&self) -> Option<Swing> {
         self.core_hinge().map(Swing::from_core)
     }
 
-    fn core_hinge(&self) -> Option<&FixtureSwing> {
-        self.motion.as_ref()?.core_motion.swing()
+    fn core_hinge(&self) -> Option<&WorldBoxHinge> {
+        self.motion.as_ref()?.core_motion.hinge()
     }
 
-    /// Velocity of its centre in the world, px/s, Y up; `None` without a hinge.
+    /// Velocity of the platform's centre in the world, px/s, Y up; `None` without a hinge.
     pub(super) fn swinging_velocity(&self) -> Option<Vector3> {
-        let FixtureSwing { hinge: [x, z], .. } = self.core_hinge()?;
+        let WorldBoxHinge { pivot: [x, z], .. } = self.core_hinge()?;
         let (turning, centre) = (self.angular_velocity(), self.shape.centre);
         // The difference of two finite numbers and its product with a third may overflow.
         let at = |out: f32| nearest_finite(turning * nearest_finite(out));
@@ -154,14 +154,16 @@ impl Platform {
         let ([cos, sin], centre) = (self.shape.turn, self.shape.centre);
         let (x, z) = (centre.x - swing.hinge[0], centre.z - swing.hinge[1]);
         let hinge = swing.core_swing([x * cos + z * sin, z * cos - x * sin])?;
-        let core_motion = FixtureMotion { swing: Some(hinge), ..FixtureMotion::default() };
+        let core_motion = WorldBoxMotion { hinge: Some(hinge), ..WorldBoxMotion::default() };
         let motion = Some(PlatformMotion { centre, target: None, core_motion });
         Platform { motion, yaw: Some(yaw), ..self.clone() }.shaped(projection)
     }
 
-    /// Refuses a hinge so far away that coordinates are not finite.
+    /// Returns an error if the hinge is so far away that coordinates are not finite.
     pub(super) fn check_hinge(&self) -> Result<()> {
-        let Some(FixtureSwing { hinge, out, .. }) = self.core_hinge() else { return Ok(()) };
+        let Some(WorldBoxHinge { pivot: hinge, box_offset: out, .. }) = self.core_hinge() else {
+            return Ok(());
+        };
         let reach = out[0].abs() + out[1].abs() + self.width + self.depth;
         let span = |at: f32| (at + reach) - (at - reach);
         if self.yaw.is_none() || !hinge.iter().all(|&at| span(at).is_finite()) {
@@ -174,27 +176,28 @@ impl Platform {
     pub(super) fn set_hinge_angle(&mut self, yaw: f32) -> Result<()> {
         let (y, turn) = (self.shape.centre.y, farseer_core::math::scalar::sin_cos_of_any(yaw));
         let Some(motion) = &mut self.motion else { return Ok(()) };
-        let Some(swing) = motion.core_motion.swing_mut() else { return Ok(()) };
+        let Some(swing) = motion.core_motion.hinge_mut() else { return Ok(()) };
         if !Swing::from_core(swing).is_within(yaw) {
             return Err(invalid("yaw", yaw, "between the stops of a platform that swings"));
         }
         swing.is_edited = true;
-        motion.centre = swing.middle([turn.1, turn.0], y);
+        motion.centre = swing.box_centre([turn.1, turn.0], y);
         self.position3d = Vector3::new(motion.centre.x, self.position3d.y, motion.centre.z);
         Ok(())
     }
 
-    /// Moves the hinge with the platform, whose new centre is given.
+    /// Moves the hinge together with the platform. `centre` is the new centre of the platform in the frame of the narrow phase,
+    /// px.
     pub(super) fn move_hinge(&mut self, centre: Vector3) {
         let displacement = centre - self.shape.centre;
-        if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.core_motion.swing_mut()) {
-            swing.hinge = [swing.hinge[0] + displacement.x, swing.hinge[1] + displacement.z];
+        if let Some(swing) = self.motion.as_mut().and_then(|motion| motion.core_motion.hinge_mut()) {
+            swing.pivot = [swing.pivot[0] + displacement.x, swing.pivot[1] + displacement.z];
             swing.is_edited = true;
         }
     }
 
-    /// Stores the motion of a hinged platform that may have fallen asleep.
-    pub(in crate::depth) fn has_rested(&mut self, core_motion: FixtureMotion) {
+    /// Stores the motion of a hinged platform that may have fallen asleep in the core.
+    pub(in crate::depth) fn has_rested(&mut self, core_motion: WorldBoxMotion) {
         if let Some(motion) = &mut self.motion {
             motion.core_motion = core_motion;
         }

@@ -20,11 +20,11 @@ pub(super) struct AxisCandidate {
     pub(super) normal3d: Vector3,
     /// Penetration along `normal3d`, px.
     pub(super) penetration: f32,
-    /// A penetration of `d` px in the plane is one of `(d + sink) / stretch` along `normal3d`; `sink` is in
-    /// px, `stretch` is dimensionless.
+    /// A penetration of `d` px in the plane is a penetration of `(d + sink) / stretch` px along `normal3d`. `sink` is in px,
+    /// `stretch` is dimensionless.
     pub(super) sink: f32,
     pub(super) stretch: f32,
-    /// Time since entry, steps; infinite if the shapes do not close in along the axis, or entered it too long
+    /// Time since the shapes began to overlap along the axis, steps; infinite if they do not close in, or if it is too long
     /// ago.
     pub(super) time: f32,
 }
@@ -37,7 +37,7 @@ pub(super) struct AxisSurvey {
 
 /// Axes.
 impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
-    /// A vertex relative to the box's centre.
+    /// Returns a vertex relative to the box's centre, px.
     pub(super) fn relative(&self, vertex: Vector2) -> Vector2 {
         Vector2::new(vertex.x - self.shape.centre.x, vertex.y - self.shape.centre.y)
     }
@@ -69,7 +69,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         self.candidate(Edge::Box(edge), normal, support - nearest)
     }
 
-    /// `None` for an edge without length.
+    /// Returns the candidate axis of an edge of a piece of the prism; `None` for an edge without length.
     fn prism_candidate(&self, piece: u32, edge: usize, vertices: &[Vector2]) -> Option<AxisCandidate> {
         let outward = outward_normal(vertices, edge)?;
         let support = outward.dot(&self.relative(vertices[edge]));
@@ -85,12 +85,12 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         of_box.chain(of_prism)
     }
 
-    /// Candidates that are edges of the whole prism, not cuts between its pieces.
+    /// Iterates over the candidate axes of a piece without the cuts between pieces of the prism.
     fn exits(&self, piece: u32, vertices: &[Vector2]) -> impl Iterator<Item = AxisCandidate> {
         self.candidates(piece, vertices).filter(move |candidate| !self.is_cut(candidate.edge, vertices))
     }
 
-    /// Whether another piece has the same edge in the opposite direction.
+    /// Returns whether an edge is a cut: another piece of the prism has it in the opposite direction.
     fn is_cut(&self, edge: Edge, vertices: &[Vector2]) -> bool {
         let Edge::Prism { edge, .. } = edge else { return false };
         if !self.are_several {
@@ -103,7 +103,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         self.pieces.clone().any(has_it)
     }
 
-    /// `None` if an axis separates the shapes.
+    /// Returns the least penetration and the least time since entry among the axes of a piece; `None` if an axis separates
+    /// piece and box.
     fn survey(&self, piece: u32, vertices: &[Vector2]) -> Option<AxisSurvey> {
         if !self.candidates(piece, vertices).all(|candidate| candidate.penetration > 0.0) {
             return None;
@@ -133,13 +134,13 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         (candidate.normal.dot(&normal) > MIN_EDGE_COS).then_some(candidate)
     }
 
-    /// Penetration along a normal, with the closing motion.
+    /// Returns the penetration along a normal (px) together with the closing motion of the last step along it.
     pub(super) fn along(&self, penetration: f32, normal: Vector3) -> EntryAxis {
         EntryAxis { penetration, closing: -self.motion.dot(&normal) }
     }
 
-    /// The axis entered last, or the one with the least closing motion of those tied with it. `None` if no
-    /// axis is flush or was entered recently.
+    /// Returns the axis that the piece entered last. Of several such axes it is the one with the least closing motion. `None`
+    /// if no axis is flush or was entered recently.
     fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &AxisSurvey) -> Option<AxisCandidate> {
         let along = |candidate: &AxisCandidate| self.along(candidate.penetration, candidate.normal3d);
         let tied =
@@ -147,7 +148,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         tied.reduce(|best, it| if along(&it).is_better(&along(&best)) { it } else { best })
     }
 
-    /// Contact axis and points of one piece, with the time since it met the box in steps.
+    /// Returns the contact axis and the points of one piece, and the time since the piece met the box, steps; `None` if they do
+    /// not overlap.
     pub(super) fn choose(
         &self,
         piece: u32,
@@ -191,7 +193,7 @@ pub(super) fn outward_normal(vertices: &[Vector2], edge: usize) -> Option<Vector
     (length > 0.0 && length.is_finite()).then(|| Vector2::new(-along.y / length, along.x / length))
 }
 
-/// The first candidate with the least penetration.
+/// Returns the first candidate axis with the least penetration; `None` without candidates.
 fn least(candidates: impl Iterator<Item = AxisCandidate>) -> Option<AxisCandidate> {
     candidates
         .reduce(|best, candidate| if candidate.penetration < best.penetration { candidate } else { best })

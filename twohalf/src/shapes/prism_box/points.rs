@@ -12,10 +12,10 @@ use super::{BoxPoint, Edge, NO_POINT, PrismBoxPair};
 pub(super) struct PointSet {
     pub(super) candidate: AxisCandidate,
     pub(super) points: [BoxPoint; 2],
-    /// Number of points, 0..=2.
+    /// Number of manifold points, 0..=2.
     pub(super) count: usize,
 }
-/// An edge in the plane with z and feature id of its ends.
+/// An edge in the plane, with z (px) and feature id of both end points.
 struct Segment {
     ends: [Vector2; 2],
     depths: [f32; 2],
@@ -23,7 +23,7 @@ struct Segment {
 }
 
 impl Segment {
-    /// Z at a fraction of the edge; that of the start if the fraction is not finite.
+    /// Returns z at a fraction of the edge, px; z of the start if the fraction is not finite.
     fn depth_at(&self, share: f32) -> f32 {
         let share = if share.is_finite() { share } else { 0.0 };
         self.depths[0] + (self.depths[1] - self.depths[0]) * share
@@ -62,7 +62,7 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         }
     }
 
-    /// The edge of the piece that is most opposed to a normal.
+    /// Returns the index of the edge of a piece whose normal is most opposed to the given normal; `None` without edges.
     fn prism_edge_against(&self, normal: Vector2, vertices: &[Vector2]) -> Option<usize> {
         let facing = |edge| Some((edge, outward_normal(vertices, edge)?.dot(&normal)));
         let opposite = (0..vertices.len()).filter_map(facing).reduce(|a, b| if b.1 < a.1 { b } else { a })?;

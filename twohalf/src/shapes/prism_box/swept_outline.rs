@@ -1,5 +1,4 @@
-//! Swept outline of a sheared box between two depths: the hull of its outlines at both, with four to six
-//! edges.
+//! Swept outline of a sheared box between two depths: the convex hull of its outlines at both depths, with four to six edges.
 //!
 //! Frame: the plane's, x right, y **down**, z into the picture. Vertices are relative to the box's centre,
 //! which keeps rounding small far from the origin.
@@ -12,14 +11,14 @@ use crate::shapes::{Face, SlantedBox};
 /// An edge of the swept outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum BoxEdge {
-    /// A side of the box.
+    /// The edge is a side of the box.
     Face(Face),
-    /// The path of the upper or lower corner: an edge of the box in depth.
+    /// The edge is the path of the upper or lower corner through depth: an edge of the box along its depth.
     Level { is_upper: bool },
 }
 
 impl BoxEdge {
-    /// Outward unit normal in the plane.
+    /// Returns the outward unit normal of the edge in the plane, y down.
     pub(super) fn normal(self, shape: &SlantedBox) -> Vector2 {
         match self {
             BoxEdge::Face(face) => shape.plane_normal(face),
@@ -36,7 +35,7 @@ pub(super) struct SweptOutline {
     vertices: [Vector2; 6],
     /// Z at which the box reaches each vertex, px, in the world.
     depths: [f32; 6],
-    /// Labels of the vertices, dimensionless, which do not change with the depths.
+    /// Feature ids of the vertices, dimensionless, which do not change with the depths.
     labels: [u32; 6],
     /// The edge from each vertex to the next.
     edges: [BoxEdge; 6],
@@ -118,8 +117,7 @@ impl SweptOutline {
     }
 }
 
-/// Positive for a side that reaches farther out as depth grows, negative for one that reaches less far; px
-/// per px.
+/// Returns how far a side moves outward per px of depth, dimensionless; negative for a side that moves inward.
 fn lean(shape: &SlantedBox, face: Face) -> f32 {
     shape.shear * shape.plane_normal(face).x
 }

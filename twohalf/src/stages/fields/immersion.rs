@@ -1,6 +1,6 @@
 //! Immersed volume of a geom in a box of the world, and its centroid.
 
-use farseer_core::{BodyId, GeomId, PhysicsSimulator, SpaceUpright};
+use farseer_core::{BodyId, GeomId, PhysicsSimulator, VerticalShape};
 
 use crate::Vector3;
 use crate::depth::upright::{depths as depths_of, half_height, middle as middle_of, span};
@@ -16,9 +16,9 @@ pub(crate) struct ClipBuffer {
 /// The immersed part of a geom.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Immersed {
-    /// Volume, px³.
+    /// Volume of the immersed part, px³.
     pub(super) volume: f64,
-    /// Centroid in the plane, px, y down.
+    /// Centroid of the immersed part in the plane, px, y down.
     pub(super) middle: [f64; 2],
 }
 
@@ -40,7 +40,7 @@ impl Container {
         (high.min(self.high[axis]) - low.max(self.low[axis])).max(0.0)
     }
 
-    /// The immersed part of a ball: exact between surface and bottom, and in proportion to its width at the
+    /// Returns the immersed part of a ball: exact between surface and bottom, and in proportion to the immersed width at the
     /// sides.
     fn of_ball(&self, [x, y, z]: [f64; 3], radius: f64) -> Immersed {
         let below = |depth: f64| {
@@ -55,9 +55,9 @@ impl Container {
         Immersed { volume: volume * beside(0, x) * beside(2, z), middle: [x, middle] }
     }
 
-    /// The immersed part of an upright shape: exact in height, and in proportion to its width at the sides. A
+    /// Returns the immersed part of an upright shape: exact in height, and in proportion to the immersed width at the sides. A
     /// capsule counts as a cylinder of its volume.
-    fn of_upright(&self, shape: &SpaceUpright, middle: Vector3) -> Option<Immersed> {
+    fn of_upright(&self, shape: &VerticalShape, middle: Vector3) -> Option<Immersed> {
         let [x, y, z] = [middle.x, middle.y, middle.z].map(f64::from);
         let half = f64::from(half_height(shape));
         let part = |axis: usize, at: f64, [low, high]: [f32; 2]| {
@@ -93,16 +93,17 @@ impl Container {
     }
 }
 
-/// Footprint area of an upright shape, px²; that of a capsule makes up for its round ends.
-fn area_of(shape: &SpaceUpright) -> f64 {
+/// Returns the footprint area of an upright shape, px². The area of a capsule is reduced so that area times height is its
+/// volume.
+fn area_of(shape: &VerticalShape) -> f64 {
     let disc = |radius: f32| std::f64::consts::PI * f64::from(radius) * f64::from(radius);
     match shape {
-        SpaceUpright::Cylinder { radius, .. } => disc(*radius),
+        VerticalShape::Cylinder { radius, .. } => disc(*radius),
         // The two ends of radius r lack the volume 2/3 pi r³ of a cylinder of height 2 h.
-        SpaceUpright::Capsule { radius, half_height } => {
+        VerticalShape::Capsule { radius, half_height } => {
             disc(*radius) * (1.0 - f64::from(*radius) / (3.0 * f64::from(*half_height)))
         }
-        SpaceUpright::Prism { footprint, .. } => {
+        VerticalShape::Prism { footprint, .. } => {
             let corners: Vec<[f64; 2]> =
                 footprint.corners().iter().map(|corner| [corner.x, corner.y].map(f64::from)).collect();
             area_and_middle(&corners).map_or(0.0, |(area, _)| area)
@@ -146,7 +147,7 @@ fn area_and_middle(outline: &[[f64; 2]]) -> Option<(f64, [f64; 2])> {
     (area != 0.0 && area.is_finite()).then(|| (area.abs(), [ox + middle[0] / area, oy + middle[1] / area]))
 }
 
-/// The immersed part of a geom; `None` without one.
+/// Returns the immersed part of a geom; `None` if no part is immersed.
 pub(super) fn immersed(
     core: &PhysicsSimulator,
     depths: &DepthState,

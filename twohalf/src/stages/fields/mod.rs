@@ -16,9 +16,9 @@ pub(crate) use immersion::immersion_of;
 /// Forces of all fields on one body, in the frame of the plane, y down.
 #[derive(Debug, Clone, Copy, Default)]
 struct FieldForces {
-    /// Acceleration, px/s².
+    /// Acceleration of the body by all fields without drag, px/s².
     acceleration: [f64; 3],
-    /// Torque, mass · px²/s².
+    /// Torque on the body about the depth axis, mass · px²/s².
     torque: f64,
     /// Drag rate of all fluids, 1/s.
     rate: f64,
@@ -48,7 +48,7 @@ pub(super) fn act(
     }
 }
 
-/// Force and torque of all fields on a body; `None` without any.
+/// Returns force and torque of all fields on a body, in the frame of the plane; `None` if no field acts on the body.
 fn field_force(
     core: &PhysicsSimulator,
     world: &World,
@@ -129,7 +129,7 @@ fn apply_field_force(
     // The precise set integrates Z itself.
     let kept = world.depths.bodies.get_mut(id).filter(|_| world.scheme != DepthScheme::Precise);
     let along_z = kept.as_ref().map_or(0.0, |state| state.force_z + force[2]);
-    if !(along_z.is_finite() && core.push_in_space(id, force, torque)) {
+    if !(along_z.is_finite() && core.apply_force_3d(id, force, torque)) {
         report.events.push(Event::NotFinite { body: id, disabled: false });
     } else if let Some(state) = kept {
         state.force_z = along_z;
@@ -141,8 +141,8 @@ impl FieldForces {
         (0..3).for_each(|axis| self.acceleration[axis] += acceleration[axis]);
     }
 
-    /// Mean acceleration over a step without gravity, px/s². With rate k, flow u and constant acceleration a,
-    /// v' = a + k (u - v) has the solution v(t) = w + (v - w) e^(-k t), w = u + a / k.
+    /// Returns the mean acceleration by the fields over a step, px/s², without that of gravity. With rate k, flow u and
+    /// constant acceleration a, v' = a + k (u - v) has the solution v(t) = w + (v - w) e^(-k t), w = u + a / k.
     fn over(&self, velocity: [f64; 3], gravity: [f64; 3], dt: f64) -> [f64; 3] {
         let taken = decay_fraction(self.rate, dt);
         std::array::from_fn(|axis| {

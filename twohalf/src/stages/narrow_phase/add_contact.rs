@@ -5,7 +5,7 @@ use farseer_core::{BodyId, GeomId};
 use super::{Manifold, SurfacePair};
 use crate::depth::{Contact, ContactKey, ContactList, ContactPoint, ContactTarget};
 
-/// The two sides of a contact.
+/// Key and both sides of a contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContactPair {
     pub(super) key: ContactKey,

@@ -50,7 +50,7 @@ fn contact_pair(geom: GeomId, body: BodyId, view: GeomRef<'_>) -> ContactPair {
     }
 }
 
-/// The lowest point of a ball, if it is below the ground.
+/// Returns the manifold of a ball on the ground, with its lowest point; `None` if this is not below the ground.
 fn of_ball(geom: GeomRef<'_>, z: f32, radius: f32) -> Option<Manifold> {
     let centre = geom.position();
     let lowest = centre.y + radius;
@@ -58,9 +58,9 @@ fn of_ball(geom: GeomRef<'_>, z: f32, radius: f32) -> Option<Manifold> {
     (lowest > 0.0).then(|| Manifold::of_point(GROUND_NORMAL, position, -lowest, PersistedFeature::Nothing))
 }
 
-/// The deepest vertex, and the vertex below the ground that is farthest from it along x. Of several equally
-/// deep vertices, within `slop` px, the first point is the one farthest from the second. The points of a face
-/// on the ground are therefore its ends, whichever vertex rounding makes the deepest.
+/// Returns the manifold of a prism on the ground: the deepest vertex, and the vertex below the ground that is farthest from it
+/// along x. Among vertices that are equally deep within `slop` px, the first point is the vertex farthest from the second
+/// point. The points of a face on the ground are therefore its ends, whichever vertex rounding makes the deepest.
 fn of_prism(geom: GeomRef<'_>, z: f32, slop: f32) -> Option<Manifold> {
     let vertices = geom.world_vertices();
     let below = || vertices.iter().enumerate().filter(|(_, vertex)| vertex.y > 0.0);

@@ -47,7 +47,7 @@ struct ContactFinder<'a> {
 }
 
 impl ContactFinder<'_> {
-    /// Persistent feature of a contact of the last update.
+    /// Returns the persistent feature of a contact of the last update; `None` for a new contact.
     fn persisted_feature(&self, key: ContactKey) -> Option<PersistedFeature> {
         self.world.touches.find(key).map(|touch| touch.kept)
     }
@@ -66,7 +66,7 @@ struct Manifold {
     /// Unit normal towards the first geom of the contact.
     normal: Vector3,
     points: [ManifoldPoint; MAX_POINTS],
-    /// Number of points.
+    /// Number of points, 0..=2.
     count: usize,
     kept: PersistedFeature,
     /// Whether the points share one face along Z and one normal impulse.

@@ -1,7 +1,7 @@
 //! Manifolds of two objects: balls with any shape, and outlines that touch along Z.
 
 use farseer_core::GeomRef;
-use farseer_core::order::sort_within;
+use farseer_core::order::sort_by_number_in;
 
 use super::add_contact::ContactPair;
 use super::{ContactFinder, MAX_POINTS, Manifold, ManifoldPoint, PersistedFeature, SurfacePair};
@@ -15,10 +15,10 @@ use crate::views::PosedGeom;
 use crate::{Vector2, Vector3};
 
 impl ContactFinder<'_> {
-    /// Finds the contacts of the pairs that the core has left to this crate.
+    /// Finds the contacts of the pairs that the core has left to `twohalf`.
     pub(super) fn find_object_contacts(&mut self) {
         let mut pairs = std::mem::take(&mut self.pair_context.pairs);
-        sort_within(&mut self.found.places, &mut pairs, |pair| pair.key.rank());
+        sort_by_number_in(&mut self.found.places, &mut pairs, |pair| pair.key.rank());
         pairs.dedup_by_key(|pair| pair.key);
         self.counters.pairs_tested += pairs.len();
         for &pair in &pairs {
@@ -85,7 +85,8 @@ impl ContactFinder<'_> {
         }
     }
 
-    /// Ball and prism. While its centre is inside, the ball is pushed back through the face that it entered.
+    /// Returns the manifold of a ball and a prism. While the centre of the ball is inside of the prism, contact pushes the ball
+    /// back through the face that it entered.
     fn ball_on_prism(
         &self,
         ball: PosedGeom<'_>,
@@ -122,7 +123,7 @@ impl ContactFinder<'_> {
         self.pair_context.intervals.motion_of(self.core, &self.world.depths, geom.body())
     }
 
-    /// The virtual geoms of the thesis: footprints and height intervals.
+    /// Returns the manifold of two geoms in the thesis scheme, by their virtual geoms: footprints and height intervals.
     fn thesis(
         &self,
         pair: DepthPair,
@@ -140,7 +141,8 @@ impl ContactFinder<'_> {
     }
 }
 
-/// Two shapes that touch with front and back; `ends` are points of the common area in X and Y.
+/// Returns the manifold of two shapes that touch along Z, with front and back. `ends` are two points of the common area in X
+/// and Y, px.
 fn along_z(
     a: DepthInterval,
     b: DepthInterval,

@@ -1,5 +1,5 @@
-//! Contacts in X and Y whose sides slide past each other along Z: the core finds them and this crate solves
-//! them, because friction acts along Z as well.
+//! Contacts in X and Y whose sides slide past each other along Z: the core finds these contacts and `twohalf` solves them,
+//! because friction acts along Z as well.
 
 use farseer_core::{Contact, PhysicsSimulator};
 
@@ -14,7 +14,7 @@ fn feature_of(contact: &Contact, older: u32) -> u32 {
     (contact.id.vertex as u32).wrapping_mul(2) + u32::from(contact.id.geom1 == older)
 }
 
-/// Adopts the core's contacts that slide along Z, or had friction along Z in the last update.
+/// Moves contacts of the core that slide along Z, or had friction along Z in the last update, to the contact list of `twohalf`.
 pub(in crate::stages) fn adopt_core_contacts(
     core: &mut PhysicsSimulator,
     depths: &DepthState,

@@ -5,16 +5,16 @@
 //! as the surface below the ball supports it.
 
 use farseer_core::GeomId;
-use farseer_core::order::sort_within;
+use farseer_core::order::sort_by_number_in;
 
 use crate::Vector3;
 use crate::depth::{Contact, ContactList, ContactTarget, PersistedFeature};
 use crate::stages::depth_intervals::DepthIntervals;
 
-/// Greatest distance of a point from the tangent plane of another contact, as a factor of the slop,
+/// Greatest distance of the contact point from the tangent plane of the supporting contact, as a factor of the slop,
 /// dimensionless.
 const COPLANAR_SLOP_FACTOR: f32 = 2.0;
-/// Least cosine of the angle between the two normals, dimensionless.
+/// Least cosine of the angle between the normals of the edge contact and the supporting contact, dimensionless.
 const MIN_SEAM_COS: f32 = 0.5;
 
 /// Contact of a ball with another shape.
@@ -30,8 +30,8 @@ pub(in crate::stages) struct BallContact {
     separation: f32,
 }
 
-/// Disables the impulses of ball contacts with edges in a surface that supports the ball. Contacts that a
-/// handler has refused are not in the list any more. `contacts` is a buffer.
+/// Disables the impulses of ball contacts with edges in a surface that supports the ball. The caller has removed contacts that
+/// a handler refused from the list before. `contacts` is a buffer.
 pub(in crate::stages) fn filter_ghost_contacts(
     found: &mut ContactList,
     intervals: &DepthIntervals,
@@ -42,7 +42,7 @@ pub(in crate::stages) fn filter_ghost_contacts(
     for (touch, index) in found.touches.iter().zip(0..) {
         contacts.extend(ball_contact(found, intervals, touch, index));
     }
-    sort_within(&mut found.places, contacts, |contact| contact.ball.slot() as u128);
+    sort_by_number_in(&mut found.places, contacts, |contact| contact.ball.slot() as u128);
     for of_ball in contacts.chunk_by(|a, b| a.ball == b.ball) {
         for edge in of_ball {
             if of_ball.iter().any(|surface| is_ghost_contact(edge, surface, slop)) {
@@ -73,7 +73,7 @@ fn ball_contact(
     Some(BallContact { ball, touch: index, normal: touch.normal * sign, point: position, separation })
 }
 
-/// Whether a contact is with an edge in the surface of another contact, which is deeper.
+/// Returns whether a contact is with an edge in the surface of another contact, which is deeper.
 fn is_ghost_contact(edge: &BallContact, surface: &BallContact, slop: f32) -> bool {
     // Of two equally deep contacts only one is disabled.
     let is_deeper = (surface.separation, surface.touch) < (edge.separation, edge.touch);

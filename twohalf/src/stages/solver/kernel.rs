@@ -20,7 +20,7 @@ pub(super) struct SolverBody3 {
     pub(super) inverse_inertia: [f32; 3],
 }
 
-/// Constraint of one contact point.
+/// Constraint of one contact point: arms, effective masses, target velocities and accumulated impulses.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContactPointConstraint {
     normal: [f32; 3],
@@ -93,7 +93,7 @@ impl SolverBody3 {
         sum(self.linear) + sum(self.angular) + sum(self.bias) + self.bias_spin * 0.0 == 0.0
     }
 
-    /// Velocity of the point at an offset from the centre of mass, px/s.
+    /// Returns the velocity of the point of the body at the offset `arm` from its centre of mass, px/s.
     #[inline(always)]
     fn velocity_at(&self, arm: [f32; 3]) -> [f32; 3] {
         let turn = cross(self.angular, arm);
@@ -122,8 +122,8 @@ impl SolverBody3 {
         self.bias_spin += (arm[0] * impulse[1] - arm[1] * impulse[0]) * self.inverse_inertia[2];
     }
 
-    /// Velocity along `a` per impulse along `b`, both at an offset, from rotation alone: an element of the
-    /// inverse effective mass.
+    /// Returns the velocity along `a` that a unit impulse along `b` causes by rotation alone, both at the offset `arm`, 1/mass:
+    /// an element of the inverse effective mass.
     #[inline(always)]
     fn angular_coupling(&self, arm: [f32; 3], a: [f32; 3], b: [f32; 3]) -> f32 {
         let (a, b) = (cross(arm, a), cross(arm, b));
@@ -133,7 +133,7 @@ impl SolverBody3 {
 }
 
 impl ContactPointConstraint {
-    /// The constraint before the pre-step.
+    /// Returns the constraint of a contact point with arms and separation, before `prepare` computes the rest.
     pub(super) fn new(
         normal: [f32; 3],
         position: [f32; 3],
@@ -166,8 +166,8 @@ impl ContactPointConstraint {
         bodies[A].apply_impulse(scaled(impulse, -1.0), self.arms[A]);
     }
 
-    /// Rotational part of the inverse effective mass of both bodies, for an impulse along `a` and a velocity
-    /// along `b`.
+    /// Returns the rotational part of the inverse effective mass of both bodies, 1/mass, for an impulse along `a` and a
+    /// velocity along `b`.
     #[inline(always)]
     fn angular_coupling(&self, bodies: &[SolverBody3; 2], a: [f32; 3], b: [f32; 3]) -> f32 {
         bodies[A].angular_coupling(self.arms[A], a, b) + bodies[B].angular_coupling(self.arms[B], a, b)
@@ -259,7 +259,7 @@ impl ContactPointConstraint {
     }
 }
 
-/// Nearest point of a circle; the origin for the origin itself.
+/// Returns the nearest point on a circle about the origin; the origin for the origin itself.
 #[inline(always)]
 fn on_circle([x, y]: [f32; 2], radius: f32) -> [f32; 2] {
     let length = (x * x + y * y).sqrt();
@@ -270,8 +270,8 @@ fn on_circle([x, y]: [f32; 2], radius: f32) -> [f32; 2] {
     [x * factor, y * factor]
 }
 
-/// Solves a face along Z. The bodies do not rotate about the other axes, so all points share one normal
-/// impulse in equal parts.
+/// Solves the contact points of two faces that touch along Z. The bodies do not rotate about the other axes, so all points
+/// share one normal impulse in equal parts.
 pub(super) fn solve_shared(
     rows: &mut [ContactPointConstraint],
     friction: f32,

@@ -9,7 +9,9 @@
 
 mod kernel;
 
-use farseer_core::{BodyId, Constraints, PhysicsSimulator, SolvedBodies, SolverBody, SolverPlace};
+use farseer_core::{
+    BodyId, ExternalConstraints, PhysicsSimulator, SolverBodiesView, SolverBody, SolverBodyIndex,
+};
 
 use crate::Vector3;
 use crate::depth::{Contact, ContactList, DepthProfile, DepthState, is_movable};
@@ -18,8 +20,8 @@ use kernel::{ContactPointConstraint, SolverBody3};
 /// State of a body that the core's solver does not store.
 #[derive(Debug, Clone, Copy)]
 struct SolverBodyState {
-    /// Index of the body in the core's solver, once that has begun; `None` for the static world.
-    place: Option<SolverPlace>,
+    /// Index of the body in the core's solver, once the solver has begun; `None` for the static world.
+    place: Option<SolverBodyIndex>,
     id: Option<BodyId>,
     /// Centre of mass, px.
     centre: [f32; 3],
@@ -40,7 +42,7 @@ struct SolverBodyState {
 }
 
 impl SolverBodyState {
-    /// The body before the first impulse.
+    /// Returns the solver's body with the velocities before the first impulse.
     fn initial_body(&self, core: &PhysicsSimulator) -> SolverBody3 {
         let Some(body) = self.id.and_then(|id| core.body(id)) else { return SolverBody3::default() };
         let velocity = body.linear_velocity();
@@ -74,7 +76,7 @@ struct ContactGroup {
     friction: f32,
     /// Whether all points share one normal impulse in equal parts.
     shares_pressure: bool,
-    /// Whether it is left out because a velocity became infinite or NaN.
+    /// Whether the group is left out because a velocity became infinite or NaN.
     is_dropped: bool,
 }
 
@@ -84,7 +86,7 @@ pub(crate) struct Solver3 {
     states: Vec<SolverBodyState>,
     /// By body slot: stamp of the update in which the body was gathered, and its index among the states.
     places: Vec<(u32, u32)>,
-    /// Number of the update, dimensionless.
+    /// Number of the update, by which `places` tells old entries from new ones, dimensionless.
     stamp: u32,
     groups: Vec<ContactGroup>,
     rows: Vec<ContactPointConstraint>,
@@ -93,7 +95,7 @@ pub(crate) struct Solver3 {
 /// Settings of the pre-step, from the core.
 #[derive(Debug, Clone, Copy)]
 struct PreStep {
-    /// Inverse of the step, 1/s.
+    /// Inverse of the length of the step, 1/s.
     inverse_dt: f32,
     /// Fraction of the penetration that is resolved per step, dimensionless.
     bias_factor: f32,
@@ -106,7 +108,7 @@ fn array(v: Vector3) -> [f32; 3] {
 }
 
 impl Solver3 {
-    /// Number of scalar constraints per iteration.
+    /// Returns the number of scalar constraints that the solver handles per iteration.
     pub(crate) fn row_count(&self) -> usize {
         // A normal and two tangents per point; a shared normal counts once.
         let rows_of = |group: &ContactGroup| {
@@ -249,7 +251,7 @@ impl Solver3 {
     #[inline]
     fn apply(
         &mut self,
-        solved: &mut SolvedBodies<'_>,
+        solved: &mut SolverBodiesView<'_>,
         index: usize,
         operation: impl FnOnce(&mut [ContactPointConstraint], &ContactGroup, &mut [SolverBody3; 2]),
     ) {
@@ -271,7 +273,7 @@ impl Solver3 {
     }
 
     #[inline]
-    fn load(&self, solved: &SolvedBodies<'_>, place: u32) -> SolverBody3 {
+    fn load(&self, solved: &SolverBodiesView<'_>, place: u32) -> SolverBody3 {
         let state = &self.states[place as usize];
         let Some(plane) = state.place else { return SolverBody3::default() };
         let body = solved.get(plane);
@@ -288,7 +290,7 @@ impl Solver3 {
     }
 
     #[inline]
-    fn store(&mut self, solved: &mut SolvedBodies<'_>, place: u32, body: &SolverBody3) {
+    fn store(&mut self, solved: &mut SolverBodiesView<'_>, place: u32, body: &SolverBody3) {
         let state = &mut self.states[place as usize];
         let Some(plane) = state.place else { return };
         let [x, y, z] = body.linear;
@@ -307,7 +309,7 @@ impl Solver3 {
     }
 
     #[cold]
-    fn drop_group(&mut self, solved: &mut SolvedBodies<'_>, index: usize, are_finite: [bool; 2]) {
+    fn drop_group(&mut self, solved: &mut SolverBodiesView<'_>, index: usize, are_finite: [bool; 2]) {
         let group = &mut self.groups[index];
         group.is_dropped = true;
         for (place, is_finite) in [group.body_a, group.body_b].into_iter().zip(are_finite) {
@@ -362,12 +364,12 @@ impl Solver3 {
     }
 }
 
-impl Constraints for Solver3 {
+impl ExternalConstraints for Solver3 {
     fn is_empty(&self) -> bool {
         self.groups.is_empty()
     }
 
-    fn warm_start(&mut self, solved: &mut SolvedBodies<'_>) {
+    fn warm_start(&mut self, solved: &mut SolverBodiesView<'_>) {
         for state in &mut self.states {
             state.place = state.id.and_then(|id| solved.place(id));
         }
@@ -380,7 +382,7 @@ impl Constraints for Solver3 {
         }
     }
 
-    fn solve(&mut self, solved: &mut SolvedBodies<'_>) {
+    fn solve(&mut self, solved: &mut SolverBodiesView<'_>) {
         for index in 0..self.groups.len() {
             self.apply(solved, index, |rows, group, bodies| {
                 if group.shares_pressure {
@@ -396,9 +398,9 @@ impl Constraints for Solver3 {
     }
 }
 
-/// Relative velocity of two bodies that gravity has added in this step, px/s. It does not count for the
-/// bounce: otherwise a body that falls on a static one would gain height, hop forever and creep down slopes.
-/// Contacts adopted from the core bounce by its rule, which counts it.
+/// Returns the relative velocity of two bodies that gravity has added in this step, px/s. It does not count for the bounce:
+/// otherwise a body that falls on a static one would gain height, hop forever and creep down slopes. Contacts adopted from the
+/// core bounce by the core's rule, which counts this velocity.
 fn gravity_velocity(core: &PhysicsSimulator, touch: &Contact, inverse_dt: f32) -> [f32; 3] {
     let part_of = |id: BodyId| {
         let body = core.body(id).filter(|body| is_movable(core, id) && !body.ignore_gravity());
@@ -412,7 +414,7 @@ fn gravity_velocity(core: &PhysicsSimulator, touch: &Contact, inverse_dt: f32) -
     [gravity.x / inverse_dt, gravity.y / inverse_dt, 0.0]
 }
 
-/// Whether a body rolls in every direction: all of its geoms are balls about its centre of mass.
+/// Returns whether a body rolls in every direction: all of its geoms are balls about its centre of mass.
 pub(crate) fn is_ball(core: &PhysicsSimulator, depths: &DepthState, body: BodyId) -> bool {
     let geoms = core.geoms_of(body);
     let is_round = |profile: Option<&DepthProfile>| profile.is_some_and(|profile| profile.is_round());

@@ -3,26 +3,26 @@
 /// A logarithmic axis along an edge of a panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axis {
-    /// Decades at the ends.
+    /// Ends of the axis as powers of ten: decimal logarithms of the values.
     ends: [f64; 2],
-    /// Where the ends are, px.
+    /// Positions of both ends of the axis, px.
     places: [i32; 2],
 }
 
-/// A line across a panel at a value.
+/// A line across a panel at a value of the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tick {
-    /// The value.
+    /// The value at the tick, in the unit of the axis.
     pub value: f64,
-    /// Where it is, px.
+    /// Position of the line along the axis, px.
     pub place: i32,
-    /// Whether the value is written beside it.
+    /// Whether the value is written beside the line.
     pub is_labelled: bool,
 }
 
 impl Axis {
-    /// An axis that has room for all values that are positive, from one place to another in px. With little to
-    /// show it is at least a decade long.
+    /// Returns an axis that covers all positive values. `places` are the positions of its ends, px. Its range is at least one
+    /// decade.
     pub fn over(values: impl IntoIterator<Item = f64>, places: [i32; 2]) -> Self {
         let logs = values.into_iter().filter(|value| *value > 0.0 && value.is_finite()).map(f64::log10);
         let (least, most) = logs
@@ -33,7 +33,7 @@ impl Axis {
         Axis { ends: [least - margin, most + margin], places }
     }
 
-    /// Where a value is, px; at the end if it lies beyond.
+    /// Returns the position of a value along the axis, px, clamped to the ends.
     pub fn place(&self, value: f64) -> i32 {
         let [first, last] = self.ends;
         let part = if value > 0.0 { ((value.log10() - first) / (last - first)).clamp(0.0, 1.0) } else { 0.0 };
@@ -41,7 +41,8 @@ impl Axis {
         (start + part * (end - start)).round() as i32
     }
 
-    /// Decades, and their halves where there are few: every decade has a line, as many as fit have a number.
+    /// Returns the ticks of the axis: one per decade, and also at 2 and 5 times it if there are fewer than three decades. In
+    /// longer ranges at most about `most_labels` ticks have labels.
     pub fn ticks(&self, most_labels: usize) -> Vec<Tick> {
         let [first, last] = self.ends;
         let decades: Vec<i32> = (first.ceil() as i32..=last.floor() as i32).collect();
@@ -62,7 +63,7 @@ impl Axis {
     }
 }
 
-/// A value in a few letters: `0.02`, `300`, `1e-6`.
+/// Returns a value as short text: `0.02`, `300`, `1e-6`.
 pub fn short(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
@@ -75,14 +76,14 @@ pub fn short(value: f64) -> String {
     }
 }
 
-/// Microseconds as a time in a few letters: `20 µs`, `1 ms`, `3 s`.
+/// Returns a time, given in µs, as short text: `20 µs`, `1 ms`, `3 s`.
 pub fn short_time(microseconds: f64) -> String {
     let (value, unit) = match microseconds {
         time if time < 1e3 => (time, "µs"),
         time if time < 1e6 => (time / 1e3, "ms"),
         time => (time / 1e6, "s"),
     };
-    // Two digits that count, or all of a whole number.
+    // A number has two significant digits, or all digits if it is an integer.
     let digits = (1.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 3.0) as usize;
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
@@ -100,13 +101,13 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_beyond_is_put_at_the_end() {
+    fn values_beyond_the_axis_are_clamped_to_its_end() {
         let axis = Axis::over([1.0, 10.0], [0, 100]);
         assert_eq!([axis.place(0.0), axis.place(1e9)], [0, 100]);
     }
 
     #[test]
-    fn times_take_the_unit_in_which_they_are_short() {
+    fn times_are_written_in_the_unit_of_fewest_digits() {
         let times = [0.5, 20.0, 1000.0, 34_567.0, 2_500_000.0].map(short_time);
         assert_eq!(times, ["0.5 µs", "20 µs", "1 ms", "35 ms", "2.5 s"]);
     }

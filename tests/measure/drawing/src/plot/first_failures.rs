@@ -1,4 +1,4 @@
-//! All maps on one sheet: how far every family goes with the most telling methods and settings.
+//! Draws the first failures of all maps on one sheet: up to which value every family holds, by method and setting.
 
 use super::heat::look;
 use super::ink::{Words, area, wrapped};
@@ -12,26 +12,26 @@ use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend};
 use std::collections::BTreeSet;
 
-/// Maps as one picture.
+/// A picture of the first failures of some maps.
 #[derive(Debug)]
 pub struct FirstFailures<'a> {
     maps: &'a [Map],
     columns: Vec<&'a Column>,
 }
 
-/// Left of the cells: the names of families.
+/// Width in px of the names of families, left of the cells.
 const LEFT: i32 = 208;
-/// Width of a column, of which the first part shows the values and the rest says the first failure.
+/// Width of a column in px; its left part shows the values, the rest names the first failure.
 const COLUMN: i32 = 106;
-/// Width of the part that shows the values.
+/// Width in px of the part of a column that shows the values.
 const STRIP: i32 = 50;
-/// Height of a family.
+/// Height of a family's row in px.
 const ROW: i32 = 19;
-/// Height of what is above.
+/// Height in px of the heading above the rows.
 const HEAD: i32 = 128;
 
 impl<'a> FirstFailures<'a> {
-    /// Of these maps.
+    /// Returns the picture of these maps.
     pub fn new(maps: &'a [Map]) -> Self {
         FirstFailures { maps, columns: table_columns(maps) }
     }
@@ -45,13 +45,13 @@ impl Picture for FirstFailures<'_> {
 
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>> {
         Words::new(17.0).write(sheet, "Where methods fail first", (10, 18))?;
-        // A letter is not parted from its word at the end of a line.
+        // The letter of a reason and its words must not be broken into two lines.
         let reasons: Vec<String> =
             self.reasons().iter().map(|word| format!("{}\u{a0}{word}", reasons::letter(word))).collect();
         let about = format!(
             "A box for every value of the family's parameter, from easy to hard: pale where the method holds, dark \
-             where it fails, none where the engine cannot run it; then why it fails first, and the value with which \
-             it does, or up to which value it holds and could be run. {}.",
+             where it fails, none where the engine cannot run it. Beside it: the reason of the first failure and its \
+             value, or the last value that could be run. {}.",
             reasons.join(", ")
         );
         let letters = (self.size().0 / 6) as usize - 4;
@@ -74,7 +74,7 @@ impl Picture for FirstFailures<'_> {
 }
 
 impl FirstFailures<'_> {
-    /// Why columns fail first.
+    /// Returns the reasons of all first failures on the sheet.
     fn reasons(&self) -> Vec<&'static str> {
         let firsts = self.maps.iter().flat_map(|map| {
             let places = self.columns.iter().filter_map(|column| map.place(column));
@@ -91,7 +91,7 @@ impl FirstFailures<'_> {
         top: i32,
     ) -> Result<(), Fault<B>> {
         let middle = top + ROW / 2;
-        Words::new(12.0).up_to().write(sheet, &map.heading.name, (LEFT - 8, middle))?;
+        Words::new(12.0).up_to().write(sheet, map.heading.title(), (LEFT - 8, middle))?;
         for (index, column) in self.columns.iter().enumerate() {
             let Some(place) = map.place(column) else { continue };
             let left = LEFT + COLUMN * index as i32;
@@ -111,7 +111,7 @@ impl FirstFailures<'_> {
     }
 }
 
-/// What is written beside the boxes of a column.
+/// Returns the text beside the boxes of a column: the first failure of a map.
 fn outcome(map: &Map, place: usize) -> String {
     match (map.first_failure(place), map.runs_to(place)) {
         (Some((value, reason)), _) => format!("{} {}", reasons::letter(reason), number(value)),

@@ -1,7 +1,7 @@
-//! A map of where methods fail: a cell for every value of a parameter and every method and setting.
+//! Draws a map of the limits of methods: a cell for every value of a parameter, and every method and setting.
 //!
-//! A cell that failed is dark and has the letter of its reason, one that holds is pale and has a dot: neither needs
-//! colour to be told apart.
+//! A failed cell is dark and has the letter of its reason. A cell that holds is pale and has a dot. So the two differ also
+//! without colour.
 
 use super::ink::{Words, area, line, wrapped};
 use super::style::{DARK, GREY};
@@ -12,26 +12,28 @@ use measure::stability::table::number;
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend, RGBColor};
 
-/// A map as a picture.
+/// A stability map as a picture.
 #[derive(Debug)]
 pub struct HeatMap<'a>(pub &'a Map);
 
-/// Width of a picture in px, or more where there are many columns.
+/// Width of a picture, px. Pictures with many columns are wider.
 const WIDTH: i32 = 820;
-/// Least width of a column in px: room for its step.
-const COLUMN: i32 = 30;
-/// Left of the cells: the values and what they are of.
-const LEFT: i32 = 96;
-/// Width of a line of words in letters.
+/// Least width, px, of a column that is alone under the label of its step.
+const COLUMN: i32 = 32;
+/// Width in px left of the cells, for the values, their unit and the names of the lines above.
+const LEFT: i32 = 134;
+/// Left end of the legend, px.
+const LEGEND: i32 = 60;
+/// Width of a line of words: number of letters.
 const LETTERS_PER_LINE: usize = 132;
-/// Height of a cell.
+/// Height of a cell in px.
 const ROW: i32 = 22;
-/// Height of a line of words.
+/// Height of a line of words in px.
 const LINE: i32 = 16;
-/// Between methods, and between steps of one method.
+/// Gaps between columns, px: between two methods, and between two steps of one method.
 const GAPS: [i32; 2] = [12, 4];
 
-/// Where a column is, px.
+/// Left and right end of a column, px.
 struct Lane {
     left: i32,
     right: i32,
@@ -42,7 +44,8 @@ impl HeatMap<'_> {
         wrapped(&self.0.heading.about, LETTERS_PER_LINE)
     }
 
-    /// The columns as groups of the same `key`, by the indices of their first and last.
+    /// Groups neighbouring columns with the same `key`. Returns for each group the indices of its first and last column, and
+    /// the key.
     fn groups(&self, key: impl Fn(&Column) -> String) -> Vec<(usize, usize, String)> {
         let mut groups: Vec<(usize, usize, String)> = Vec::new();
         for (index, column) in self.0.heading.columns.iter().enumerate() {
@@ -68,7 +71,7 @@ impl HeatMap<'_> {
         };
         let gaps: Vec<i32> = std::iter::once(0).chain(columns.windows(2).map(gap)).collect();
         let room = WIDTH - LEFT - 10 - gaps.iter().sum::<i32>();
-        // One column for each step has to have room for its name, several have more than they need.
+        // The label of a step must fit over its columns. Several columns are always wide enough, a single one must be wider.
         let least = if self.has_steps_of_one_column() { COLUMN } else { 16 };
         let width = (room / columns.len().max(1) as i32).clamp(least, 44);
         let mut right = LEFT;
@@ -86,7 +89,8 @@ impl HeatMap<'_> {
         steps.iter().any(|(first, last, _)| first == last)
     }
 
-    /// Names of methods, each broken into lines that are as wide as its columns.
+    /// Returns for each method the middle of its columns, in px, and its name, broken into lines that are as wide as these
+    /// columns.
     fn names(&self, lanes: &[Lane]) -> Vec<(i32, Vec<String>)> {
         let name = |(first, last, text): (usize, usize, String)| {
             let (left, right) = (lanes[first].left, lanes[last].right);
@@ -96,13 +100,29 @@ impl HeatMap<'_> {
         self.methods().into_iter().map(name).collect()
     }
 
-    /// Height of what is above the cells.
-    fn head(&self) -> i32 {
-        let lines = self.names(&self.lanes()).iter().map(|(_, lines)| lines.len()).max().unwrap_or(0);
-        34 + LINE * (self.about().len() + lines) as i32 + 8 + 2 * LINE + 6
+    /// Returns for each step the left and right end of its columns, in px, and its label, broken into lines that fit.
+    fn steps(&self, lanes: &[Lane]) -> Vec<(i32, i32, Vec<String>)> {
+        let step = |(first, last, text): (usize, usize, String)| {
+            let (left, right) = (lanes[first].left, lanes[last].right);
+            let dt = text.split('\n').nth(1).unwrap_or_default();
+            (left, right, wrapped(dt, ((right - left) / 6).max(1) as usize))
+        };
+        self.groups(|column| format!("{}\n{}", column.method, column.dt)).into_iter().map(step).collect()
     }
 
-    /// The outcomes on the map, with their words.
+    /// Returns the number of lines of the longest label of a step, at least 1.
+    fn step_lines(&self, lanes: &[Lane]) -> i32 {
+        self.steps(lanes).iter().map(|(.., lines)| lines.len()).max().unwrap_or(1) as i32
+    }
+
+    /// Returns the height of the heading above the cells, px.
+    fn head(&self) -> i32 {
+        let lanes = self.lanes();
+        let lines = self.names(&lanes).iter().map(|(_, lines)| lines.len()).max().unwrap_or(0);
+        34 + LINE * (self.about().len() + lines) as i32 + 8 + LINE * (1 + self.step_lines(&lanes)) + 6
+    }
+
+    /// Returns the outcomes that occur on the map, each with its words.
     fn legend(&self) -> Vec<(Verdict, &'static str)> {
         let failures = self.0.reasons().into_iter().map(|reason| (Verdict::Failed(reason), reason));
         let is_absent = |cell: &Cell| matches!(cell.verdict, Verdict::Absent(_));
@@ -120,7 +140,7 @@ impl Picture for HeatMap<'_> {
     }
 
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>> {
-        Words::new(17.0).write(sheet, &self.0.heading.name, (10, 18))?;
+        Words::new(17.0).write(sheet, self.0.heading.title(), (10, 18))?;
         for (index, text) in self.about().iter().enumerate() {
             Words::new(12.0).color(GREY).write(sheet, text, (10, 38 + LINE * index as i32))?;
         }
@@ -140,15 +160,16 @@ impl HeatMap<'_> {
         let bottom = self.head();
         let (passes, steps) = (bottom - LINE / 2 - 2, bottom - 3 * LINE / 2 - 2);
         for (middle, lines) in self.names(lanes) {
-            let first = steps - LINE * lines.len() as i32 - 4;
+            let first = steps - LINE * (self.step_lines(lanes) - 1 + lines.len() as i32) - 4;
             for (index, text) in lines.iter().enumerate() {
                 Words::new(12.0).centred().write(sheet, text, (middle, first + LINE * index as i32))?;
             }
         }
-        for (first, last, text) in self.groups(|column| format!("{}\n{}", column.method, column.dt)) {
-            let (left, right) = (lanes[first].left, lanes[last].right);
-            let dt = text.split('\n').nth(1).unwrap_or_default();
-            Words::new(12.0).centred().write(sheet, dt, ((left + right) / 2, steps))?;
+        for (left, right, lines) in self.steps(lanes) {
+            for (index, text) in lines.iter().rev().enumerate() {
+                let at = ((left + right) / 2, steps - LINE * index as i32);
+                Words::new(12.0).centred().write(sheet, text, at)?;
+            }
             line(sheet, [(left + 2, steps + LINE / 2), (right - 2, steps + LINE / 2)], GREY, 1)?;
         }
         for (column, lane) in self.0.heading.columns.iter().zip(lanes) {
@@ -157,7 +178,7 @@ impl HeatMap<'_> {
         }
         let small = Words::new(11.0).color(GREY).up_to();
         small.write(sheet, "step, s", (LEFT - 6, steps))?;
-        small.write(sheet, "passes", (LEFT - 6, passes))
+        small.write(sheet, "iterations or substeps", (LEFT - 6, passes))
     }
 
     fn paint_cells<B: DrawingBackend>(
@@ -189,7 +210,7 @@ impl HeatMap<'_> {
 
     fn paint_legend<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>> {
         let top = self.head() + ROW * self.0.rows.len() as i32 + 14;
-        let mut left = LEFT;
+        let mut left = LEGEND;
         for (verdict, word) in self.legend() {
             let (paper, ink, letter) = look(&verdict);
             area(sheet, [(left, top), (left + 20, top + 18)], paper)?;
@@ -201,7 +222,7 @@ impl HeatMap<'_> {
     }
 }
 
-/// Paper, ink and letter of an outcome.
+/// Returns the colour of the cell, the colour of its letter, and the letter for an outcome.
 pub(super) fn look(verdict: &Verdict) -> (RGBColor, RGBColor, String) {
     const WHITE: RGBColor = RGBColor(255, 255, 255);
     match verdict {
@@ -211,7 +232,7 @@ pub(super) fn look(verdict: &Verdict) -> (RGBColor, RGBColor, String) {
     }
 }
 
-/// Dark papers, so that a failure is one also without colours.
+/// Returns the colour of a failed cell for a reason: dark, so that failures stand out also without colour.
 fn paper_of(reason: &str) -> RGBColor {
     match reason {
         reasons::TOPPLED => RGBColor(0, 90, 150),

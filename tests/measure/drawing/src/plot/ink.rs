@@ -1,4 +1,4 @@
-//! What pictures are made of: texts, lines with dashes, markers.
+//! Primitives of pictures: texts, lines with dashes, markers.
 
 use super::Fault;
 use super::style::{DARK, Look, Marker};
@@ -10,51 +10,51 @@ use plotters::style::FontTransform;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 type Done<B> = Result<(), Fault<B>>;
-/// A place on the sheet, px.
+/// A position on the sheet: x right and y down, px.
 pub type Place = (i32, i32);
 
-/// Times that `plotters` takes a font's size larger than SVG.
+/// Ratio of the size of a font in `plotters` to that in SVG, for the same nominal size.
 const FONT_SIZE: f64 = 1.24;
 
-/// Words of a picture.
+/// Style of a text: size, colour, alignment and direction.
 #[derive(Clone, Copy)]
 pub struct Words {
-    /// Size of the font in px.
+    /// Size of the font, px.
     pub size: f64,
-    /// Colour.
+    /// Colour of the letters.
     pub color: RGBColor,
-    /// Which point of the words the place is.
+    /// Point of the text that lies at its position.
     pub anchor: (HPos, VPos),
-    /// Whether they run upwards.
+    /// Whether the text runs upwards.
     pub upwards: bool,
 }
 
 impl Words {
-    /// Dark words of a size that begin at their place.
+    /// Returns the style of a dark text that begins at its position, with a font of `size` px.
     pub fn new(size: f64) -> Self {
         Words { size, color: DARK, anchor: (HPos::Left, VPos::Center), upwards: false }
     }
 
-    /// The same around their place.
+    /// Returns this style for a text that is centred at its position.
     pub fn centred(self) -> Self {
         Words { anchor: (HPos::Center, self.anchor.1), ..self }
     }
 
-    /// The same up to their place.
+    /// Returns this style for a text that ends at its position.
     pub fn up_to(self) -> Self {
         Words { anchor: (HPos::Right, self.anchor.1), ..self }
     }
 
-    /// The same in another colour.
+    /// Returns this style in another colour.
     pub fn color(self, color: RGBColor) -> Self {
         Words { color, ..self }
     }
 
-    /// Writes them.
+    /// Writes a text in this style at a position.
     ///
     /// # Errors
     ///
-    /// What the backend says.
+    /// An error of the backend.
     pub fn write<B: DrawingBackend>(self, sheet: &DrawingArea<B, Shift>, text: &str, at: Place) -> Done<B> {
         let transform = if self.upwards { FontTransform::Rotate270 } else { FontTransform::None };
         let font = ("sans-serif", self.size * FONT_SIZE).into_font().transform(transform);
@@ -63,7 +63,7 @@ impl Words {
     }
 }
 
-/// Lines of at most so many letters.
+/// Breaks a text into lines of at most `letters` letters, and returns these.
 pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ').filter(|word| !word.is_empty()) {
@@ -78,11 +78,11 @@ pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
     lines
 }
 
-/// A straight line.
+/// Draws a straight line.
 ///
 /// # Errors
 ///
-/// What the backend says.
+/// An error of the backend.
 pub fn line<B: DrawingBackend>(
     sheet: &DrawingArea<B, Shift>,
     ends: [Place; 2],
@@ -92,11 +92,11 @@ pub fn line<B: DrawingBackend>(
     sheet.draw(&PathElement::new(ends, color.stroke_width(width)))
 }
 
-/// A rectangle without a border.
+/// Draws a filled rectangle without a border.
 ///
 /// # Errors
 ///
-/// What the backend says.
+/// An error of the backend.
 pub fn area<B: DrawingBackend>(
     sheet: &DrawingArea<B, Shift>,
     corners: [Place; 2],
@@ -105,11 +105,11 @@ pub fn area<B: DrawingBackend>(
     sheet.draw(&Rectangle::new(corners, color.filled()))
 }
 
-/// A line through places, with dashes: lengths of dashes and gaps in px by turns, or none for a full line.
+/// Draws a line through points. `dashes` has the lengths of dashes and gaps in turn, px; if it is empty the line has no gaps.
 ///
 /// # Errors
 ///
-/// What the backend says.
+/// An error of the backend.
 pub fn dashed<B: DrawingBackend>(
     sheet: &DrawingArea<B, Shift>,
     places: &[Place],
@@ -150,11 +150,11 @@ pub fn dashed<B: DrawingBackend>(
     Ok(())
 }
 
-/// A marker: full, or with white inside.
+/// Draws a marker, either filled or with a white inside.
 ///
 /// # Errors
 ///
-/// What the backend says.
+/// An error of the backend.
 pub fn marker<B: DrawingBackend>(
     sheet: &DrawingArea<B, Shift>,
     (x, y): Place,
@@ -178,9 +178,10 @@ pub fn marker<B: DrawingBackend>(
     sheet.draw(&PathElement::new(corners, look.color.stroke_width(1)))
 }
 
-/// Corners of a marker of radius 1.
+/// Returns the corners of a marker of radius 1, relative to its centre.
 fn corners(marker: Marker) -> impl Iterator<Item = (f64, f64)> {
-    // Number of corners, the angle of the first from straight up in turns, the radius and that of every second.
+    // `count`: number of corners. `turn`: angle of the first corner from straight up, in turns. `radius`: distance of the first
+    // corner, and of every second one after it, from the centre. `second`: distance of the other corners.
     let (count, turn, radius, second) = match marker {
         Marker::Circle => (12, 0.0, 1.0, 1.0),
         Marker::Square => (4, 0.125, 1.3, 1.3),
@@ -196,11 +197,11 @@ fn corners(marker: Marker) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// A cross.
+/// Draws a cross.
 ///
 /// # Errors
 ///
-/// What the backend says.
+/// An error of the backend.
 pub fn cross<B: DrawingBackend>(
     sheet: &DrawingArea<B, Shift>,
     (x, y): Place,

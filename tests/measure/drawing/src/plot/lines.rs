@@ -1,7 +1,7 @@
-//! The chart of a scene: error over time, one line per method, one panel per size.
+//! Draws the chart of a scene: error over time, one line per method, one panel per size.
 //!
-//! A line joins the settings of a method that are worth their time: none that takes less is as good. The others
-//! are its markers beside the line. Runs that failed are crosses in a band above the panel, a row per method.
+//! A line joins the settings of a method for which no faster setting is as accurate. Markers beside the line show the other
+//! settings. Crosses in a band above the panel show failed runs, with a row per method.
 
 use super::axis::{Axis, short, short_time};
 use super::ink::{Place, Words, cross, dashed, line, marker, wrapped};
@@ -14,25 +14,25 @@ use plotters::prelude::{DrawingArea, DrawingBackend, PathElement, Rectangle};
 use plotters::style::Color;
 use plotters::style::text_anchor::{HPos, VPos};
 
-/// Width of a chart in px: that of a page of text.
+/// Width of a chart, px: that of a page of text.
 const WIDTH: i32 = 800;
-/// Height of a row of the legend or the band, px.
+/// Height of a row of the legend, px.
 const ROW: i32 = 18;
 /// Height of a row of the band above a panel, px.
 const BAND_ROW: i32 = 13;
-/// Radius of a marker in px.
+/// Radius of a marker, px.
 const RADIUS: i32 = 4;
-/// Errors less than this part of the tolerance are drawn as this, on a line that says so.
+/// Smallest error that the axis shows, as a fraction of the tolerance. Smaller errors lie on a line at the bottom of the panel.
 const FLOOR: f64 = 1e-5;
 
-/// The chart of a scene.
+/// Chart of a scene: error over time.
 #[derive(Debug, Clone, Copy)]
 pub struct Chart<'a> {
-    /// The scene.
+    /// The charted scene, with its sizes and tolerance.
     pub subject: &'a Subject,
-    /// All methods there are, with what is recommended for each; the place decides how a method looks.
+    /// All methods, each with its recommended setting. The index of a method decides its marker, dashes and colour.
     pub methods: &'a [(&'static str, Setting)],
-    /// Points of this and maybe other scenes.
+    /// Measured points of this scene, and perhaps of others, which are not drawn.
     pub points: &'a [Point],
 }
 
@@ -63,7 +63,7 @@ impl<'a> Chart<'a> {
         wrapped(self.subject.about, 120)
     }
 
-    /// Panels side by side, and one below another.
+    /// Returns the number of panels side by side, and the number of rows of panels.
     fn grid(&self) -> (i32, i32) {
         match self.subject.sizes.len() as i32 {
             0 | 1 => (1, 1),
@@ -83,7 +83,7 @@ impl<'a> Chart<'a> {
         self.panels_top() + self.grid().1 * self.panel_height() + 14
     }
 
-    /// The methods that have a point in this scene, by their places.
+    /// Returns the indices into `methods` of the methods that have a point in this scene.
     fn present(&self) -> Vec<usize> {
         let is_present = |name| self.points.iter().any(|point| self.is_here(point) && point.method == name);
         (0..self.methods.len()).filter(|&place| is_present(self.methods[place].0)).collect()
@@ -118,8 +118,8 @@ impl<'a> Chart<'a> {
         }
         let y = top + ROW * self.legend_rows() + 4;
         let notes = [
-            "Line: settings that no cheaper one of the method equals; small markers: others; white inside: the step jitters;",
-            "ring: what the method's authors recommend; crosses: runs that failed. Further down and to the left is better.",
+            "Line: settings that no cheaper setting of the method equals; small markers: other settings; white inside: jittering step;",
+            "ring: setting recommended by the method's authors; crosses: failed runs. Further down and to the left is better.",
         ];
         for (row, note) in notes.iter().enumerate() {
             Words::new(11.0).color(GREY).write(sheet, note, (40, y + 15 * row as i32))?;
@@ -128,7 +128,7 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// What is drawn of one size.
+/// Panel of the chart for one size of the scene.
 struct Panel<'a> {
     chart: Chart<'a>,
     size: usize,
@@ -139,7 +139,7 @@ struct Panel<'a> {
     right: i32,
     top: i32,
     bottom: i32,
-    /// Methods with a failed run, by their places.
+    /// Indices into `methods` of the methods with a failed run.
     failed: Vec<usize>,
 }
 
@@ -171,12 +171,12 @@ impl<'a> Panel<'a> {
         for place in places.clone() {
             self.paint_line(sheet, place)?;
         }
-        // The last first: discs are smaller than squares and stars, and would lie under them.
+        // The last method is drawn first: discs of the first ones are smaller than squares and stars, and would be hidden.
         for place in places.rev() {
             self.paint_points(sheet, place)?;
         }
         if self.points.iter().all(|point| is_failed(point)) {
-            // Above the tolerance, which is in the middle then.
+            // The text lies above the line of the tolerance, which is in the middle if all runs failed.
             let middle = ((self.left + self.right) / 2, self.top + (self.bottom - self.top) / 4);
             Words::new(12.0).centred().color(GREY).write(sheet, "every run failed", middle)?;
         }
@@ -220,7 +220,8 @@ impl<'a> Panel<'a> {
         self.label(sheet, "tolerance", y)
     }
 
-    /// What a level is, above it at the end where there are no points, or below it if there is no room above.
+    /// Writes the label of a horizontal line at `y`, px. It lies above the line at an end without points, or below it if there
+    /// is no space above.
     fn label<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>, text: &str, y: i32) -> Done<B> {
         const HEIGHT: i32 = 14;
         let is_above = y - HEIGHT > self.top;
@@ -236,7 +237,7 @@ impl<'a> Panel<'a> {
         Words { anchor: (side, edge), ..Words::new(10.0) }.color(GREY).write(sheet, text, (x, y))
     }
 
-    /// The line of those whose error is too little for the chart.
+    /// Draws the line at the bottom of the panel. Points whose error is too small for the axis lie on this line.
     fn paint_floor<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
         let floor = FLOOR * self.chart.subject.tolerance;
         if !self.points.iter().any(|point| !is_failed(point) && point.error < floor) {
@@ -247,7 +248,7 @@ impl<'a> Panel<'a> {
         self.label(sheet, &format!("0, or less than {}", short(floor)), y)
     }
 
-    /// Each method that failed has a row of crosses that begins with its marker.
+    /// Draws a row of crosses for each method with failed runs. The row begins with the marker of the method.
     fn paint_failed<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Done<B> {
         for (row, &place) in self.failed.iter().rev().enumerate() {
             let y = self.top - BAND_ROW / 2 - 3 - BAND_ROW * row as i32;
@@ -292,7 +293,7 @@ impl<'a> Panel<'a> {
         Ok(())
     }
 
-    /// A ring about what a method's authors recommend.
+    /// Draws a ring about the point of the setting that a method's authors recommend.
     fn paint_ring<B: DrawingBackend>(
         &self,
         sheet: &DrawingArea<B, Shift>,
@@ -320,7 +321,7 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// A circle without anything inside: a path, since a circle of the backend may be filled.
+/// Returns the points of a circle as a closed path. It stays empty inside, while the backend may fill its own circles.
 fn ring((x, y): Place, radius: i32) -> Vec<Place> {
     let corner = |index| {
         let angle = std::f64::consts::TAU * f64::from(index) / 24.0;
@@ -330,7 +331,7 @@ fn ring((x, y): Place, radius: i32) -> Vec<Place> {
     (0..=24).map(corner).collect()
 }
 
-/// What is drawn of an error.
+/// Returns the error at which a point is drawn: its own, but at least [`FLOOR`] times the tolerance. Unit: that of the scene.
 fn shown(point: &Point, tolerance: f64) -> f64 {
     point.error.max(FLOOR * tolerance)
 }
@@ -339,7 +340,7 @@ fn is_failed(point: &Point) -> bool {
     point.outcome != Outcome::Fine || !point.error.is_finite()
 }
 
-/// The points that are better than all that take less time, by time. Errors that are drawn alike are alike.
+/// Returns the points with a smaller drawn error than every point that takes less time, sorted by time.
 fn worth_their_time<'a>(points: impl Iterator<Item = &'a Point>, tolerance: f64) -> Vec<&'a Point> {
     let mut points: Vec<&Point> = points.collect();
     let time = |point: &Point| point.microseconds_per_simulated_second;
@@ -387,7 +388,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_leaves_out_what_takes_longer_without_being_better() {
+    fn a_line_omits_points_that_are_slower_and_no_more_accurate() {
         let points = [(10.0, 1.0), (20.0, 2.0), (30.0, 0.5), (5.0, 4.0)]
             .map(|(time, error)| point("ours", time, error));
         let times: Vec<f64> = worth_their_time(points.iter(), 1.0)
@@ -406,7 +407,7 @@ mod tests {
     }
 
     #[test]
-    fn axes_name_what_they_show_with_its_unit() {
+    fn axes_name_their_quantity_and_unit() {
         let text = drawn(&[point("ours", 10.0, 0.5)]);
         assert!(text.contains("height (px)") && text.contains("CPU time per simulated second"));
         assert!(text.contains("10 µs"));

@@ -1,7 +1,8 @@
-//! Pictures of what was measured, as vectors (SVG) and as pixels (PNG).
+//! Draws pictures of measurements, as vectors (SVG) and as pixels (PNG).
 //!
-//! A picture is painted once, through `plotters`, for either: its own backend writes the vectors, [`pixels`] makes
-//! the pixels, smooth and twice as many, with a font that is compiled in, so that nothing depends on the machine.
+//! The same code paints a picture for both formats, through `plotters`. The SVG backend of `plotters` writes vectors.
+//! [`pixels`] paints smooth pixels at twice the resolution, with a font that is compiled in, so that no pixel depends on the
+//! machine.
 
 pub mod axis;
 pub mod first_failures;
@@ -20,27 +21,27 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// What painting on a backend can fail with.
+/// Error that painting on a backend returns.
 pub type Fault<B> = DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>;
 
-/// Something to paint.
+/// A picture that any backend can paint.
 pub trait Picture {
-    /// Width and height in px.
+    /// Returns width and height of the picture, px.
     fn size(&self) -> (u32, u32);
 
-    /// Paints it on a white sheet of that size.
+    /// Paints the picture on a white sheet of its size.
     ///
     /// # Errors
     ///
-    /// What the backend says.
+    /// An error of the backend.
     fn paint<B: DrawingBackend>(&self, sheet: &DrawingArea<B, Shift>) -> Result<(), Fault<B>>;
 }
 
-/// Writes a picture to `stem.svg` and `stem.png`.
+/// Writes a picture to the files `stem.svg` and `stem.png` in a folder.
 ///
 /// # Errors
 ///
-/// When it cannot be painted, or the files cannot be written.
+/// When the picture cannot be painted, or the files cannot be written.
 pub fn save(picture: &impl Picture, folder: &Path, stem: &str) -> io::Result<()> {
     fs::write(folder.join(format!("{stem}.svg")), svg(picture)?)?;
     let pixels = Pixels::new(picture.size());
@@ -49,11 +50,11 @@ pub fn save(picture: &impl Picture, folder: &Path, stem: &str) -> io::Result<()>
     pixels.save(&folder.join(format!("{stem}.png")))
 }
 
-/// A picture as the text of an SVG file.
+/// Returns a picture as the text of an SVG file.
 ///
 /// # Errors
 ///
-/// When it cannot be painted.
+/// When the picture cannot be painted.
 pub fn svg(picture: &impl Picture) -> io::Result<String> {
     let mut text = String::new();
     painted(picture, SVGBackend::with_string(&mut text, picture.size()))?;

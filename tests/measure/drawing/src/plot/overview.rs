@@ -1,5 +1,4 @@
-//! All scenes on one page: a table of scenes and methods, with the time that the cheapest setting takes that meets
-//! the tolerance.
+//! Draws all scenes on one page: a table of scenes and methods, with the time of the cheapest setting that meets the tolerance.
 
 use super::axis::short_time;
 use super::ink::{Words, area, line, marker, wrapped};
@@ -11,15 +10,15 @@ use measure::sweep::{Point, Subject};
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend, RGBColor};
 
-/// Height of a row, px.
+/// Height of a row of the table, px.
 const ROW: i32 = 17;
-/// Height of what is above the rows, px.
+/// Height of the heading above the rows, px.
 const HEAD: i32 = 96;
 /// Width of the column of names, px.
 const NAMES: i32 = 250;
 /// Width of the page, px.
 const WIDTH: i32 = 800;
-/// Where the time of a cell is in the scale of greens: up to so many times the cheapest. The darker the cheaper.
+/// Colours of cells: each with the greatest ratio of the time to the least one of the row. Cheaper cells are darker green.
 const SHADES: [(f64, RGBColor); 4] = [
     (1.15, RGBColor(140, 205, 160)),
     (2.0, RGBColor(185, 225, 195)),
@@ -27,16 +26,16 @@ const SHADES: [(f64, RGBColor); 4] = [
     (f64::INFINITY, RGBColor(246, 250, 246)),
 ];
 
-/// The table.
+/// Table of scenes and methods, as a picture.
 #[derive(Debug, Clone, Copy)]
 pub struct Overview<'a> {
-    /// The heading.
+    /// Heading of the page.
     pub title: &'a str,
-    /// The scenes.
+    /// Scenes, one row each.
     pub subjects: &'a [Subject],
-    /// The methods in order, with what is recommended for each.
+    /// Methods, one column each, with their recommended settings.
     pub methods: &'a [(&'static str, Setting)],
-    /// The figures.
+    /// Measured points of all scenes and methods.
     pub points: &'a [Point],
 }
 
@@ -64,7 +63,7 @@ impl Picture for Overview<'_> {
         }
         let bottom = HEAD + ROW * rows.len() as i32 + 14;
         let legend = [
-            "After the comma: bodies.  x: no setting meets the tolerance.  failed: no run ended well.  Blank: not measured.",
+            "After the comma: bodies.  x: no setting meets the tolerance.  failed: every run failed.  Blank: not measured.",
             "The darker, the nearer to the cheapest of the row.",
         ];
         for (line, text) in legend.into_iter().enumerate() {

@@ -13,14 +13,14 @@ use std::path::Path;
 use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Rect, Stroke, Transform};
 use ttf_parser::{Face, OutlineBuilder};
 
-/// Pixels of the file per px of the picture.
+/// Number of pixels of the file per px of the picture.
 const SCALE: f32 = 2.0;
-/// `plotters` takes sizes of fonts for this many times what SVG does.
+/// Ratio of the size of a font in `plotters` to that in SVG, for the same nominal size.
 const FONT_SIZE: f32 = 1.24;
-/// The font is thin: its strokes are thickened by this part of the font's size.
+/// Width by which strokes of letters are thickened, as a fraction of the font's size. The font is thin.
 const THICKENING: f32 = 0.035;
 
-/// Pixels in the making.
+/// Picture of pixels that [`Sheet`] paints on.
 pub struct Pixels {
     map: RefCell<Pixmap>,
     face: Face<'static>,
@@ -30,11 +30,11 @@ pub struct Pixels {
 type Outcome = Result<(), DrawingErrorKind<Infallible>>;
 
 impl Pixels {
-    /// For a picture of a size in px, at least 1.
+    /// Returns a white picture of a size in px, at least 1 each way.
     ///
     /// # Panics
     ///
-    /// When a side is 0 or immense.
+    /// When width or height is 0 or too large.
     pub fn new(size: (u32, u32)) -> Self {
         let [width, height] = [size.0, size.1].map(|side| (side as f32 * SCALE) as u32);
         let map = Pixmap::new(width, height).expect("a picture has an area");
@@ -42,12 +42,12 @@ impl Pixels {
         Pixels { map: RefCell::new(map), face, size }
     }
 
-    /// What `plotters` paints on.
+    /// Returns the drawing area of the picture for `plotters`.
     pub fn sheet(&self) -> Sheet<'_> {
         Sheet(self)
     }
 
-    /// Writes a PNG file.
+    /// Writes the picture to a PNG file.
     ///
     /// # Errors
     ///
@@ -77,13 +77,13 @@ impl Pixels {
         }
     }
 
-    /// Width of a text in px, for a size of the font in px.
+    /// Returns the width of a text in a font of `size` px, px.
     fn width(&self, text: &str, size: f32) -> f32 {
         let advances = text.chars().map(|letter| self.glyph(letter).1);
         advances.sum::<f32>() * self.unit(size)
     }
 
-    /// Size of the font's unit in px.
+    /// Returns the length of a font unit in a font of `size` px, px.
     fn unit(&self, size: f32) -> f32 {
         size / f32::from(self.face.units_per_em())
     }
@@ -94,7 +94,7 @@ impl Pixels {
     }
 }
 
-/// What `plotters` paints on.
+/// Backend of `plotters` that paints on [`Pixels`].
 pub struct Sheet<'a>(&'a Pixels);
 
 impl DrawingBackend for Sheet<'_> {
@@ -178,7 +178,7 @@ impl DrawingBackend for Sheet<'_> {
             HPos::Center => -0.5,
             HPos::Right => -1.0,
         } * pixels.width(text, size);
-        // As the backend for SVG does, by parts of the font's size; an `x` is half as high.
+        // Positions of the baseline are fractions of the font's size, as in the SVG backend. The letter `x` is half as high.
         let baseline = match style.anchor().v_pos {
             VPos::Top => 0.76,
             VPos::Center => 0.25,
@@ -228,7 +228,7 @@ impl Sheet<'_> {
     }
 }
 
-/// Appends the outlines of letters, in the font's units, y up.
+/// Outlines of letters as one path, in font units, y up.
 struct Outline {
     path: PathBuilder,
     x: f32,

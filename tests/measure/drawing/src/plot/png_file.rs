@@ -1,4 +1,4 @@
-//! PNG files of few colours: a fifth of the size of those with all.
+//! Writes PNG files with few colours, which take a fifth of the space of files with all colours.
 
 use png::{BitDepth, ColorType, Encoder, EncodingError};
 use std::collections::BTreeMap;
@@ -6,13 +6,13 @@ use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::Path;
 
-/// Steps from dark to light of each of red, green and blue: the first that leaves few enough colours is taken. The
-/// last always does.
+/// Numbers of levels for red, green and blue each. The first number is used that leaves at most [`MOST_COLORS`] colours. The
+/// last one always does.
 const STEPS: [u16; 3] = [15, 7, 5];
-/// Colours a file can have.
+/// Greatest number of colours of a file with a palette.
 const MOST_COLORS: usize = 256;
 
-/// Writes opaque pixels, four bytes each, to a file.
+/// Writes opaque pixels, four bytes each (red, green, blue, alpha), to a file.
 ///
 /// # Errors
 ///
@@ -26,7 +26,7 @@ pub(super) fn write(path: &Path, (width, height): (u32, u32), rgba: &[u8]) -> io
     encoder.set_color(ColorType::Indexed);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_palette(palette);
-    // Neighbours of one number are no alike colours: filters would only do harm.
+    // Filters would only enlarge the file, because neighbouring indices stand for unrelated colours.
     encoder.set_filter(png::Filter::NoFilter);
     let written = encoder.write_header().and_then(|mut writer| {
         writer.write_image_data(&pixels)?;
@@ -38,7 +38,8 @@ pub(super) fn write(path: &Path, (width, height): (u32, u32), rgba: &[u8]) -> io
     })
 }
 
-/// The colours, rounded to so many steps, and for each pixel the number of its colour; nothing if they are too many.
+/// Rounds colours to `steps` levels. Returns the colours, and for each pixel the index of its colour; `None` if there are too
+/// many colours.
 fn indexed(rgba: &[u8], steps: u16) -> Option<(Vec<u8>, Vec<u8>)> {
     let rounded = |part: u8| ((u16::from(part) * steps + 127) / 255 * 255 / steps) as u8;
     let mut numbers: BTreeMap<[u8; 3], u8> = BTreeMap::new();
@@ -66,13 +67,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_colours_are_kept_by_their_order() {
+    fn few_colours_are_written_as_palette_indices() {
         let (palette, pixels) = indexed(&[255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255], 15).unwrap();
         assert_eq!((palette, pixels), (vec![255, 255, 255, 0, 0, 0], vec![0, 1, 0]));
     }
 
     #[test]
-    fn all_colours_there_are_fit_into_the_coarsest_steps() {
+    fn all_colours_fit_into_the_coarsest_steps() {
         let all: Vec<u8> = (0..=u32::from(u16::MAX))
             .flat_map(|bits| [(bits >> 8) as u8, bits as u8, (bits >> 4) as u8, 255])
             .collect();

@@ -1,4 +1,4 @@
-//! Looks of the lines: each method has a marker, dashes and a colour of its own, any one of which would do.
+//! Styles of lines: each method has a marker, dashes and a colour of its own. Each of these alone tells methods apart.
 
 use plotters::style::RGBColor;
 
@@ -19,25 +19,25 @@ pub enum Marker {
     Star,
 }
 
-/// How a line looks.
+/// Style of a method's line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {
-    /// The markers.
+    /// Shape of the line's markers.
     pub marker: Marker,
-    /// Lengths in px of dashes and gaps by turns; empty for a line without gaps.
+    /// Lengths of dashes and gaps in turn, px. Empty for a line without gaps.
     pub dashes: &'static [f64],
-    /// The colour, one that people tell apart who see colours differently.
+    /// Colour of line and markers. People with colour blindness can tell the colours apart.
     pub color: RGBColor,
 }
 
-/// Text and axes.
+/// Colour of text and axes.
 pub const DARK: RGBColor = RGBColor(40, 40, 40);
-/// Lines of the grid.
+/// Colour of grid lines.
 pub const PALE: RGBColor = RGBColor(225, 225, 225);
-/// What is said in small print.
+/// Colour of small print.
 pub const GREY: RGBColor = RGBColor(110, 110, 110);
 
-/// The colours of Okabe and Ito, the yellow one left out, which is too pale for lines.
+/// Styles of the methods, with colours of Okabe and Ito. Their yellow is left out, because it is too pale for lines.
 const LOOKS: [Look; 8] = [
     look(Marker::Circle, &[], RGBColor(0, 114, 178)),
     look(Marker::Square, &[7.0, 3.0], RGBColor(213, 94, 0)),
@@ -53,7 +53,7 @@ const fn look(marker: Marker, dashes: &'static [f64], color: RGBColor) -> Look {
     Look { marker, dashes, color }
 }
 
-/// The look of the method with a place in the list of all. From the ninth on they repeat.
+/// Returns the style of the method with index `place` in the list of all methods. Styles repeat from the ninth method on.
 pub fn look_of(place: usize) -> Look {
     LOOKS[place % LOOKS.len()]
 }

@@ -1,4 +1,4 @@
-//! Rooms that turn, or in which something turns.
+//! Drums that turn, and a room in which a blade turns.
 
 use super::{count, fall_speed, ground, limits};
 use crate::arena::scene::{Body, Form, Joint, Kind, Limits, Point, Scene, Shape};
@@ -6,10 +6,11 @@ use std::f32::consts::{PI, TAU};
 
 /// Angular velocity of drums in rad/s: 25 degrees per s.
 const SPIN: f32 = PI / 180.0 * 25.0;
-/// The middle of a drum.
+/// Centre of a drum in m.
 const MIDDLE: Point = [0.0, 10.0];
 
-/// Bodies in a square about the middle of a drum, from the middle of one to the next.
+/// Adds `count` x `count` square boxes around [`MIDDLE`]. `half` is half of a box's side in m. The first box lies `left *
+/// count` m from the middle along x and y (`left` < 0); neighbours are `pitch` m apart, measured from centre to centre.
 fn fill(scene: &mut Scene, count: usize, half: f32, [left, pitch]: [f32; 2]) {
     let from_left = |place: usize| left * count as f32 + pitch * place as f32;
     for row in 0..count {
@@ -20,7 +21,7 @@ fn fill(scene: &mut Scene, count: usize, half: f32, [left, pitch]: [f32; 2]) {
     }
 }
 
-/// The box about the middle of a drum.
+/// Returns the lowest and highest corner in m of a square around [`MIDDLE`] that reaches `reach` m in each direction.
 fn about_middle(reach: f32) -> [Point; 2] {
     [MIDDLE.map(|v| v - reach), MIDDLE.map(|v| v + reach)]
 }
@@ -28,9 +29,9 @@ fn about_middle(reach: f32) -> [Point; 2] {
 pub(super) fn tumbler(size: f32) -> Scene {
     let side = size.sqrt();
     let count = count(45, side);
-    // Walls are 1 m thick: inside, half of 19 m times the side, or as much as the boxes need.
+    // Half of the outer width in m. Walls are 1 m thick. The inner width is 19 m times `side`, or more if the boxes need it.
     let half = (9.5 * side).max(0.2 * count as f32 + 0.2) + 0.5;
-    // The corners of the drum go 1.5 times as fast as its walls are from the middle.
+    // Speed of a fall across the drum plus the speed of the corners, which are less than `1.5 * half` from the middle.
     let speed = fall_speed(3.0 * half) + 1.5 * half * SPIN;
     let limits = Limits { gap: 0.05, ..limits(about_middle(1.5 * half), speed, 0.125) };
     let mut scene = Scene::empty(750, limits);
@@ -43,7 +44,7 @@ pub(super) fn tumbler(size: f32) -> Scene {
         wall([half, 0.5], [0.0, -half]),
     ];
     let drum = scene.add(Body::dynamic(MIDDLE, walls));
-    // A drum's weight times its width grows with the cube of its side.
+    // The torque that turns a drum is proportional to weight times width, and so to the cube of `side`.
     let torque = 1e8 * side.max(1.0).powi(3);
     scene.joints.push(Joint { motor: Some([SPIN, torque]), ..Joint::new([held, drum], MIDDLE) });
     fill(&mut scene, count, 0.125, [-0.2, 0.4]);
@@ -55,11 +56,11 @@ pub(super) fn washer(size: f32) -> Scene {
     let reach = 18.0 * side;
     let speed = fall_speed(2.0 * reach) + reach * SPIN;
     let mut scene = Scene::empty(500, limits(about_middle(reach + 1.0), speed, 0.15));
-    // Fewer would cut the corners of the boxes' square off.
+    // With fewer plates the drum would not contain the corners of the square of boxes.
     let plates = count(36, side).max(9);
     let step = TAU / plates as f32;
     let at = |radius: f32, angle: f32| [radius * angle.cos(), radius * angle.sin()];
-    // A plate between two radii, its inner and outer edge between two angles.
+    // A plate between two radii (m, multiplied by `side`) and two angles (rad).
     let plate = |[inner, outer]: [f32; 2], [from, to]: [f32; 2]| {
         let [inner, outer] = [inner, outer].map(|radius| radius * side);
         Shape::new(Form::hull(&[at(inner, from), at(outer, from), at(inner, to), at(outer, to)], 0.0))
@@ -85,17 +86,17 @@ pub(super) fn spinner(size: f32) -> Scene {
     let side = size.sqrt();
     let (radius, corners) = (40.0 * side, count(360, side));
     let bounds = [[-radius - 1.0, -8.0 * side - 1.0], [radius + 1.0, 72.0 * side + 1.0]];
-    // Spin of the blade in rad/s, and from its middle to its tip.
+    // Angular velocity of the blade in rad/s, and distance in m from its middle to its tip.
     let (spin, arm) = (5.0, 20.2 * side);
     let speed = fall_speed(2.0 * radius) + 2.0 * spin * arm;
-    // A blade of unlimited torque crushes bodies against the room: up to their width of 0.7 m.
+    // A blade of unlimited torque crushes bodies against the room, so overlaps reach the width of a body, 0.7 m.
     let limits = Limits { gap: 0.05, ..limits(bounds, speed, 0.7) };
     let mut scene = Scene { takes_lesser_friction: true, ..Scene::empty(500, limits) };
     let corner = |index: usize| {
         let angle = TAU * index as f32 / corners as f32;
         [radius * angle.cos(), radius * angle.sin() + 32.0 * side]
     };
-    // The greater of two restitutions is that of the bodies, and so is the mean if all have it.
+    // Box2D takes the greater restitution, that of the bodies (0.1). The mean is the same if all shapes have 0.1 in our engine.
     let bouncing = |mut shape: Shape, restitution: f32| {
         (shape.surface[1], shape.mean_surface[1]) = (restitution, 0.1);
         shape

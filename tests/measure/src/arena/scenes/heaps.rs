@@ -1,4 +1,4 @@
-//! Heaps: what falls into a yard or a silo, and a wall that is smashed.
+//! Bodies that fall into a yard or a silo and form heaps, and a wall of boxes that a heavy box smashes.
 
 use super::{count, fall_speed, ground, limits, yard};
 use crate::arena::scene::{Action, Body, Form, Kind, Limits, Scene, Shape};
@@ -9,7 +9,7 @@ pub(super) fn junkyard(size: f32) -> Scene {
     let (half, height) = (count(80, side) as i32, count(50, side));
     let (columns, rows) = (count(200, side), count(40, side));
     let reach = half as f32 + 0.5;
-    // The wall goes at up to 12 m/s times the side.
+    // The wall moves at up to 12 m/s times `side`.
     let speed = fall_speed(15.0 + rows as f32) + 12.0 * side;
     let mut scene = Scene::empty(800, limits([[-reach, 0.0], [reach, 1000.0]], speed, 0.25));
     scene.add(ground(yard(half, height)));
@@ -34,7 +34,7 @@ pub(super) fn junkyard(size: f32) -> Scene {
 
 pub(super) fn compounds(size: f32) -> Scene {
     let side = size.sqrt();
-    // Walls are 1 m thick: half of the width inside is 39.5 m times the side, or the silo of a small size would overflow.
+    // Walls are 1 m thick. Half of the inner width is 39.5 m times `side`; otherwise a small silo would overflow.
     let (half, height) = ((39.5 * side + 0.5).ceil() as i32, count(100, side));
     let (columns, rows) = (count(20, side), count(150, side));
     let reach = half as f32 + 0.5;
@@ -62,7 +62,7 @@ pub(super) fn compounds(size: f32) -> Scene {
 pub(super) fn smash(size: f32) -> Scene {
     let side = size.sqrt();
     let (columns, rows) = (count(120, side), count(80, side));
-    // Of two that meet elastically the light one flies off at up to twice the speed of the heavy one.
+    // If two bodies collide elastically, the light one flies off at up to twice the speed of the heavy one.
     let limits = Limits { bounds: None, speed: 80.0, overlap: 0.2, gap: 0.0 };
     let mut scene = Scene { gravity: [0.0; 2], ..Scene::empty(300, limits) };
     let ram = Shape::rectangle([4.0 * side; 2], [0.0; 2]).with_density(8.0);

@@ -1,7 +1,7 @@
 //! The ten scenes of Box2D's benchmark (E. Catto, Box2D 3, `shared/benchmarks.c`), at any size.
 //!
-//! A size is the share of the release benchmark's number of bodies: 1 for all of them. Counts along a side grow with its
-//! square root, and so does what holds the bodies.
+//! A size is a fraction of the number of bodies in the release benchmark, dimensionless, > 0: 1 for all of them. Counts
+//! along a side, and lengths of containers, are proportional to the square root of the size.
 
 mod drums;
 mod heaps;
@@ -11,18 +11,18 @@ mod rain;
 
 use super::scene::{Body, Kind, Limits, Scene, Shape};
 
-/// A scene of the arena.
+/// A scene of the arena, which can be built at any size.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneEntry {
-    /// Its name in Box2D's benchmark.
+    /// Name of the scene in Box2D's benchmark.
     pub name: &'static str,
-    /// One sentence.
+    /// Description of the scene in one sentence.
     pub about: &'static str,
-    /// The scene at a size.
+    /// Builds the scene at a size.
     pub build: fn(f32) -> Scene,
 }
 
-/// All scenes.
+/// Returns all scenes of the arena.
 pub fn scenes() -> [SceneEntry; 10] {
     let entry = |name, about, build| SceneEntry { name, about, build };
     [
@@ -47,18 +47,18 @@ pub fn scenes() -> [SceneEntry; 10] {
     ]
 }
 
-/// A count of the release benchmark at another size.
+/// Returns the count `full` of the release benchmark multiplied by `scale`, rounded, and at least 1.
 fn count(full: usize, scale: f32) -> usize {
     ((full as f32 * scale).round() as usize).max(1)
 }
 
-/// The speed in m/s of a body that has fallen from a height in m.
+/// Returns the speed in m/s of a body that has fallen from `height` m.
 fn fall_speed(height: f32) -> f32 {
     (20.0 * height).sqrt()
 }
 
-/// A static yard of boxes of about a metre: a floor from `-half` to `half` along x, its middle at y = 0, and a wall of a height
-/// at each end.
+/// Returns a static yard of boxes 1 m apart. Its floor reaches from `-half` to `half` m along x, with its middle at y = 0.
+/// At each end is a wall of `height` boxes.
 fn yard(half: i32, height: usize) -> Vec<Shape> {
     let floor = (-half..=half).map(|x| Shape::rectangle([0.55, 0.5], [x as f32, 0.0]));
     let walls = [-half, half]
@@ -67,12 +67,12 @@ fn yard(half: i32, height: usize) -> Vec<Shape> {
     floor.chain(walls).collect()
 }
 
-/// A static body at the origin.
+/// Creates a static body at the origin.
 fn ground(shapes: Vec<Shape>) -> Body {
     Body::immovable(Kind::Static, [0.0; 2], shapes)
 }
 
-/// Limits for scenes without joints: speed in m/s and overlap in m.
+/// Returns limits for scenes without joints: bounds in m, greatest speed in m/s, deepest overlap in m.
 fn limits(bounds: [[f32; 2]; 2], speed: f32, overlap: f32) -> Limits {
     Limits { bounds: Some(bounds), speed, overlap, gap: 0.0 }
 }

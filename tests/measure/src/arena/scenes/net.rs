@@ -1,16 +1,16 @@
-//! A net of discs on hinges.
+//! A square net of discs on hinges, held at the middle of its upper side.
 
 use super::{count, fall_speed};
 use crate::arena::scene::{Body, Form, Joint, Kind, Limits, Scene, Shape};
 
 pub(super) fn joint_grid(size: f32) -> Scene {
     let side = count(100, size.sqrt());
-    // The hinges of the held discs carry a weight that grows with the square of the side. Twice the gaps of Box2D, which were
-    // 0.022 and 0.089 m with 25 and 50 discs along a side, or 0.05 m.
+    // Greatest gap of a hinge in m: twice that of Box2D, but at least 0.05 m. Box2D's gaps were 0.022 and 0.089 m with 25 and
+    // 50 discs along a side, since the hinges of the held discs carry a weight proportional to the square of the side.
     let gap = (7e-5 * (side * side) as f32).max(0.05);
     let limits = Limits { bounds: None, speed: fall_speed(2.0 * side as f32), overlap: 0.0, gap };
     let mut scene = Scene { sleeps: false, ..Scene::empty(500, limits) };
-    // Discs meet no other disc.
+    // Discs do not collide with other discs.
     let disc = || Shape::new(Form::Circle { centre: [0.0; 2], radius: 0.4 }).with_filter(2, !2, 0);
     for column in 0..side {
         for row in 0..side {

@@ -1,12 +1,13 @@
-//! Pyramids of boxes of 1 m.
+//! Pyramids of square boxes with sides of 1 m.
 
 use super::{count, fall_speed, ground, limits};
 use crate::arena::scene::{Body, Form, Kind, Scene, Shape};
 
-/// Half of a box in m.
+/// Half of the side of a box, in metres.
 const HALF: f32 = 0.5;
 
-/// A pyramid whose lowest row begins at a point.
+/// Adds a pyramid of boxes with `base` boxes in the lowest row; `left` and `bottom` are the x and y in m of its lower left
+/// corner.
 fn pyramid(scene: &mut Scene, base: usize, [left, bottom]: [f32; 2]) {
     for row in 0..base {
         for place in row..base {

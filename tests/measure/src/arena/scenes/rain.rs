@@ -1,24 +1,25 @@
-//! Ragdolls of eleven bones that rain on five floors. The oldest go as new ones come.
+//! Ragdolls of eleven bones that fall on five floors. The oldest are removed as new ones are added.
 
 use super::{count, fall_speed, ground};
 use crate::arena::scene::{Action, Body, Form, Joint, Limits, Scene, Shape};
 use std::f32::consts::PI;
 
-/// Floors, and ragdolls that begin beside each other above each of them.
+/// Number of floors. Ragdolls fall on each of them.
 const FLOORS: usize = 5;
+/// Number of ragdolls that are added beside each other above each floor.
 const ABREAST: usize = 5;
-/// From one floor to the next in m.
+/// Distance between neighbouring floors in metres.
 const STOREY: f32 = 45.0;
-/// Ragdolls that come together.
+/// Number of ragdolls that are added in one step, on all floors.
 const GROUP: usize = FLOORS * ABREAST;
-/// Width of a tile of the floors in m.
+/// Width and height of a square tile of the floors, in metres.
 const TILE: f32 = 0.5;
-/// Steps for which a ragdoll is there.
+/// Number of steps after which a ragdoll is removed.
 const LIFE: usize = 320;
 
 pub(super) fn rain(size: f32) -> Scene {
     let columns = count(40, size);
-    // A group is 2 m wide: on fewer tiles it would not find room.
+    // The ragdolls above a floor are 2 m wide together; a floor has at least 32 tiles (16 m).
     let tiles = count(500, size).max(32);
     let span = tiles as f32 * TILE;
     let limits = Limits { bounds: None, speed: fall_speed(STOREY * 7.0), overlap: 0.1, gap: 0.1 };
@@ -26,7 +27,7 @@ pub(super) fn rain(size: f32) -> Scene {
     let tile = |floor: usize, index: usize| {
         let at = [TILE * index as f32 - 0.5 * span, STOREY * floor as f32];
         let mut tile = Shape::rectangle([0.5 * TILE; 2], at);
-        // With the 0.2 of ragdolls the geometric mean of 0.6 is the mean of this.
+        // The mean of 0.493 and the 0.2 of ragdolls is the geometric mean of 0.6 and 0.2.
         tile.mean_surface[0] = 0.493;
         tile
     };
@@ -37,7 +38,8 @@ pub(super) fn rain(size: f32) -> Scene {
     scene
 }
 
-/// A column gets a new group, and its old one goes, whenever the columns before it have been served.
+/// Returns the actions before a step. At regular intervals the next of `columns` columns gets a new group of ragdolls, and
+/// its old group is removed. `span` is the width of the floors in metres.
 fn actions(step: usize, columns: usize, span: f32) -> Vec<Action> {
     let pause = (LIFE / columns).max(1);
     if !step.is_multiple_of(pause) {
@@ -60,26 +62,27 @@ fn actions(step: usize, columns: usize, span: f32) -> Vec<Action> {
     actions
 }
 
-/// Categories of bones, and of feet, which meet the ground alone.
+/// Category bit of bones.
 const BONE: u32 = 2;
+/// Category bit of feet, which collide with the ground alone.
 const FOOT: u32 = 4;
 
-/// A bone: a capsule along y, and the joint to its parent.
+/// A bone of a ragdoll: a capsule along y, and the joint to its parent.
 #[derive(Clone, Copy)]
 struct Bone {
-    /// Height of its origin above the ragdoll's, in m.
+    /// Height of the bone's origin above that of the ragdoll, in metres.
     y: f32,
-    /// Lower and upper end above its origin, and radius, in m.
+    /// Lower and upper end of the capsule's axis above the bone's origin, and its radius, in metres.
     capsule: [f32; 3],
-    /// Index of the bone that it hangs on.
+    /// Index of the parent bone, to which the joint connects this bone.
     parent: usize,
-    /// Height of the joint above the ragdoll's origin, in m.
+    /// Height of the joint above the ragdoll's origin, in metres.
     pivot: f32,
-    /// Limits of the joint in half turns.
+    /// Least and greatest joint angle, in half turns (pi rad).
     limits: [f32; 2],
-    /// Greatest torque of the joint's friction in N m.
+    /// Greatest torque of the joint's friction in newton metres.
     friction: f32,
-    /// Angle from which the joint counts in rad.
+    /// Relative angle in rad at which the joint angle is 0.
     reference: f32,
     damping: f32,
     has_foot: bool,
@@ -100,7 +103,7 @@ const LOWER_ARM: Bone = Bone {
     ..bone(0.975, [-0.125, 0.125, 0.03], 7, 1.1, [-0.2, 0.3], 0.005)
 };
 
-/// The bones of a ragdoll.
+/// Number of bones of a ragdoll.
 const BONES: usize = 11;
 const SKELETON: [Bone; BONES] = [
     bone(0.95, [-0.02, 0.02, 0.095], 0, 0.0, [0.0; 2], 0.0),
@@ -116,7 +119,8 @@ const SKELETON: [Bone; BONES] = [
     Bone { parent: 9, ..LOWER_ARM },
 ];
 
-/// Adds a ragdoll whose bones are the bodies from `first` on, each followed by the joint to its parent.
+/// Appends the actions that add a ragdoll at (x, y) in m. Its bones become the bodies from index `first` on; each is
+/// followed by the joint to its parent. Bodies of one `group` do not collide.
 fn add_ragdoll(actions: &mut Vec<Action>, [x, y]: [f32; 2], first: usize, group: u32) {
     for (index, bone) in SKELETON.iter().enumerate() {
         let [low, high, radius] = bone.capsule;

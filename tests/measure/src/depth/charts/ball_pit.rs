@@ -1,17 +1,17 @@
-//! Balls fall into a pit and come to rest, in three axes.
+//! A chart's scene in 2.5D: balls fall into a pit and come to rest.
 
 use super::{DepthChartScene, SIZES};
 use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene, DepthShape, Surface};
-use crate::watch::{Seen, Watch, watch};
+use crate::watch::{Observation, Watch, watch};
 use crate::world::{World, distance};
 
-/// Layers of balls at first.
+/// Number of layers of balls at the start.
 const LAYERS: f32 = 4.0;
-/// Room for one ball at first, px.
+/// Edge of the cube of space for one ball at the start, px.
 const CELL: f32 = 24.0;
-/// Thickness of the walls in px: nothing passes them in a step.
+/// Thickness of the walls in px. It is more than a ball moves in a step.
 const WALL: f32 = 60.0;
-/// Simulated time in s, and the time from which on the balls are at rest.
+/// `END`: simulated time in s. `REST`: time in s from which on the balls should be at rest.
 const END: f64 = 8.0;
 const REST: f64 = 7.0;
 
@@ -19,7 +19,7 @@ pub(super) const SCENES: [DepthChartScene; 2] = [PENETRATION, SPEED];
 
 const PENETRATION: DepthChartScene = DepthChartScene {
     name: "ball_pit_penetration",
-    about: "Balls fall into a pit and lie in it; how deep two of them, or one and the pit, are in each other at most.",
+    about: "Balls fall into a pit and lie in it; the largest penetration of two balls, or of a ball and the pit.",
     sizes: SIZES,
     build: ball_pit,
     seconds: END,
@@ -29,7 +29,7 @@ const PENETRATION: DepthChartScene = DepthChartScene {
     },
     error: "largest penetration in the last second",
     unit: "px",
-    // A tenth of a ball's radius; less than a px is not seen.
+    // A tenth of a ball's radius (10 px): an overlap of less than a pixel is invisible.
     tolerance: 1.0,
     broad_phases_matter: false,
     peers_too: true,
@@ -37,16 +37,16 @@ const PENETRATION: DepthChartScene = DepthChartScene {
 
 const SPEED: DepthChartScene = DepthChartScene {
     name: "ball_pit_speed",
-    about: "Balls fall into a pit; how fast they still move when they should lie.",
+    about: "Balls fall into a pit; their speeds at a time when they should be at rest.",
     watch: |scene| resting(scene, |balls| root_mean_square(balls.iter().map(|ball| ball.speed))),
     error: "root mean square of the speeds in the last second",
     unit: "px/s",
-    // A fifth of a radius per second: it looks at rest.
+    // 2 px/s is a fifth of a ball's radius per second: the ball appears at rest.
     tolerance: 2.0,
     ..PENETRATION
 };
 
-/// `count` balls of a radius of about 10 px in four layers, above a pit of four walls.
+/// Returns a scene of `count` balls with radii of about 10 px, in four layers above a pit of four walls.
 fn ball_pit(count: usize) -> DepthScene {
     let surface = Surface { friction: 0.5, restitution: 0.1 };
     let side = (count as f32 / LAYERS).sqrt().ceil().max(1.0) as usize;
@@ -66,7 +66,8 @@ fn ball_pit(count: usize) -> DepthScene {
     enclose(scene, CELL * side as f32, CELL * (LAYERS + 3.0), surface)
 }
 
-/// Four platforms as walls about a square field: they are the same for all methods.
+/// Adds four platforms as walls around a square field of `width` px: platforms are equal for all methods. `height` is that
+/// of the walls in px.
 fn enclose(scene: DepthScene, width: f32, height: f32, surface: Surface) -> DepthScene {
     let middle = (width + WALL) / 2.0;
     let wall = |size, [x, z]: [f32; 2]| DepthPlatform::new(size, [x, 0.0, z], surface);
@@ -79,13 +80,14 @@ fn enclose(scene: DepthScene, width: f32, height: f32, surface: Surface) -> Dept
         .with_platform(wall(along, [0.0, middle]))
 }
 
-/// A number between -1 and 1 that differs for every index: multiples of an irrational number, less their whole part.
+/// Returns a number between -1 and 1, dimensionless, that differs for every index: the fractional part of a multiple of an
+/// irrational number. `sequence` selects the irrational number.
 fn vary(index: usize, sequence: usize) -> f32 {
     let step = [0.856_674_883, 0.733_891_856, 0.628_706_724, 0.538_597_253][sequence - 1];
     (((index + 1) as f64 * step).fract() * 2.0 - 1.0) as f32
 }
 
-/// A ball as it is.
+/// Centre, radius and speed of a ball at one moment.
 #[derive(Debug, Clone, Copy)]
 struct Ball {
     middle: [f64; 3],
@@ -93,10 +95,10 @@ struct Ball {
     speed: f64,
 }
 
-/// The pit without its balls.
+/// The dimensions of the pit.
 #[derive(Debug, Clone, Copy)]
 struct Pit {
-    /// Half its extent along X and along Z.
+    /// Half the inner extent of the pit along X and along Z, px.
     half: f64,
 }
 
@@ -106,7 +108,7 @@ impl Pit {
         Pit { half: f64::from(-first.position[0] - first.size[0] / 2.0) }
     }
 
-    /// The most that a ball is in another one, in the ground or in a wall, px.
+    /// Returns the greatest penetration of a ball into another ball, the ground or a wall, px.
     fn largest_overlap(&self, balls: &[Ball]) -> f64 {
         let mut sorted: Vec<&Ball> = balls.iter().collect();
         sorted.sort_by(|a, b| left(a).total_cmp(&left(b)));
@@ -126,7 +128,7 @@ impl Pit {
         (x.abs() + ball.radius - self.half).max(z.abs() + ball.radius - self.half).max(ball.radius - y)
     }
 
-    /// Whether the middle of a ball is outside.
+    /// Returns whether the centre of a ball is outside of the pit.
     fn has_lost(&self, ball: &Ball) -> bool {
         let [x, y, z] = ball.middle;
         x.abs() > self.half || z.abs() > self.half || y < 0.0
@@ -137,7 +139,8 @@ fn left(ball: &Ball) -> f64 {
     ball.middle[0] - ball.radius
 }
 
-/// Measures all balls from the time on from which they should lie. A ball that has left the pit is a failure.
+/// Returns a watch that applies `measure` to all balls once they should be at rest. The run fails if a ball has left the
+/// pit.
 fn resting(scene: &DepthScene, measure: impl Fn(&[Ball]) -> f64 + 'static) -> Box<dyn Watch> {
     let pit = Pit::of(scene);
     let radius = |object: &DepthObject| match object.shape {
@@ -149,9 +152,9 @@ fn resting(scene: &DepthScene, measure: impl Fn(&[Ball]) -> f64 + 'static) -> Bo
         let balls: Vec<Ball> =
             radii.iter().enumerate().map(|(index, &radius)| ball(world, index, radius)).collect();
         if balls.iter().any(|ball| pit.has_lost(ball)) {
-            return Some(Seen::Failed("left the pit", f64::INFINITY));
+            return Some(Observation::Failed("left the pit", f64::INFINITY));
         }
-        (time >= REST).then(|| Seen::Fine(measure(&balls)))
+        (time >= REST).then(|| Observation::Fine(measure(&balls)))
     })
 }
 
@@ -197,7 +200,7 @@ mod tests {
         let pit = Pit { half: 100.0 };
         let ball = |x: f64, y: f64, z: f64| Ball { middle: [x, y, z], radius: 10.0, speed: 0.0 };
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
-        // 3, 4 and 12 make 13, of 20.
+        // The centres are 3, 4 and 12 px apart along the axes: 13 px, where the radii add up to 20 px.
         near(pit.largest_overlap(&[ball(0.0, 50.0, 0.0), ball(3.0, 54.0, 12.0)]), 7.0);
         near(pit.largest_overlap(&[ball(0.0, 50.0, 0.0), ball(-92.0, 50.0, 0.0)]), 2.0);
         near(pit.largest_overlap(&[ball(0.0, 50.0, 95.0)]), 5.0);

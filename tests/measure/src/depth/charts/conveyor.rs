@@ -1,25 +1,26 @@
-//! Belts slide under boxes that were at rest, and friction takes the boxes along.
+//! Belts slide under boxes that were at rest, and friction carries the boxes.
 
 use super::{DepthChartScene, SIZES};
 use crate::scenes::depth::{DepthObject, DepthScene, GRAVITY, Surface};
-use crate::watch::{Seen, Watch, watch};
+use crate::watch::{Observation, Watch, watch};
 use crate::world::{World, distance};
 
-/// Boxes on a belt.
+/// Number of boxes (loads) on one belt.
 const LOADS: usize = 5;
-/// Of a belt, in the mass of a load.
+/// Mass of a belt divided by that of a load, dimensionless.
 const BELT_MASS: f32 = 50.0;
-/// Of a belt at first, px/s.
+/// Initial speed of a belt, px/s; loads start at rest.
 const SPEED: f32 = 60.0;
 /// Extent of a belt along X, Y and Z in px.
 const BELT: [f32; 3] = [300.0, 20.0, 120.0];
-/// Of a load.
+/// Extent of a load along X, Y and Z in px.
 const LOAD: [f32; 3] = [24.0, 16.0, 20.0];
-/// From one load of a belt to the next, px.
+/// Distance along X from one load to the next on a belt, px.
 const SPACING: f32 = 40.0;
-/// From one belt to the next along X and Z, px.
+/// Distances from one belt to the next along X and along Z, px.
 const PITCH: [f32; 2] = [420.0, 200.0];
-/// Of a load; the belts and the ground are ice, and the mean counts.
+/// Friction coefficient of a load. Belts and ground have none, so the mean of load and belt, half of this, acts between
+/// them.
 const FRICTION: f32 = 0.8;
 
 pub(super) const SCENES: [DepthChartScene; 2] = [ALONG_X, ASKEW];
@@ -33,7 +34,7 @@ const ALONG_X: DepthChartScene = DepthChartScene {
     watch: |scene| against_closed_form(scene, [1.0, 0.0]),
     error: "largest distance from the closed form",
     unit: "px",
-    // Boxes 16 px apart never touch, and a sprite that is off by this is not seen to slip.
+    // Boxes 16 px apart never touch, and an error of 2 px does not look like slip.
     tolerance: 2.0,
     broad_phases_matter: false,
     peers_too: true,
@@ -41,14 +42,15 @@ const ALONG_X: DepthChartScene = DepthChartScene {
 
 const ASKEW: DepthChartScene = DepthChartScene {
     name: "conveyor_askew",
-    about: "Belts that slide over ice, 0.6 of the way along X and 0.8 into the picture, take along five boxes each by \
-            friction, until both have one speed. Boxes turn about Z alone, as sprites do, which turns rapier3d's friction aside from the slip.",
+    about: "Belts that slide over ice obliquely, in the direction (0.6, 0, 0.8), take along five boxes each by friction, \
+            until both have one speed. Boxes turn about Z alone, as sprites do, which deflects rapier3d's friction from the slip.",
     build: |size| conveyor("conveyor_askew", size, [0.6, 0.8]),
     watch: |scene| against_closed_form(scene, [0.6, 0.8]),
     ..ALONG_X
 };
 
-/// `count` boxes on belts. Each belt is followed by its loads.
+/// Returns a scene of `count` boxes on belts that slide in the direction `direction` (X, Z). In the list of objects each
+/// belt is followed by its loads.
 fn conveyor(name: &str, count: usize, direction: [f32; 2]) -> DepthScene {
     let belts = count.div_ceil(LOADS);
     let side = (belts as f32).sqrt().ceil() as usize;
@@ -56,7 +58,7 @@ fn conveyor(name: &str, count: usize, direction: [f32; 2]) -> DepthScene {
     let mut scene = DepthScene::empty(format!("{name}_of_{count}"), 300, ice);
     for index in 0..belts {
         let (row, column) = (index / side, index % side);
-        // Not all edges of a column at one place.
+        // A shift per row, so that the edges of the belts in a column do not all coincide.
         let x = PITCH[0] * column as f32 + 0.37 * row as f32;
         let z = PITCH[1] * row as f32;
         let velocity = [SPEED * direction[0], 0.0, SPEED * direction[1]];
@@ -72,8 +74,8 @@ fn conveyor(name: &str, count: usize, direction: [f32; 2]) -> DepthScene {
     scene
 }
 
-/// How far a belt and its loads have come after a time in s. Friction speeds the loads up and the belt down evenly
-/// until they have one speed.
+/// Returns the distances in px that a belt and a load have moved `time` s after the start. Friction accelerates the loads
+/// and slows the belt uniformly until their speeds are equal.
 fn ways(time: f64) -> [f64; 2] {
     let speed = f64::from(SPEED);
     let of_load = f64::from(FRICTION) / 2.0 * f64::from(GRAVITY);
@@ -95,9 +97,13 @@ fn against_closed_form(scene: &DepthScene, direction: [f64; 2]) -> Box<dyn Watch
             let place = [start[0] + way * direction[0], start[1], start[2] + way * direction[1]];
             let is = world.body(index).position;
             let has_fallen = !is_belt && is[1] < f64::from(BELT[1]) / 2.0;
-            if has_fallen { Seen::Failed("fell off", f64::INFINITY) } else { Seen::Fine(distance(is, place)) }
+            if has_fallen {
+                Observation::Failed("fell off", f64::INFINITY)
+            } else {
+                Observation::Fine(distance(is, place))
+            }
         };
-        starts.iter().enumerate().map(seen).reduce(Seen::and)
+        starts.iter().enumerate().map(seen).reduce(Observation::and)
     })
 }
 
@@ -109,7 +115,7 @@ mod tests {
     fn momentum_is_shared_in_the_closed_form() {
         let (early, late) = (ways(2.0), ways(3.0));
         let [belt, load] = [late[0] - early[0], late[1] - early[1]];
-        // Both go at one speed, and the momentum is that of the belt at first.
+        // Belt and loads have one speed, and the total momentum is the initial momentum of the belt.
         assert!((belt - load).abs() < 1e-9);
         assert!((belt * 55.0 - 60.0 * 50.0).abs() < 1e-9);
     }

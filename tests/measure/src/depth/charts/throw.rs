@@ -1,11 +1,11 @@
-//! A ball is thrown up, to the right and into the picture.
+//! A chart's scene: a ball is thrown up, to the right and into the picture.
 
 use super::DepthChartScene;
 use crate::scenes::depth::{DepthScene, GRAVITY, throw_in_x_and_z};
-use crate::watch::{Seen, Watch, watch};
+use crate::watch::{Observation, Watch, watch};
 use crate::world::{World, distance};
 
-/// The ball lands where it started, in Y, after this time in s: 2 v / g.
+/// Time in s after which the ball is back at the height of its start: 2 v / g, with v the upward speed.
 const LANDING: f64 = 2.0;
 
 pub(super) const SCENES: [DepthChartScene; 3] = [FLIGHT, STEPPED, LANDED];
@@ -15,12 +15,12 @@ const FLIGHT: DepthChartScene = DepthChartScene {
     about: "A ball is thrown up, to the right and into the picture; its flight against the parabola.",
     sizes: &[0],
     build: |_| throw_in_x_and_z(),
-    // The rest of the way is through the contact with the ground.
+    // The last twentieth of the flight is left out, so that the contact with the ground has no effect.
     seconds: 0.95 * LANDING,
     watch: |scene| against(scene, 0.0),
     error: "largest distance from the parabola",
     unit: "px",
-    // A throw that aims at something 20 px wide still meets it.
+    // A throw at a target 20 px wide still hits it.
     tolerance: 2.0,
     broad_phases_matter: false,
     peers_too: true,
@@ -28,10 +28,10 @@ const FLIGHT: DepthChartScene = DepthChartScene {
 
 const STEPPED: DepthChartScene = DepthChartScene {
     name: "throw_in_depth_stepped",
-    about: "A ball is thrown up, to the right and into the picture; its flight against the law of the steps: in each, velocity changes first and moves the ball then.",
+    about: "A ball is thrown up, to the right and into the picture; its flight against the discrete law: semi-implicit Euler steps.",
     watch: against_steps,
-    error: "largest distance from the law of the steps",
-    // Rounding, and no more.
+    error: "largest distance from the discrete law",
+    // The error is that of rounding alone.
     tolerance: 0.01,
     peers_too: false,
     ..FLIGHT
@@ -42,23 +42,25 @@ const LANDED: DepthChartScene = DepthChartScene {
     about: "A ball is thrown up, to the right and into the picture; it lands after 2 s without a bounce and rolls on with two thirds of its speed.",
     seconds: 2.0 * LANDING,
     watch: |scene| against(scene, 1.75 * LANDING),
-    error: "distance from where it rolls",
+    error: "distance from its expected rolling position",
     tolerance: 2.0,
     ..FLIGHT
 };
 
-/// The distance of the first object from its closed form, from a time in s on.
+/// Returns a watch of the distance in px of the first object from its path by the closed form (`place`), from the time
+/// `from` in s on.
 fn against(scene: &DepthScene, from: f64) -> Box<dyn Watch> {
     let thrown = &scene.objects[0];
     let (start, velocity) = (thrown.position.map(f64::from), thrown.velocity.map(f64::from));
     watch(move |time, world: &dyn World| {
         let place = place(start, velocity, time);
         let is = world.body(0).position;
-        (time >= from).then(|| Seen::Fine(distance(is, place)))
+        (time >= from).then(|| Observation::Fine(distance(is, place)))
     })
 }
 
-/// The distance of the first object from where steps of the lengths that were made bring it.
+/// Returns a watch of the distance in px of the first object from the path that semi-implicit Euler steps give, with the
+/// step lengths of the run.
 fn against_steps(scene: &DepthScene) -> Box<dyn Watch> {
     let thrown = &scene.objects[0];
     let (mut place, mut velocity) = (thrown.position.map(f64::from), thrown.velocity.map(f64::from));
@@ -70,12 +72,12 @@ fn against_steps(scene: &DepthScene) -> Box<dyn Watch> {
         for (place, velocity) in place.iter_mut().zip(velocity) {
             *place += velocity * dt;
         }
-        Some(Seen::Fine(distance(world.body(0).position, place)))
+        Some(Observation::Fine(distance(world.body(0).position, place)))
     })
 }
 
-/// Where the ball is: it flies, and rolls at once when it lands, since the ground holds it fast enough. A rolling
-/// disc has two thirds of the speed that it slid with.
+/// Returns the position of the ball in px (X, Y, Z) at `time` s by the closed form. It flies for `LANDING` s, then rolls:
+/// friction turns sliding into rolling at the landing. A rolling disc has two thirds of the speed with which it slid.
 fn place(start: [f64; 3], velocity: [f64; 3], time: f64) -> [f64; 3] {
     let flight = time.min(LANDING);
     let along = flight + 2.0 / 3.0 * (time - flight);

@@ -1,18 +1,19 @@
-//! Somebody is thrown over somebody else.
+//! The family in which a figure is thrown over another figure and must not touch it.
 
 use super::lanes::{ICE, at, each, largest, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::{DepthObject, DepthScene, GRAVITY};
 use crate::stability::reasons::TOUCHED;
-use crate::watch::{Seen, Watch};
+use crate::watch::{Observation, Watch};
 use crate::world::BodyState;
 
-/// Along X, along Z, and back.
+/// Directions of the throw as components along X and Z (dimensionless): positive X, positive Z, negative X, negative Z.
 const WAYS: [[f32; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
-/// Time in s and place in px, from the start, of the highest point: over the middle of the other.
+/// `TIME`: time in s at which the thrown figure is highest. `WAY`: horizontal distance in px that it has then flown; it is
+/// over the middle of the other figure.
 const TIME: f32 = 1.2;
 const WAY: f32 = 100.0;
-/// Extent of the one who is thrown, and of the other along X and Z, px.
+/// `THROWN`: extent of the thrown figure, px. `OTHER`: extent along X and Z of the figure that stands, px.
 const THROWN: f32 = 20.0;
 const OTHER: f32 = 30.0;
 
@@ -27,7 +28,7 @@ const OVER: DepthFamily = DepthFamily {
     values: &[20.0, 10.0, 5.0, 3.0, 2.0, 1.5, 1.0, 0.5, 0.2, 0.1],
     quick_values: &[20.0, 5.0, 2.0, 0.5],
     build: |value, _| thrown_over(value),
-    // It lands after twice the time.
+    // The thrown figure lands after 2 * TIME.
     seconds: |_| 1.9 * f64::from(TIME),
     judge: |_, _| flies_on(),
     quantity: "largest change of speed",
@@ -35,10 +36,11 @@ const OVER: DepthFamily = DepthFamily {
     ..PLAIN
 };
 
-/// Height of the lowest point of the one who is thrown over the outermost edges of the other.
+/// Returns the height in px of the thrown figure's lowest point, relative to the start, when it leaves the last edge of the
+/// standing figure.
 fn lowest_over_edge() -> f32 {
     let highest = GRAVITY * TIME * TIME / 2.0;
-    // From the middle until the one has gone by the other.
+    // Time from above the middle of the standing figure until the two figures no longer overlap along the path.
     let time = (THROWN + OTHER) / 2.0 / WAY * TIME;
     highest - GRAVITY * time * time / 2.0
 }
@@ -63,7 +65,8 @@ fn flies_on() -> Box<dyn Watch> {
         let up = f64::from(GRAVITY) * (f64::from(TIME) - time);
         let [is_x, is_up, is_z] = state.velocity;
         let change = largest([is_x - speed * x, is_up - up, is_z - speed * z]);
-        // A touch on the upper edge takes some 30 px/s of its fall, one at the side all of its 83 px/s.
-        if change > 5.0 { Seen::Failed(TOUCHED, change) } else { Seen::Fine(change) }
+        // A touch of the upper edge changes the vertical speed by some 30 px/s; a touch of the side takes all of the horizontal
+        // 83 px/s.
+        if change > 5.0 { Observation::Failed(TOUCHED, change) } else { Observation::Fine(change) }
     })
 }

@@ -1,19 +1,19 @@
-//! Walk off each edge, and pass under.
+//! Families in which objects slide off each edge of a platform, and in which objects slide under a platform.
 
 use super::lanes::{REST, STRAIGHT, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{ASIDE, BOUNCED, SANK, STUCK, TOUCHED};
-use crate::watch::{Seen, Watch};
+use crate::watch::{Observation, Watch};
 use crate::world::BodyState;
 
 pub(super) const FAMILIES: [DepthFamily; 4] = [WALK_OFF, WALK_OFF_LOW, PASS_UNDER, PASS_UNDER_FAST];
 
-/// To the right, the left, the back and the front.
+/// Directions of motion as components along X and Z (dimensionless): to the right, to the left, into the picture and out of it.
 const DIRECTIONS: [[f32; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
-/// Half the extent of the platforms along X and Z, px.
+/// Half the extent of a platform along X and along Z, px.
 const HALF: [f32; 2] = [100.0, 50.0];
-/// From where things stand at first to the edge, px.
+/// Distance along the path from an object's start to the edge of the platform, px.
 const WAY: f32 = 40.0;
 
 const WALK_OFF: DepthFamily = DepthFamily {
@@ -25,7 +25,7 @@ const WALK_OFF: DepthFamily = DepthFamily {
     values: &[10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4],
     quick_values: &[10.0, 100.0, 1e3, 1e4],
     build: |speed, _| walking(speed, 60.0),
-    // To leave with all of it, to tip over, and to fall.
+    // Time to leave the platform completely, to tip over, and to fall.
     seconds: |speed| 100.0 / speed + 6.0,
     judge: |_, _| walks_off(60.0),
     quantity: "largest distance from the platform's height, or from the ground",
@@ -59,7 +59,7 @@ fn walking(speed: f64, height: f32) -> DepthScene {
     })
 }
 
-/// From the middle of the platform to the edge that a lane goes to.
+/// Returns the distance in px from the middle of the platform to the edge over which the object of this lane leaves.
 fn edge_of(lane: usize) -> f32 {
     if lane % 4 < 2 { HALF[0] } else { HALF[1] }
 }
@@ -71,32 +71,32 @@ fn walks_off(height: f64) -> Box<dyn Watch> {
         let aside = (x * along_z).abs() + (z * along_x).abs();
         let upright = state.angle.abs() < 0.01;
         if beyond < 0.0 && upright && height - y > REST.min(height / 2.0) {
-            return Seen::Failed(SANK, height - y);
+            return Observation::Failed(SANK, height - y);
         }
         if aside > 1.0 {
-            return Seen::Failed(ASIDE, aside);
+            return Observation::Failed(ASIDE, aside);
         }
         if y > height + 1.0 {
-            return Seen::Open(BOUNCED, y);
+            return Observation::Open(BOUNCED, y);
         }
         if beyond < 10.0 || y > 2.0 * REST.min(height / 2.0) {
-            Seen::Open(STUCK, y.abs())
+            Observation::Open(STUCK, y.abs())
         } else {
-            Seen::Ends(y.abs())
+            Observation::Ends(y.abs())
         }
     })
 }
 
-/// Along X, along Z, and askew.
+/// Directions of motion under a platform, as components along X and Z (dimensionless): along X, along Z, and oblique.
 const WAYS_UNDER: [[f32; 2]; 3] = [[1.0, 0.0], [0.0, 1.0], [-0.6, 0.8]];
-/// Height of balls and boxes, px.
+/// Extent of balls and boxes along Y, px.
 const HEIGHT: f32 = 20.0;
-/// From where they start to the middle of the platform, px.
+/// Distance along the path from an object's start to the middle of the platform that it passes under, px.
 const TO_MIDDLE: f32 = 160.0;
 
 const PASS_UNDER: DepthFamily = DepthFamily {
     name: "Pass under",
-    about: "Balls and boxes slide at 100 px/s under a platform, along X, along Z and askew, and must not be touched.",
+    about: "Balls and boxes slide at 100 px/s under a platform, along X, along Z and obliquely, and must not be touched.",
     parameter: "gap over the head",
     unit: "px",
     values: &[10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.0],
@@ -104,13 +104,13 @@ const PASS_UNDER: DepthFamily = DepthFamily {
     build: |gap, _| passing(100.0, gap as f32),
     seconds: |_| f64::from(2.0 * TO_MIDDLE) / 100.0,
     judge: |_, _| passes(100.0),
-    quantity: "largest way aside, up or down",
+    quantity: "largest displacement aside, up or down",
     ..PLAIN
 };
 
 const PASS_UNDER_FAST: DepthFamily = DepthFamily {
     name: "Pass under, fast",
-    about: "Balls and boxes slide under a platform 1 px over their heads, along X, along Z and askew, and must not be touched.",
+    about: "Balls and boxes slide under a platform 1 px over their heads, along X, along Z and obliquely, and must not be touched.",
     parameter: "speed",
     unit: "px/s",
     values: &[30.0, 100.0, 300.0, 1e3, 3e3, 1e4],
@@ -140,11 +140,11 @@ fn passes(speed: f64) -> Box<dyn Watch> {
         let aside = x * along_z - z * along_x;
         let wrong = largest([aside, y]);
         if largest([change_x, change_z]) > 1e-3 * speed {
-            Seen::Failed(TOUCHED, wrong)
+            Observation::Failed(TOUCHED, wrong)
         } else if aside.abs() > STRAIGHT || y.abs() > REST {
-            Seen::Failed(ASIDE, wrong)
+            Observation::Failed(ASIDE, wrong)
         } else {
-            Seen::Fine(wrong)
+            Observation::Fine(wrong)
         }
     })
 }

@@ -1,19 +1,20 @@
-//! The hole between two platforms: fallen into when it is wide enough, crossed when it is narrower.
+//! The families "gap": objects slide over a gap between two platforms. They must fall into a wide gap and cross a narrow
+//! one.
 
 use super::lanes::{REST, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{CLIMBED, SANK, STUCK, STUMBLED};
-use crate::watch::{Seen, Watch};
+use crate::watch::{Observation, Watch};
 use crate::world::BodyState;
 
-/// Height of the platforms, px.
+/// Height of the platforms' upper faces above the ground, px.
 const TOP: f32 = 60.0;
-/// Extent of a platform along the way, px.
+/// Extent of one platform along the path, px.
 const LENGTH: f32 = 200.0;
-/// Along X and along Z.
+/// Directions of motion as components along X and Z (dimensionless): along X and along Z.
 const WAYS: [[f32; 2]; 2] = [[1.0, 0.0], [0.0, 1.0]];
-/// From the start to the middle of the gap, px.
+/// Distance along the path from an object's start to the middle of the gap, px.
 const TO_MIDDLE: f32 = 80.0;
 
 pub(super) const FAMILIES: [DepthFamily; 3] = [HOLE, NARROW, SEAM];
@@ -29,19 +30,19 @@ const HOLE: DepthFamily = DepthFamily {
     seconds: |_| 5.0,
     judge: |_, _| {
         each(1, |_, _, [_, y, _], _| match y {
-            _ if y < REST => Seen::Ends(y.abs()),
-            _ if y > f64::from(TOP) / 2.0 => Seen::Open(CLIMBED, y),
-            _ => Seen::Open(STUCK, y),
+            _ if y < REST => Observation::Ends(y.abs()),
+            _ if y > f64::from(TOP) / 2.0 => Observation::Open(CLIMBED, y),
+            _ => Observation::Open(STUCK, y),
         })
     },
-    quantity: "height in the end",
+    quantity: "height at the end",
     ..PLAIN
 };
 
 const NARROW: DepthFamily = DepthFamily {
     name: "Narrow gap between platforms",
-    about: "Boxes slide at 50 px/s over a gap that is narrower than what holds them up, along X and along Z, and must \
-            go on as if there were none.",
+    about: "Boxes slide at 50 px/s over a gap that is narrower than the boxes, along X and along Z, and must slide \
+            on as if there were none.",
     parameter: "width of the gap",
     unit: "px",
     values: &[0.0, 1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 19.0],
@@ -57,7 +58,7 @@ const LANES: [(bool, usize); 4] = [(false, 0), (false, 1), (true, 0), (true, 1)]
 
 const SEAM: DepthFamily = DepthFamily {
     name: "Seam of platforms, fast",
-    about: "Balls and boxes slide over the seam of two platforms, along X and along Z, and must not notice it.",
+    about: "Balls and boxes slide over the seam of two platforms, along X and along Z, and must slide on undisturbed.",
     parameter: "speed",
     unit: "px/s",
     values: &[10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4],
@@ -68,7 +69,8 @@ const SEAM: DepthFamily = DepthFamily {
     ..NARROW
 };
 
-/// A ball or a box in each lane, with the way it goes, over a gap between two platforms.
+/// Returns a scene with a gap of `gap` px between two platforms in each lane, and an object that slides towards it at
+/// `speed` px/s. An entry of `lanes` is whether the object is a ball, and its direction as an index into `WAYS`.
 fn crossing(lanes: &[(bool, usize)], speed: f64, gap: f32) -> DepthScene {
     let lanes = lanes.iter().enumerate();
     lanes.fold(scene("gap"), |mut scene, (lane, &(is_ball, way))| {
@@ -89,11 +91,11 @@ fn crosses(lanes: &'static [(bool, usize)], speed: f64) -> Box<dyn Watch> {
         let change = [state.velocity[0] - speed * along_x, state.velocity[2] - speed * along_z];
         let wrong = (y - f64::from(TOP)).abs();
         if largest(change) > 1e-2 * speed || state.angle.abs() > 0.01 {
-            Seen::Failed(STUMBLED, wrong)
+            Observation::Failed(STUMBLED, wrong)
         } else if wrong > REST {
-            Seen::Failed(SANK, wrong)
+            Observation::Failed(SANK, wrong)
         } else {
-            Seen::Fine(wrong)
+            Observation::Fine(wrong)
         }
     })
 }

@@ -1,16 +1,17 @@
-//! Head bump: things jump against the underside of a platform and fall back.
+//! The family "Head Bump": objects are thrown up against the underside of a platform and fall back.
 
 use super::lanes::{REST, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{ASIDE, STUCK, TUNNELLED};
-use crate::watch::Seen;
+use crate::watch::Observation;
 
-/// Height of the undersides, px.
+/// Height of the platform's underside above the ground, px.
 const UNDERSIDE: f32 = 400.0;
-/// Height of balls and boxes, px.
+/// Extent of balls and boxes along Y, px.
 const HEIGHT: f32 = 20.0;
-/// How often a ball and a box are thrown, each a quarter of 1/60 s earlier than the one before.
+/// Number of balls, and of boxes. Each starts a quarter of 1/60 s of flight farther below the underside than the one
+/// before, so that they hit at four phases of a step.
 const PHASES: usize = 4;
 
 pub(super) const FAMILIES: [DepthFamily; 2] = [FAST, THIN];
@@ -24,19 +25,19 @@ const FAST: DepthFamily = DepthFamily {
     values: &[150.0, 300.0, 600.0, 1e3, 1.6e3, 2.4e3, 3.6e3, 5e3, 1e4],
     quick_values: &[150.0, 1e3, 2.4e3, 1e4],
     build: |speed, _| thrown_up(speed, 30.0),
-    // Back from the underside in 2.8 s, without a bounce.
+    // An object that is stopped at the underside, without a bounce, is back on the ground after 2.8 s.
     seconds: |_| 4.0,
     judge: |_, _| {
         each(2 * PHASES, |_, _, [x, y, z], _| {
             let wrong = largest([x - 10.0, y, z + 10.0]);
             if y > f64::from(UNDERSIDE) {
-                Seen::Failed(TUNNELLED, wrong)
+                Observation::Failed(TUNNELLED, wrong)
             } else if y > REST {
-                Seen::Open(STUCK, wrong)
+                Observation::Open(STUCK, wrong)
             } else if wrong > 1.0 {
-                Seen::Open(ASIDE, wrong)
+                Observation::Open(ASIDE, wrong)
             } else {
-                Seen::Ends(wrong)
+                Observation::Ends(wrong)
             }
         })
     },

@@ -1,18 +1,20 @@
-//! Depth miss and depth hit, and diagonal hits: things fly at a post that cannot be moved, without weight.
+//! The families of hits: objects fly without gravity past a static post, against its front, or against it along all three
+//! axes.
 
 use super::lanes::{ICE, RADIUS, at, each, largest, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::{DepthObject, DepthScene, Surface};
 use crate::stability::reasons::{MISSED, SLOWED, TOUCHED, WRONG_AXIS};
-use crate::watch::{Seen, Watch, watch};
+use crate::watch::{Observation, Watch, watch};
 use crate::world::{BodyState, World};
 
-/// Half the extent of the post, in all axes, and of what is thrown, px.
+/// `POST`: half the extent of the post along X and Y, px; along Z, too, unless a family varies it. `THROWN`: half the extent of
+/// the thrown box, px.
 const POST: f32 = 20.0;
 const THROWN: f32 = 10.0;
-/// Height of the middle of both, px: far from the ground.
+/// Height in px of the middle of post and thrown object: far above the ground.
 const MIDDLE: f32 = 500.0;
-/// Both throw back all that they are hit with.
+/// The surface of post and thrown object: restitution 1 and no friction, so that the object flies back as fast as it came.
 const BOUNCY: Surface = Surface { friction: 0.0, restitution: 1.0 };
 
 pub(super) const FAMILIES: [DepthFamily; 6] =
@@ -23,7 +25,8 @@ fn post(lane: usize, depth: f32) -> DepthObject {
     DepthObject::new_box([2.0 * POST, 2.0 * POST, depth], place).fixed().with_surface(BOUNCY)
 }
 
-/// What is thrown, its middle at a place from the post's.
+/// Returns the thrown object of a lane. Its middle is at `[x, y, z]` px relative to the middle of the lane's post; `depth`
+/// is its extent along Z in px.
 fn thrown(is_ball: bool, lane: usize, [x, y, z]: [f32; 3], depth: f32) -> DepthObject {
     let place = at(lane, [x, MIDDLE + y - THROWN, z]);
     let object = match is_ball {
@@ -33,7 +36,7 @@ fn thrown(is_ball: bool, lane: usize, [x, y, z]: [f32; 3], depth: f32) -> DepthO
     object.with_surface(BOUNCY)
 }
 
-/// A scene with what is thrown in each lane, and a post in each.
+/// Returns a scene with one of the objects `thrown` and a post of `depth` px along Z in each lane.
 fn at_posts(name: &str, depth: f32, thrown: Vec<DepthObject>) -> DepthScene {
     let lanes = thrown.len();
     let mut scene = DepthScene { ground: ICE, objects: thrown, ..scene(name).weightless() };
@@ -61,7 +64,7 @@ const MISS: DepthFamily = DepthFamily {
         each(4, |_, _, _, state: BodyState| {
             let [x, y, z] = state.velocity;
             let change = largest([x - 80.0, y, z]);
-            if change > 0.1 { Seen::Failed(TOUCHED, change) } else { Seen::Fine(change) }
+            if change > 0.1 { Observation::Failed(TOUCHED, change) } else { Observation::Fine(change) }
         })
     },
     quantity: "largest change of speed",
@@ -69,9 +72,10 @@ const MISS: DepthFamily = DepthFamily {
     ..PLAIN
 };
 
-/// How often a ball and a box are thrown, each a quarter of 1/60 s earlier than the one before.
+/// Number of balls, and of boxes. Each starts a quarter of 1/60 s of flight farther from the post than the one before, so
+/// that they hit at four phases of a step.
 const PHASES: usize = 4;
-/// Time of the flight in s.
+/// Duration of the flight of the first object to the post in s.
 const FLIGHT: f64 = 0.2;
 
 const HIT_FAST: DepthFamily = DepthFamily {
@@ -85,7 +89,7 @@ const HIT_FAST: DepthFamily = DepthFamily {
     build: |speed, _| against_front(2 * PHASES, speed, 2.0 * POST, 0.0),
     seconds: |_| 2.0 * FLIGHT,
     judge: |speed, _| flies_back(2 * PHASES, speed),
-    quantity: "largest difference from the speed back",
+    quantity: "largest difference from the rebound speed",
     quantity_unit: "px/s",
     ..PLAIN
 };
@@ -107,7 +111,7 @@ const HIT_PARTLY: DepthFamily = DepthFamily {
     name: "Depth hit, glancing",
     about: "Boxes fly at 80 px/s into the picture against the front of a post, with little of them \
             before it, and must fly back.",
-    parameter: "part before the post",
+    parameter: "box extent in front of the post",
     unit: "px",
     values: &[10.0, 1.0, 0.1, 0.01, 1e-3],
     quick_values: &[10.0, 1.0, 0.1],
@@ -116,7 +120,8 @@ const HIT_PARTLY: DepthFamily = DepthFamily {
     ..HIT_FAST
 };
 
-/// Boxes, and balls from the fifth lane on, fly at posts, their middles `beside` px to the left.
+/// Returns a scene with one object per lane that flies along Z at the front of a post of `depth` px. Lanes 0 to 3 have
+/// boxes, all others balls. The object's middle is `beside` px to the left of the post's.
 fn against_front(lanes: usize, speed: f64, depth: f32, beside: f32) -> DepthScene {
     let own_depth = depth.min(2.0 * THROWN);
     let thrown = (0..lanes).map(|lane| {
@@ -134,19 +139,19 @@ fn flies_back(lanes: usize, speed: f64) -> Box<dyn Watch> {
         let [x, y, z] = state.velocity;
         let wrong = largest([x, y, z + speed]);
         if z > 0.9 * speed {
-            Seen::Open(MISSED, wrong)
+            Observation::Open(MISSED, wrong)
         } else if (z + speed).abs() > 0.05 * speed {
-            Seen::Open(SLOWED, wrong)
+            Observation::Open(SLOWED, wrong)
         } else if largest([x, y]) > 0.05 * speed {
-            Seen::Open(WRONG_AXIS, wrong)
+            Observation::Open(WRONG_AXIS, wrong)
         } else {
-            Seen::Ends(wrong)
+            Observation::Ends(wrong)
         }
     })
 }
 
-/// Way along the axis that is entered first, px, until the second is: in the plane, both are in front of each other then, and
-/// no corner is near.
+/// Distance in px that a box flies along its first axis from the time it enters that axis until it enters the second one. A
+/// box enters an axis when the extents of box and post begin to overlap along it. At 22 px no corner is near.
 const BEFORE_SECOND: f64 = 22.0;
 
 const DIAGONAL_FAST: DepthFamily = DepthFamily {
@@ -165,16 +170,16 @@ const DIAGONAL_FAST: DepthFamily = DepthFamily {
     ..PLAIN
 };
 
-/// Along the axis that is entered last, and along the others, px/s.
+/// Speeds in px/s of a box in a diagonal hit, along the axis in which it reaches the post last, second and first.
 const UNEQUAL: [f64; 3] = [150.0, 75.0, 50.0];
-/// So long that no axis is reached before the start, s.
+/// Duration in s of a flight at the speeds `UNEQUAL`: long enough for the box to start outside of the post in all axes.
 const LONG_FLIGHT: f64 = 1.0;
 
 const DIAGONAL_CLOSE: DepthFamily = DepthFamily {
     name: "Diagonal hit, close",
-    about: "Boxes fly at a post along all three axes, at 150 px/s along the last axis, 75 and 50 along the others, with \
-            less and less between the last and the one before. They must be thrown back along the last.",
-    parameter: "way left along the last axis",
+    about: "Boxes fly at a post along all three axes, at 150 px/s along the last axis, 75 and 50 along the others. When \
+            they reach the other two, less and less distance is left along the last; they must be thrown back along it.",
+    parameter: "distance left along the last axis",
     unit: "px",
     values: &[50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1],
     quick_values: &[50.0, 10.0, 2.0, 0.5],
@@ -184,12 +189,14 @@ const DIAGONAL_CLOSE: DepthFamily = DepthFamily {
     ..DIAGONAL_FAST
 };
 
-/// Which axis is reached last, second and first. Of the last two one is Z: of X and Y alone the 2D engine decides.
+/// Orders in which a box reaches the extent of the post along the axes (0 = X, 1 = Y, 2 = Z): last, second and first. The
+/// last or the second axis is always Z; the 2D engine alone would decide between X and Y.
 const ORDERS: [[usize; 3]; 4] = [[0, 2, 1], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-/// Lanes: each order, from both sides.
+/// Number of lanes of a diagonal hit: each entry of `ORDERS`, from the negative and from the positive side.
 const DIAGONALS: usize = 2 * ORDERS.len();
 
-/// Velocity of a lane, from the speeds along the axis that is reached last, second and first.
+/// Returns the velocity in px/s, along X, Y and Z, of the box in a lane of a diagonal hit. `speeds` are those along the
+/// axis in which the box reaches the extent of the post last, second and first; `ORDERS` names these axes.
 fn velocity_of(lane: usize, speeds: [f64; 3]) -> [f64; 3] {
     let side = if lane < ORDERS.len() { 1.0 } else { -1.0 };
     let mut velocity = [0.0; 3];
@@ -199,8 +206,8 @@ fn velocity_of(lane: usize, speeds: [f64; 3]) -> [f64; 3] {
     velocity
 }
 
-/// Boxes that reach the post along the last axis after a flight in s, along the second when they have `way` px left, and
-/// along the first before that.
+/// Returns a scene of boxes that fly at posts along all three axes. A box reaches the extent of the post along the last
+/// axis after `flight` s, along the second when it has `way` px to go along the last, and along the first before that.
 fn diagonal(speeds: [f64; 3], way: f64, flight: f64) -> DepthScene {
     let [last, ..] = speeds;
     let thrown = (0..DIAGONALS).map(|lane| {
@@ -217,11 +224,12 @@ fn diagonal(speeds: [f64; 3], way: f64, flight: f64) -> DepthScene {
     at_posts("diagonal_hit", 2.0 * POST, thrown.collect())
 }
 
-/// Looks at the first change of each lane's velocity: it must be along the last axis.
+/// Returns a watch that checks the first change of each box's velocity. It must be along the axis in which the box reached
+/// the extent of the post last.
 fn thrown_back_along_last(speeds: [f64; 3]) -> Box<dyn Watch> {
     let mut first_changes: [Option<[f64; 3]>; DIAGONALS] = [None; DIAGONALS];
     watch(move |_, world: &dyn World| {
-        let mut seen = Seen::Ends(0.0);
+        let mut seen = Observation::Ends(0.0);
         for (lane, first_change) in first_changes.iter_mut().enumerate() {
             let (before, now) = (velocity_of(lane, speeds), world.body(lane).velocity);
             let change: [f64; 3] =
@@ -229,10 +237,14 @@ fn thrown_back_along_last(speeds: [f64; 3]) -> Box<dyn Watch> {
             if first_change.is_none() && largest(change) > 0.02 {
                 *first_change = Some(change);
             }
-            let of_lane = first_change.map_or(Seen::Open(MISSED, 1.0), |change| {
+            let of_lane = first_change.map_or(Observation::Open(MISSED, 1.0), |change| {
                 let [_, second, first] = ORDERS[lane % ORDERS.len()];
                 let others = change[second].max(change[first]);
-                if others > 0.02 { Seen::Failed(WRONG_AXIS, others) } else { Seen::Ends(others) }
+                if others > 0.02 {
+                    Observation::Failed(WRONG_AXIS, others)
+                } else {
+                    Observation::Ends(others)
+                }
             });
             seen = seen.and(of_lane);
         }

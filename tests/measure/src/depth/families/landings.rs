@@ -1,16 +1,17 @@
-//! Land: things fall on a platform and stay there.
+//! The families "Land": objects fall on a platform and must stay there.
 
 use super::lanes::{REST, each, largest, object, platform, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{ASIDE, BOUNCED, MISSED, SANK, TUNNELLED};
-use crate::watch::{Seen, Watch};
+use crate::watch::{Observation, Watch};
 
-/// Height of the platforms' upper faces, px.
+/// Height of the platform's upper face above the ground, px.
 const TOP: f32 = 60.0;
-/// How often a ball and a box are dropped, each a quarter of 1/60 s earlier than the one before.
+/// Number of balls, and of boxes. Each starts a quarter of 1/60 s of fall farther above the platform than the one before,
+/// so that they land at four phases of a step.
 const PHASES: usize = 4;
-/// Time of the fall in s.
+/// Duration of the fall of the first object in s.
 const FALL: f64 = 0.2;
 
 pub(super) const FAMILIES: [DepthFamily; 3] = [FAST, THIN, EDGE];
@@ -25,7 +26,7 @@ const FAST: DepthFamily = DepthFamily {
     build: |speed, _| falling(speed, 40.0),
     seconds: |_| 4.0,
     judge: |_, _| lie_on_top(2 * PHASES),
-    quantity: "largest distance from where it should lie",
+    quantity: "largest distance from its expected resting position",
     ..PLAIN
 };
 
@@ -45,7 +46,7 @@ const EDGE: DepthFamily = DepthFamily {
     name: "Land, over the edge",
     about: "Boxes fall at 300 px/s with little of them over the front or the back of a platform, and must lie there: \
             they do not tip in depth.",
-    parameter: "part of the box over the platform",
+    parameter: "box extent over the platform",
     unit: "px",
     values: &[10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02],
     quick_values: &[10.0, 2.0, 0.5, 0.1],
@@ -70,7 +71,7 @@ fn falling(speed: f64, thickness: f32) -> DepthScene {
 fn over_edge(part: f64) -> DepthScene {
     (0..2).fold(scene("land_over_edge"), |scene, lane| {
         let side = if lane == 0 { -1.0 } else { 1.0 };
-        // Half the platform's depth and half the box's.
+        // Half the platform's extent along Z (50 px), plus half the box's (10 px), less the overlap.
         let z = side * (50.0 + 10.0 - part as f32);
         let thrown = object(false, lane, [0.0, TOP + 60.0, z]);
         scene.with(thrown.with_velocity([0.0, -300.0, 0.0])).with_platform(platform(
@@ -85,25 +86,25 @@ fn lie_on_top(count: usize) -> Box<dyn Watch> {
     each(count, |_, _, [x, y, z], _| lying(y, largest([x, z]), TUNNELLED))
 }
 
-/// Wherever along Z.
+/// Returns a watch of `count` objects that must lie on a platform, at any Z.
 fn lie_on_top_beside(count: usize) -> Box<dyn Watch> {
     each(count, |_, _, [x, y, _], _| lying(y, x.abs(), MISSED))
 }
 
-/// How something lies that came down to a height and `beside` px from where it should, and what it is called if it is
-/// below.
-fn lying(y: f64, beside: f64, below_is: &'static str) -> Seen {
+/// Returns the observation of an object whose lowest point is at height `y` px and which is `beside` px from its target.
+/// `below_is` is the reason of the failure if the object is below the platform's upper face.
+fn lying(y: f64, beside: f64, below_is: &'static str) -> Observation {
     let below = f64::from(TOP) - y;
     let wrong = beside.max(below.abs());
     if below > f64::from(TOP) / 2.0 {
-        Seen::Open(below_is, wrong)
+        Observation::Open(below_is, wrong)
     } else if below < -1.0 {
-        Seen::Open(BOUNCED, wrong)
+        Observation::Open(BOUNCED, wrong)
     } else if below > REST {
-        Seen::Open(SANK, wrong)
+        Observation::Open(SANK, wrong)
     } else if wrong > 1.0 {
-        Seen::Open(ASIDE, wrong)
+        Observation::Open(ASIDE, wrong)
     } else {
-        Seen::Ends(wrong)
+        Observation::Ends(wrong)
     }
 }

@@ -1,17 +1,17 @@
-//! The shadow lies on the highest surface beneath somebody.
+//! The family "shadow": a ball flies over plates, and its shadow must lie on the highest surface below it.
 
 use super::lanes::{ICE, RADIUS, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::{DepthObject, DepthPlatform, DepthScene};
 use crate::stability::reasons::MISPLACED;
-use crate::watch::{Seen, Watch, watch};
+use crate::watch::{Observation, Watch, watch};
 use crate::world::World;
 
-/// Plates along the way.
+/// Number of plates side by side along the ball's path.
 const PLATES: usize = 5;
 /// Extent of a plate along X, px.
 const WIDTH: f32 = 100.0;
-/// Speed of the ball in px/s.
+/// Speed of the ball along X, px/s.
 const SPEED: f32 = 200.0;
 
 pub(super) const FAMILIES: [DepthFamily; 2] = [THIN, SUNK];
@@ -31,7 +31,8 @@ const THIN: DepthFamily = DepthFamily {
     ..PLAIN
 };
 
-/// Heights of the upper faces of the plates, px; over each but the last lies another one, 30 px higher and narrower.
+/// Returns the height in px of the upper face of a plate. Above each plate but the last lies a second one, 30 px higher and
+/// narrower.
 fn top_of(plate: usize) -> f32 {
     20.0 + 17.0 * (plate * 3 % PLATES) as f32
 }
@@ -47,7 +48,7 @@ fn plates(thickness: f64) -> DepthScene {
     })
 }
 
-/// The right height at an X, unless an edge is near.
+/// Returns the height in px of the highest surface below the ball at `x` px; `None` near an edge of a plate.
 fn right_height(x: f64) -> Option<f64> {
     let width = f64::from(WIDTH);
     let plate = (x / width + 0.5).floor();
@@ -66,15 +67,15 @@ fn right_height(x: f64) -> Option<f64> {
 
 fn on_plates(_: f64) -> Box<dyn Watch> {
     watch(|time, world: &dyn World| {
-        // Engines may look for what there is in their first step.
+        // Engines may find the surfaces below an object only in their first step.
         let right = right_height(world.body(0).position[0]).filter(|_| time > 0.0)?;
         Some(seen(world.height_beneath(0), right))
     })
 }
 
-fn seen(height: Option<f64>, right: f64) -> Seen {
+fn seen(height: Option<f64>, right: f64) -> Observation {
     let wrong = height.map_or(f64::INFINITY, |height| (height - right).abs());
-    if wrong > 0.01 { Seen::Failed(MISPLACED, wrong) } else { Seen::Fine(wrong) }
+    if wrong > 0.01 { Observation::Failed(MISPLACED, wrong) } else { Observation::Fine(wrong) }
 }
 
 const SUNK: DepthFamily = DepthFamily {

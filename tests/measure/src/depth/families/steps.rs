@@ -1,22 +1,22 @@
-//! Step up: balls roll up a low step if they are fast enough, boxes are stopped by it.
+//! The families "step up": balls roll up a low step if they are fast enough; boxes are stopped by it.
 
 use super::lanes::{each, object, platform, scene};
 use super::{DepthFamily, PLAIN};
 use crate::scenes::depth::DepthScene;
 use crate::stability::reasons::{CLIMBED, STUCK};
-use crate::watch::{Seen, Watch};
+use crate::watch::{Observation, Watch};
 
-/// Speed of what comes, px/s.
+/// Speed of balls and boxes towards the step, px/s.
 const SPEED: f64 = 60.0;
-/// To the right, the left, the back and the front.
+/// Directions of motion as components along X and Z (dimensionless): to the right, to the left, into the picture and out of it.
 const DIRECTIONS: [[f32; 2]; 4] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
-/// From the middle of the step to each of its sides, px.
+/// Half the extent of the step along X and Z, px.
 const HALF: f32 = 200.0;
-/// From where things start to the step, px.
+/// Distance along the path from an object's start to the step, px.
 const WAY: f32 = 40.3;
-/// Time in s at which they must be on their way.
+/// Interval of time in s, before the step is reached, in which objects must be on their straight path.
 const BEFORE: std::ops::Range<f64> = 0.25..0.3;
-/// Simulated time in s: up after half of it, or far back.
+/// Simulated time in s. By the end a ball is on the step, or has rolled far back.
 const SECONDS: f64 = 3.0;
 
 pub(super) const FAMILIES: [DepthFamily; 3] = [UP, STOPPED, BOXES];
@@ -32,7 +32,7 @@ const UP: DepthFamily = DepthFamily {
     build: |height, _| against_step(true, height as f32),
     seconds: |_| SECONDS,
     judge: |height, _| must(true, true, height),
-    quantity: "height that is missing in the end",
+    quantity: "height missing at the end",
     ..PLAIN
 };
 
@@ -43,7 +43,7 @@ const STOPPED: DepthFamily = DepthFamily {
     values: &[12.0, 9.5, 8.0, 7.0, 6.0, 5.5, 5.2, 5.0, 4.9, 4.84],
     quick_values: &[12.0, 8.0, 6.0, 5.0],
     judge: |height, _| must(true, false, height),
-    quantity: "height in the end",
+    quantity: "height at the end",
     ..UP
 };
 
@@ -54,11 +54,12 @@ const BOXES: DepthFamily = DepthFamily {
     quick_values: &[20.0, 2.0, 0.5, 0.1],
     build: |height, _| against_step(false, height as f32),
     judge: |height, _| must(false, false, height),
-    quantity: "height in the end",
+    quantity: "height at the end",
     ..UP
 };
 
-/// Balls from four sides, or boxes from the front and the back: in X a box may tip over a step.
+/// Returns the directions from which objects move to the step: four for balls, into and out of the picture for boxes. Along
+/// X a box may tip over the step.
 fn directions(is_ball: bool) -> &'static [[f32; 2]] {
     if is_ball { &DIRECTIONS } else { &DIRECTIONS[2..] }
 }
@@ -83,14 +84,14 @@ fn must(is_ball: bool, climb: bool, height: f64) -> Box<dyn Watch> {
         let [along_x, along_z] = directions[lane].map(f64::from);
         let along = x * along_x + z * along_z;
         if BEFORE.contains(&time) && (along + f64::from(HALF + WAY) - SPEED * time).abs() > 1.0 {
-            return Seen::Failed(STUCK, y.abs());
+            return Observation::Failed(STUCK, y.abs());
         }
         let is_over = along > -f64::from(HALF);
         match (climb, is_over) {
-            (true, true) => Seen::Ends((height - y).abs()),
-            (true, false) => Seen::Open(STUCK, (height - y).abs()),
-            (false, true) => Seen::Open(CLIMBED, y),
-            (false, false) => Seen::Ends(y.abs()),
+            (true, true) => Observation::Ends((height - y).abs()),
+            (true, false) => Observation::Open(STUCK, (height - y).abs()),
+            (false, true) => Observation::Open(CLIMBED, y),
+            (false, false) => Observation::Ends(y.abs()),
         }
     })
 }
@@ -101,8 +102,8 @@ mod tests {
     use super::*;
     use crate::scenes::depth::GRAVITY;
 
-    /// The highest step that a ball can climb, px: it keeps the part of its speed along the tangent at the edge, and
-    /// that must lift it.
+    /// Returns the greatest height in px of a step that a ball can climb. The ball keeps the component of its velocity
+    /// along the tangent at the step's edge, and that component must lift the ball.
     fn highest_step() -> f64 {
         let radius = f64::from(RADIUS);
         let is_enough = |height: f64| {

@@ -1,4 +1,4 @@
-//! Joint scenes in a peer's units.
+//! Builds a joint scene in another engine (peer), in metres, kg and s.
 
 use super::links::{Link, LinkKind};
 use super::parts::{BodyPart, Form, Parts, ShapePart};
@@ -7,20 +7,20 @@ use super::{box2d, rapier};
 use crate::joints::assembly::{self, Assembly, BodyDef, JointDef, JointKind};
 use crate::method::{Built, Setting};
 
-/// Puts a joint scene into Box2D.
+/// Builds a joint scene in Box2D.
 ///
 /// # Errors
 ///
-/// When the engine lacks a part of the scene.
+/// The scene has a feature that Box2D lacks.
 pub fn assemble_box2d(assembly: &Assembly, setting: Setting) -> Built {
     box2d::build_parts(&parts(assembly), setting)
 }
 
-/// Puts a joint scene into `rapier2d`.
+/// Builds a joint scene in `rapier2d`.
 ///
 /// # Errors
 ///
-/// When the engine lacks a part of the scene.
+/// The scene has a feature that `rapier2d` lacks.
 pub fn assemble_rapier(assembly: &Assembly, setting: Setting) -> Built {
     rapier::build_parts(&parts(assembly), setting)
 }
@@ -64,7 +64,7 @@ fn shape(body: usize, definition: &BodyDef) -> Option<ShapePart> {
             Form::Circle { centre: [0.0; 2], radius: metres(f64::from(radius)) }
         }
     };
-    // Groups are counted from 1 there and from 0 here.
+    // Groups are counted from 1 in the definition and from 0 in a peer.
     let group = usize::try_from(definition.group - 1).ok();
     Some(ShapePart { body, form, friction: definition.friction, restitution: 0.0, group })
 }

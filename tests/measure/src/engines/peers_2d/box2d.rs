@@ -1,8 +1,8 @@
-//! Scenes in Box2D 3.
+//! Runs 2D scenes in Box2D 3.
 
 use super::links::{Link, LinkKind};
 use super::parts::{BodyPart, Form, Parts, ShapePart, parts};
-use super::state::{Told, Turns, goes_well, metres, point};
+use super::state::{PeerState, TurnCounter, metres, point, succeeds};
 use crate::method::Setting;
 use crate::world::{BodyState, World};
 use boxdd::{
@@ -14,38 +14,39 @@ use conformance::scene::Scene;
 use std::cell::RefCell;
 use std::f32::consts::TAU;
 
-/// Box2D's linear slop in m: no distance joint is shorter.
+/// Linear slop of Box2D in metres: no distance joint is shorter.
 const LINEAR_SLOP: f32 = 0.005;
-/// Frequency in Hz and damping ratio of Box2D's joints, for a joint that is not among them.
+/// `JOINT_HERTZ`: frequency in Hz of Box2D's joints. `JOINT_DAMPING_RATIO`: damping ratio of Box2D's joints, dimensionless.
+/// Both are used for the motor joint that replaces a joint which Box2D lacks.
 const JOINT_HERTZ: f32 = 60.0;
 const JOINT_DAMPING_RATIO: f32 = 2.0;
 
 struct Box2d {
-    /// To look at a body, Box2D's crate wants the world to itself.
+    /// The world of Box2D. The cell is needed because the crate reads a body through a mutable reference.
     world: RefCell<boxdd::World>,
     bodies: Vec<BodyId>,
-    turns: Turns,
+    turns: TurnCounter,
     substeps: i32,
-    /// Bodies with a torque per squared angular velocity.
+    /// Bodies with rotational drag, and the drag torque per squared angular velocity in kg m².
     dragged: Vec<(BodyId, f32)>,
-    /// Springs whose ends do not go through the centres of mass.
-    eccentric: Vec<Eccentric>,
-    /// Whether a step could not be made.
+    /// Springs whose force does not act through the centres of mass of both bodies.
+    eccentric: Vec<EccentricSpring>,
+    /// Whether a step has failed: the world then gives no states.
     is_broken: bool,
 }
 
-/// Puts a scene into Box2D, with as many substeps as the setting has passes and all else as it is by default, on one
-/// thread. Two bodies whose angle alone is held are coupled by a motor joint that is as stiff as the other joints.
-/// Box2D leaves corners out that stand out by less than 0.3 px or lie together as near as 0.6 px.
+/// Builds a scene in Box2D, with the iterations of the setting as substeps and default settings, on one thread. Two bodies of
+/// which only the relative angle is constrained get a motor joint, as stiff as the other joints. Box2D omits corners that stand
+/// out by less than 0.3 px or are nearer than 0.6 px to each other.
 ///
 /// # Errors
 ///
-/// When the scene has something that the engine does not have.
+/// The scene has a feature that Box2D lacks.
 pub fn build_box2d(scene: &Scene, setting: Setting) -> Result<Box<dyn World>, String> {
     build_parts(&parts(scene)?, setting)
 }
 
-/// The same from parts.
+/// Builds a world of Box2D from the bodies, shapes and joints of a scene.
 pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn World>, String> {
     let substeps = i32::try_from(setting.passes).map_err(|_| format!("no {} substeps", setting.passes))?;
     let built = Builder::new(parts, setting).and_then(|mut builder| {
@@ -57,7 +58,7 @@ pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn Wor
     let dragged = parts.bodies.iter().zip(&bodies).filter(|(part, _)| part.rotational_drag != 0.0);
     Ok(Box::new(Box2d {
         dragged: dragged.map(|(part, &body)| (body, part.rotational_drag)).collect(),
-        turns: Turns::new(parts.bodies.iter().map(BodyPart::spin)),
+        turns: TurnCounter::new(parts.bodies.iter().map(BodyPart::spin)),
         world: RefCell::new(world),
         bodies,
         substeps,
@@ -66,7 +67,7 @@ pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn Wor
     }))
 }
 
-/// The version of Box2D, which is a state of its development after 3.1.
+/// Returns the version of Box2D: a state of its development after 3.1.
 pub(super) fn version() -> String {
     let version = Foundation::initialize_default().and_then(|_| boxdd::version());
     version.map_or_else(
@@ -75,7 +76,7 @@ pub(super) fn version() -> String {
     )
 }
 
-/// Why something cannot be built.
+/// The reason why an object cannot be built in Box2D.
 struct Refused(String);
 
 impl From<boxdd::Error> for Refused {
@@ -95,8 +96,8 @@ struct Builder<'a> {
     world: boxdd::World,
     bodies: Vec<BodyId>,
     ground: BodyId,
-    eccentric: Vec<Eccentric>,
-    /// What a motor joint gets instead of Box2D's stiffness of joints.
+    eccentric: Vec<EccentricSpring>,
+    /// Stiffness of a motor joint in Hz, by the rule of Box2D for its other joints.
     joint_hertz: f32,
 }
 
@@ -107,7 +108,7 @@ impl<'a> Builder<'a> {
         let mut world = foundation.create_world(definition)?;
         mix_surfaces(&mut world, parts)?;
         let ground = world.create_body(world.body_def())?;
-        // Box2D's own rule: no more than a quarter of the rate of substeps.
+        // Box2D limits the stiffness of joints to a quarter of the rate of substeps.
         let rate = setting.passes as f32 / setting.dt.mean();
         let joint_hertz = JOINT_HERTZ.min(rate / 4.0);
         Ok(Builder { parts, world, bodies: Vec::new(), ground, eccentric: Vec::new(), joint_hertz })
@@ -139,7 +140,8 @@ impl<'a> Builder<'a> {
         links.iter().try_for_each(|link| self.add_link(link))
     }
 
-    /// What the frames of a joint are, and that bodies that are joined may collide.
+    /// Returns the common definition of a joint: its bodies and its local frames at `anchors` (metres), the first turned by
+    /// `angle` radians. The joined bodies may collide.
     fn base(&self, link: &Link, anchors: [[f32; 2]; 2], angle: f32) -> Result<JointBase, Refused> {
         let body1 = link.body1.map_or(self.ground, |index| self.bodies[index]);
         let base = self.world.joint_base(body1, self.bodies[link.body2])?;
@@ -179,7 +181,8 @@ impl<'a> Builder<'a> {
                 self.world.create_distance_joint(&joint)?;
             }
             LinkKind::DistanceRange { anchors, min, max } => {
-                // Limits count beside a spring only; one of no stiffness does nothing.
+                // In Box2D the limits of a distance joint have an effect only beside a spring; a spring of stiffness 0 has no
+                // force.
                 let joint = DistanceJointDef::new(self.base(link, anchors, 0.0)?).length(not_short(max)?);
                 let joint = joint.enable_spring(true).hertz(0.0).enable_limit(true);
                 let joint = joint.min_length(min.max(LINEAR_SLOP)).max_length(max);
@@ -207,7 +210,8 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// The limits of the angle between the bodies of a revolute joint: in Box2D they are a part of it.
+    /// Returns the lower and upper limit in radians of the angle between the bodies of a revolute joint; `None` without limits.
+    /// In Box2D the limits belong to the revolute joint.
     fn angle_range(&self, joint: &Link) -> Option<[f32; 2]> {
         self.parts.links.iter().find_map(|link| match link.kind {
             LinkKind::AngleRange { min, max } if joint.turns_like(link) => Some([min, max]),
@@ -232,7 +236,7 @@ impl<'a> Builder<'a> {
         let id = self.world.create_distance_joint(&joint)?;
         let is_eccentric = |(end, anchor): (&Option<End>, [f32; 2])| end.is_some() && anchor != [0.0; 2];
         if ends.iter().zip(spring.anchors).any(is_eccentric) {
-            self.eccentric.push(Eccentric { id, spring, ends });
+            self.eccentric.push(EccentricSpring { id, spring, ends });
         }
         Ok(())
     }
@@ -251,13 +255,13 @@ impl<'a> Builder<'a> {
 }
 
 impl Link {
-    /// The bodies of the link that can move.
+    /// Returns the bodies of the link that are not static.
     fn movable<'a>(&self, parts: &'a Parts) -> impl Iterator<Item = &'a BodyPart> {
         let bodies = self.body1.into_iter().chain([self.body2]).map(|index| &parts.bodies[index]);
         bodies.filter(|part| !part.is_static)
     }
 
-    /// Whether one is a revolute joint and the other a limit of the angle between the same bodies.
+    /// Returns whether one link is a revolute joint and the other a limit of the angle between the same bodies.
     fn turns_like(&self, limit: &Link) -> bool {
         matches!(self.kind, LinkKind::Point { .. })
             && matches!(limit.kind, LinkKind::AngleRange { .. })
@@ -269,8 +273,8 @@ fn not_short(length: f32) -> Result<f32, Refused> {
     if length >= LINEAR_SLOP { Ok(length) } else { Err("no distances to be held below 0.16 px".into()) }
 }
 
-/// Box2D takes the geometric mean of frictions and the greater restitution: the mean is a callback, which costs time,
-/// and so is set only where it makes a difference.
+/// Sets a callback that combines friction and restitution of a pair by the mean. Box2D takes the geometric mean of frictions
+/// and the greater restitution. The callback costs time and is set only where it changes a result.
 fn mix_surfaces(world: &mut boxdd::World, parts: &Parts) -> Result<(), Refused> {
     let Some(first) = parts.shapes.first() else { return Ok(()) };
     if parts.shapes.iter().any(|shape| shape.friction != first.friction) {
@@ -301,11 +305,11 @@ fn body(part: &BodyPart, builder: boxdd::BodyBuilder) -> Result<boxdd::BodyDef, 
     Ok(builder.build()?)
 }
 
-/// A shape has no mass: that of the body is set.
+/// Returns the definition of a shape without mass: the mass of the body is set separately.
 fn definition(shape: &ShapePart) -> Result<ShapeDef, Refused> {
     let surface =
         SurfaceMaterial::new().with_friction(shape.friction)?.with_restitution(shape.restitution)?;
-    // Of shapes with one negative group, none meet.
+    // In Box2D, shapes of the same negative group do not collide.
     let group_index = shape.group.map_or(Ok(0), |number| i32::try_from(number).map(|number| -1 - number));
     let group_index = group_index.map_err(|_| "no more collision groups")?;
     Ok(ShapeDef::builder()
@@ -315,7 +319,7 @@ fn definition(shape: &ShapePart) -> Result<ShapeDef, Refused> {
         .build()?)
 }
 
-/// The shape as polygons of at most as many corners as Box2D takes; none for a circle.
+/// Splits a shape into polygons with at most the number of corners that Box2D allows; returns none for a circle.
 fn polygons(form: &Form) -> Result<Vec<Polygon>, Refused> {
     Ok(match form {
         Form::Circle { .. } => Vec::new(),
@@ -327,7 +331,7 @@ fn polygons(form: &Form) -> Result<Vec<Polygon>, Refused> {
             let (first, others) = corners.split_first().ok_or("no outlines without corners")?;
             let mut polygons = Vec::new();
             let mut begin = 0;
-            // A fan: the pieces share the first corner and an edge.
+            // The polygon is cut into a fan: all pieces share the first corner, and neighbouring pieces share an edge.
             while begin + 1 < others.len() {
                 let end = others.len().min(begin + MAX_POLYGON_VERTICES - 1);
                 let piece = std::iter::once(first).chain(&others[begin..end]);
@@ -339,8 +343,8 @@ fn polygons(form: &Form) -> Result<Vec<Polygon>, Refused> {
     })
 }
 
-/// A spring as the scene says it: Box2D wants its frequency and its damping ratio, which go by the mass that the spring
-/// feels.
+/// A spring with the stiffness of the scene. Box2D takes the frequency and the damping ratio, which depend on the effective
+/// mass.
 #[derive(Clone, Copy)]
 struct Spring {
     anchors: [[f32; 2]; 2],
@@ -348,7 +352,7 @@ struct Spring {
     damping: f32,
 }
 
-/// A body that a spring moves.
+/// A movable body at one end of a spring.
 #[derive(Clone, Copy)]
 struct End {
     body: BodyId,
@@ -358,16 +362,16 @@ struct End {
     turning: f32,
 }
 
-/// A spring whose ends turn their bodies: the mass it feels goes by where they are, and is told anew before each step,
-/// as Box2D reckons with it.
-struct Eccentric {
+/// A spring whose force turns its bodies: the effective mass depends on their positions. Frequency and damping ratio are set
+/// anew before each step.
+struct EccentricSpring {
     id: JointId,
     spring: Spring,
     ends: [Option<End>; 2],
 }
 
 impl Spring {
-    /// Frequency in Hz and damping ratio for how the bodies are now.
+    /// Returns the frequency in Hz and the damping ratio of the spring for the present positions of the bodies.
     fn tuning(&self, world: &mut boxdd::World, ends: &[Option<End>; 2]) -> Result<[f32; 2], Refused> {
         let mut arms = [[0.0; 2]; 2];
         let mut points = self.anchors;
@@ -400,7 +404,7 @@ impl Box2d {
             let angular_velocity = body.angular_velocity()?;
             body.apply_torque(-drag * angular_velocity * angular_velocity.abs(), false)?;
         }
-        for Eccentric { id, spring, ends } in &self.eccentric {
+        for EccentricSpring { id, spring, ends } in &self.eccentric {
             let [hertz, ratio] = spring.tuning(world, ends)?;
             let mut joint = world.joint(*id)?.into_distance()?;
             joint.set_spring_hertz(hertz)?;
@@ -412,12 +416,12 @@ impl Box2d {
         }
     }
 
-    fn told(&self, index: usize) -> Result<Told, Refused> {
+    fn peer_state(&self, index: usize) -> Result<PeerState, Refused> {
         let mut world = self.world.borrow_mut();
         let body = world.body(self.bodies[index])?;
         let (position, rotation) = (body.position()?, body.rotation()?);
         let velocity = body.linear_velocity()?;
-        Ok(Told {
+        Ok(PeerState {
             position: [position.x, position.y],
             rotation: [rotation.cosine(), rotation.sine()],
             velocity: [velocity.x, velocity.y],
@@ -425,7 +429,7 @@ impl Box2d {
         })
     }
 
-    /// Does something with a body; what Box2D refuses changes nothing.
+    /// Changes a body by `act`; a change that Box2D rejects has no effect.
     fn change(
         &mut self,
         index: usize,
@@ -441,12 +445,12 @@ impl World for Box2d {
         if self.is_broken {
             return;
         }
-        self.is_broken = !goes_well(|| self.advance(dt).map_err(|Refused(reason)| reason));
+        self.is_broken = !succeeds(|| self.advance(dt).map_err(|Refused(reason)| reason));
         self.turns.advance(dt);
     }
 
     fn body(&self, index: usize) -> BodyState {
-        self.turns.see(index, if self.is_broken { None } else { self.told(index).ok() })
+        self.turns.state(index, if self.is_broken { None } else { self.peer_state(index).ok() })
     }
 
     fn body_count(&self) -> usize {

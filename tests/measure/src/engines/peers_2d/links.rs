@@ -1,4 +1,4 @@
-//! The joints and springs of a scene, in a peer's units.
+//! The joints and springs of a scene, in the units of another engine (peer): metres, kg, s and radians.
 
 use super::parts::{BodyPart, double};
 use super::state::{metres, point, square_metres};
@@ -8,42 +8,45 @@ use conformance::scene::{
 use farseer_core::math::Vector2;
 use std::f64::consts::PI;
 
-/// What holds two bodies together, or one to the world.
+/// A joint or spring between two bodies, or between a body and the world.
 #[derive(Debug, Clone)]
 pub(super) struct Link {
-    /// Nothing for the world.
+    /// Index of the first body; `None` for the world.
     pub(super) body1: Option<usize>,
     pub(super) body2: usize,
     pub(super) kind: LinkKind,
 }
 
-/// Anchors are in the coordinates of the two bodies. Angles are the second body's against the first's, in rad.
+/// Kind of a joint or spring. Anchors are in the coordinates of the two bodies, metres. Angles are the second body's rotation
+/// minus the first body's, radians.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum LinkKind {
-    /// The anchors are one point.
+    /// A revolute joint without limits and motor: the anchors coincide.
     Point { anchors: [[f32; 2]; 2] },
-    /// The anchors are one point. The angle beyond one in rad keeps within limits; a motor has a speed and a greatest torque.
+    /// A revolute joint: the anchors coincide. `limits` bound the angle minus `angle`, radians; `motor` is the target speed in
+    /// radians/s and the greatest torque in N m.
     Hinge { anchors: [[f32; 2]; 2], angle: f32, limits: Option<[f32; 2]>, motor: Option<[f32; 2]> },
-    /// The second anchor moves along an axis through the first, whose angles in both bodies stay.
+    /// A prismatic joint: the second anchor moves along an axis through the first. `angles` are the axis' directions in both
+    /// bodies, radians.
     Slider { anchors: [[f32; 2]; 2], angles: [f32; 2] },
-    /// The anchors are one point and the angle stays.
+    /// A weld joint: the anchors coincide and the relative angle is constant, radians.
     Weld { anchors: [[f32; 2]; 2], angle: f32 },
-    /// The anchors keep a distance.
+    /// A distance joint: the distance of the anchors is `length` metres.
     Distance { anchors: [[f32; 2]; 2], length: f32 },
-    /// Their distance keeps within limits.
+    /// A distance joint with limits: the distance of the anchors is between `min` and `max` metres.
     DistanceRange { anchors: [[f32; 2]; 2], min: f32, max: f32 },
-    /// The angle stays.
+    /// Keeps the relative angle at `angle` radians.
     Angle { angle: f32 },
-    /// The angle keeps within limits.
+    /// Keeps the relative angle between `min` and `max` radians.
     AngleRange { min: f32, max: f32 },
-    /// A force along the line between the anchors, for each length that is missing and for each speed.
+    /// A linear spring along the line between the anchors: rest length in metres, stiffness in N/m, damping in N s/m.
     Spring { anchors: [[f32; 2]; 2], length: f32, stiffness: f32, damping: f32 },
-    /// A torque for each angle that is missing.
+    /// An angular spring: rest angle in radians, stiffness in N m per radian.
     AngleSpring { angle: f32, stiffness: f32 },
 }
 
-/// The links of a scene. What damps angle springs is put on the bodies: it goes by their own angular velocities
-/// (behaviour chapter 11), not by the difference.
+/// Converts the joints and springs of a scene. The damping of an angular spring is put on the two bodies: it acts on each
+/// body's angular velocity (behaviour chapter 11), not on the difference.
 pub(super) fn links(scene: &Scene, bodies: &mut [BodyPart]) -> Result<Vec<Link>, String> {
     let mut links = Vec::new();
     let acts = |spec: &&JointSpec| spec.in_simulation && spec.settings.enabled != Some(false);
@@ -82,7 +85,7 @@ fn check_spring(settings: &SpringSettings) -> Result<(), String> {
     Ok(())
 }
 
-/// The two ends of a link that is being made.
+/// The two bodies of a link under construction.
 #[derive(Clone, Copy)]
 struct Ends<'a> {
     bodies: &'a [BodyPart],
@@ -103,14 +106,14 @@ impl<'a> Ends<'a> {
         Link { body1: self.body1, body2: self.body2, kind }
     }
 
-    /// The anchors of a point of the world.
+    /// Returns the position of a point of the world in the coordinates of both bodies, metres.
     fn at(self, anchor: Vector2) -> [[f32; 2]; 2] {
         let anchor = double(anchor);
         let first = self.body1.map_or(anchor, |index| self.bodies[index].local(anchor));
         [first, self.bodies[self.body2].local(anchor)].map(point)
     }
 
-    /// The anchors, given in the bodies' coordinates or the world's, and their distance now in px.
+    /// Returns the anchors in metres, in the coordinates of each body or of the world, and their present distance in px.
     fn between(self, anchor1: Vector2, anchor2: Vector2) -> ([[f32; 2]; 2], f64) {
         let (local1, local2) = (double(anchor1), double(anchor2));
         let first = self.body1.map_or(local1, |index| self.bodies[index].world(local1));
@@ -118,14 +121,15 @@ impl<'a> Ends<'a> {
         ([point(local1), point(local2)], (second[0] - first[0]).hypot(second[1] - first[1]))
     }
 
-    /// The second body's angle against the first's now.
+    /// Returns the second body's present rotation minus the first body's, radians.
     fn angle(self) -> f64 {
         let first = self.body1.map_or(0.0, |index| f64::from(self.bodies[index].angle));
         f64::from(self.bodies[self.body2].angle) - first
     }
 
-    /// An angle to be held, which a peer must be able to tell from the one a whole turn away.
-    fn held(self, angle: Option<f32>, default: f64) -> Result<f32, String> {
+    /// Returns the target angle in radians; `default` if it is `None`. Rejects an angle that a peer cannot distinguish from the
+    /// angle one full turn away.
+    fn distinct_angle(self, angle: Option<f32>, default: f64) -> Result<f32, String> {
         let angle = angle.map_or(default, f64::from);
         let away = (angle - self.angle()).abs();
         if away < PI { Ok(angle as f32) } else { Err(format!("no angle to be held that is {away} rad away")) }
@@ -160,14 +164,15 @@ fn joint(spec: &JointSpec, bodies: &[BodyPart]) -> Result<Link, String> {
             let [min, max] = [min, max].map(|length| metres(f64::from(length)));
             ends.link(LinkKind::DistanceRange { anchors, min, max })
         }
-        // Unlike those of springs, the angle is not taken from the bodies (behaviour chapter 10).
+        // The target angle of an angle joint is not taken from the bodies' initial rotations, unlike that of an angle spring
+        // (behaviour chapter 10).
         JointKind::Angle { body1, body2 } => {
             let ends = ends(Some(body1), body2)?;
-            ends.link(LinkKind::Angle { angle: ends.held(settings.target_angle, 0.0)? })
+            ends.link(LinkKind::Angle { angle: ends.distinct_angle(settings.target_angle, 0.0)? })
         }
         JointKind::FixedAngle { body } => {
             let ends = ends(None, body)?;
-            ends.link(LinkKind::Angle { angle: ends.held(settings.target_angle, 0.0)? })
+            ends.link(LinkKind::Angle { angle: ends.distinct_angle(settings.target_angle, 0.0)? })
         }
         JointKind::AngleLimit { body1, body2, lower_limit, upper_limit } => {
             angle_range(ends(Some(body1), body2)?, [lower_limit, upper_limit])?
@@ -184,7 +189,7 @@ fn angle_range(ends: Ends<'_>, [min, max]: [f32; 2]) -> Result<Link, String> {
     if !(min <= max && is_within_a_turn(min) && is_within_a_turn(max)) {
         return Err(format!("no angle limits from {min} to {max} rad"));
     }
-    ends.held(Some(middle as f32), middle)?;
+    ends.distinct_angle(Some(middle as f32), middle)?;
     Ok(ends.link(LinkKind::AngleRange { min, max }))
 }
 
@@ -222,8 +227,8 @@ fn angle_spring(
     body2: usize,
 ) -> Result<Link, String> {
     let ends = Ends::new(bodies, body1, body2)?;
-    let angle = ends.held(spec.settings.target_angle, ends.angle())?;
-    // Its sign does not count.
+    let angle = ends.distinct_angle(spec.settings.target_angle, ends.angle())?;
+    // The sign of the torque multiplier has no effect.
     let factor = f64::from(spec.settings.torque_multiplier.unwrap_or(1.0)).abs();
     let stiffness = square_metres(factor * f64::from(spec.spring_constant));
     let link = ends.link(LinkKind::AngleSpring { angle, stiffness });

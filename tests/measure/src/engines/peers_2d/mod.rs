@@ -1,24 +1,27 @@
-//! Other projects' 2D engines: `rapier2d`, and Box2D 3 through the crate `boxdd`.
+//! 2D engines of other projects (peers): `rapier2d`, and Box2D 3 through the crate `boxdd`.
 //!
 //! A scene means the same in them as in the engine of this workspace:
 //!
-//! - 32 px are one metre, which is what both engines are tuned for; lengths are scaled on the way in and out (by a
-//!   power of two, so exactly). y points down as in the scene. Masses and moments of inertia are those of the scene's
-//!   bodies, whatever the geoms on them.
+//! - 32 px are one metre, which is the scale both engines are tuned for. Lengths are scaled on the way in and out (by a power
+//!   of two, so exactly). y points down as in the scene. Masses and moments of inertia are those of the scene's bodies, not of
+//!   the geoms on them.
 //! - Friction and restitution of a pair are the mean of both geoms', or the lesser friction where the scene says so.
-//! - A linear drag c (a force of -c v, behaviour chapter 02) is the damping c / m, which is the same in the limit of
-//!   short steps. Rotational drag is quadratic; it is applied as a torque before each step, unless it has the default
-//!   0.001, which next to nothing feels: then there is none.
-//! - Springs have the scene's stiffness and damping, whatever the engine wants them expressed in.
+//! - A linear drag c (a force of -c v, behaviour chapter 02) is the damping c / m, which is the same in the limit of short
+//!   steps. Rotational drag is quadratic; it is applied as a torque before each step. The default of 0.001, which has next to
+//!   no effect, is omitted.
+//! - Springs have the scene's stiffness and damping, converted to the units of the engine.
 //!
-//! What differs: circles are true circles and not polygons; outlines that are not convex are cut into pieces that are;
-//! joints and contacts are as hard as the engine makes them, so that bias factors and allowed errors count for
-//! nothing; angles between two bodies are told apart up to whole turns. Nothing sleeps unless it
-//! is asked for. Continuous collision is as it
-//! is by default: of fast bodies against static ones, in both. Both hold speeds down to 12,800 px/s, so scenes that
-//! begin with more are refused, and Box2D bounces nothing that meets slower than 32 px/s.
+//! Differences:
 //!
-//! What an engine does not have is an error that says so.
+//! - Circles are true circles and not polygons; outlines that are not convex are cut into convex pieces.
+//! - Joints and contacts are as hard as the engine makes them, so that bias factors and allowed errors have no effect.
+//! - Angles between two bodies are known up to full turns.
+//! - Sleep is disabled until it is enabled by the caller.
+//! - Continuous collision is as it is by default: of fast bodies against static ones, in both.
+//! - Both limit speeds to 12,800 px/s, so scenes with a faster start are refused. Box2D applies no restitution to impacts
+//!   slower than 32 px/s.
+//!
+//! A feature that an engine lacks is an error that names it.
 
 mod assembly;
 mod box2d;
@@ -34,7 +37,7 @@ pub use assembly::{assemble_box2d, assemble_rapier};
 pub use box2d::build_box2d;
 pub use rapier::build_rapier;
 
-/// `rapier2d`, with its default of 4 solver iterations recommended. Each of them is a short step of its own.
+/// Returns the method `rapier2d`, with its default of 4 solver iterations recommended. Each iteration is a substep.
 pub fn rapier_methods() -> Vec<Method> {
     vec![Method {
         name: "rapier2d",
@@ -48,7 +51,7 @@ pub fn rapier_methods() -> Vec<Method> {
     }]
 }
 
-/// Box2D 3, with the 4 substeps its manual recommends.
+/// Returns the method Box2D 3, with the 4 substeps that the manual of Box2D recommends.
 pub fn box2d_methods() -> Vec<Method> {
     vec![Method {
         name: "Box2D 3",
@@ -62,7 +65,7 @@ pub fn box2d_methods() -> Vec<Method> {
     }]
 }
 
-/// Names and versions of the peers and of what they are reached through.
+/// Returns names and versions of the peers and of the crates that bind them.
 pub fn peer_versions() -> Vec<(&'static str, String)> {
     vec![
         ("rapier2d", rapier2d::VERSION.to_owned()),
@@ -78,7 +81,7 @@ pub fn peer_versions() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The version of a package that this was built with.
+/// Returns the version of a package that this program was built with.
 fn locked_version(package: &str) -> String {
     let lock = include_str!("../../../../../Cargo.lock");
     let name = format!("name = \"{package}\"");
@@ -88,18 +91,19 @@ fn locked_version(package: &str) -> String {
     })
 }
 
-/// What both engines' authors recommend.
+/// The setting that the authors of Box2D and rapier recommend: 1/60 s with 4 substeps.
 const RECOMMENDED: Setting = Setting::fixed(1.0 / 60.0, 4);
 
-/// On a map as recommended, which is in the table of first failures, and with the other steps of ours.
+/// Returns the columns of a stability map: the recommended setting, which the table of first failures shows, and the other step
+/// lengths of our methods.
 fn on_map(effort: Effort) -> Vec<Mapped> {
     let others = if effort == Effort::Full { &STEPS[1..] } else { &STEPS[2..] };
     let others = others.iter().map(|&dt| Setting::fixed(dt, RECOMMENDED.passes));
     mapped([RECOMMENDED].into_iter().chain(others), &[RECOMMENDED])
 }
 
-/// Steps that games take, each with the recommended substeps; fewer and more substeps at the usual step and at longer
-/// and shorter ones.
+/// Returns the settings of a chart's line: steps that games take, each with the recommended 4 substeps. The usual step and some
+/// longer and shorter steps have fewer and more substeps, too.
 fn settings(effort: Effort) -> Vec<Setting> {
     let quick = vec![
         Setting::fixed(1.0 / 30.0, 1),
@@ -132,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_version_is_known() {
+    fn the_version_of_every_peer_is_found() {
         for (name, version) in peer_versions() {
             assert!(version.starts_with(|digit: char| digit.is_ascii_digit()), "{name} {version}");
         }

@@ -1,4 +1,4 @@
-//! What of a scene goes into a peer: metres, kg, s and rad, y down.
+//! Description of a scene for another engine (peer): metres, kg, s and radians, y down.
 
 use super::links::{self, Link};
 use super::state::{METRE, metres, point, square_metres};
@@ -9,52 +9,52 @@ use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
 use farseer_core::{Body, CollisionCategory};
 
-/// The drag coefficients of a body for which nothing else is said (behaviour chapter 02).
+/// Drag coefficient, linear in kg/s and rotational, of a body without a setting for it (behaviour chapter 02).
 const DEFAULT_DRAG: f32 = 0.001;
 
-/// A scene in a peer's units.
+/// A scene in the units of a peer: metres, kg, s and radians.
 #[derive(Debug)]
 pub(super) struct Parts {
     pub(super) gravity: [f32; 2],
-    /// Whether a pair has the lesser friction of the two, not their mean.
+    /// Whether the friction of a pair is the lesser coefficient of the two shapes, not the mean.
     pub(super) takes_lesser_friction: bool,
     pub(super) bodies: Vec<BodyPart>,
     pub(super) shapes: Vec<ShapePart>,
     pub(super) links: Vec<Link>,
 }
 
-/// A body; its position is its centre of mass.
+/// A body in the units of a peer. Its position is that of its centre of mass in the world, metres.
 #[derive(Debug, Clone)]
 pub(super) struct BodyPart {
     pub(super) is_static: bool,
     pub(super) mass: f32,
     pub(super) inertia: f32,
     pub(super) position: [f32; 2],
-    /// Whole turns included.
+    /// Rotation in radians, including full turns.
     pub(super) angle: f32,
     pub(super) velocity: [f32; 2],
     pub(super) angular_velocity: f32,
     pub(super) feels_gravity: bool,
-    /// Share of the velocity lost per s.
+    /// Rate of linear damping in 1/s: the fraction of the velocity lost per s, for short steps.
     pub(super) linear_damping: f32,
-    /// Share of the angular velocity lost per s.
+    /// Rate of angular damping in 1/s: the fraction of the angular velocity lost per s, for short steps.
     pub(super) angular_damping: f32,
-    /// Torque per squared angular velocity, against it.
+    /// Drag torque per squared angular velocity, in kg m².
     pub(super) rotational_drag: f32,
 }
 
-/// A convex shape on a body.
+/// A convex shape on a body, in the units of a peer.
 #[derive(Debug, Clone)]
 pub(super) struct ShapePart {
     pub(super) body: usize,
     pub(super) form: Form,
     pub(super) friction: f32,
     pub(super) restitution: f32,
-    /// Shapes of one group do not meet. Groups are counted from 0.
+    /// Index of the collision group, from 0; shapes of one group do not collide. `None`: the shape is in no group.
     pub(super) group: Option<usize>,
 }
 
-/// In the body's coordinates.
+/// Geometry of a shape in the body's coordinates, metres.
 #[derive(Debug, Clone)]
 pub(super) enum Form {
     Circle {
@@ -66,21 +66,21 @@ pub(super) enum Form {
         angle: f32,
         half_extents: [f32; 2],
     },
-    /// Corners in order, none on a straight line with its neighbours.
+    /// A convex polygon: corners in order, in metres. No corner lies on a straight line with its neighbours.
     Convex(Vec<[f32; 2]>),
 }
 
-/// Takes a scene to pieces. An error says what of it no peer has.
+/// Converts a scene to the bodies, shapes and joints that a peer needs. An error names a feature that no peer has.
 pub(super) fn parts(scene: &Scene) -> Result<Parts, String> {
     if !scene.controllers.is_empty() || !scene.paths.is_empty() {
         return Err("no controllers and no paths".to_owned());
     }
-    // First, since a sensor makes its body static.
+    // Geoms are checked before the scene is changed, since a sensor makes its body static.
     scene.geoms.iter().try_for_each(check)?;
     let mut plain = scene.clone();
     plain.joints.clear();
     plain.springs.clear();
-    // Distance grids are of no use to them.
+    // Peers have no distance grids, so the scene is built without them.
     plain.simulator.narrow_phase = Some(NarrowPhase::Sat);
     let run = Run::build(&plain).map_err(|error| error.to_string())?;
     let bodies = run.bodies().iter().zip(&scene.bodies);
@@ -95,13 +95,13 @@ pub(super) fn parts(scene: &Scene) -> Result<Parts, String> {
     })
 }
 
-/// A vector in double precision.
+/// Returns the vector in double precision, in the unit of `vector`.
 pub(super) fn double(vector: Vector2) -> [f64; 2] {
     [vector.x, vector.y].map(f64::from)
 }
 
-/// Both engines hold speeds down to this, px/s.
-const FASTEST: f64 = 12_800.0;
+/// Greatest speed in px/s that Box2D and `rapier2d` allow.
+const MAX_SPEED: f64 = 12_800.0;
 
 fn body(body: &Body, spec: &BodySpec) -> Result<BodyPart, String> {
     if !spec.in_simulation || !body.enabled() {
@@ -111,8 +111,8 @@ fn body(body: &Body, spec: &BodySpec) -> Result<BodyPart, String> {
     if is_static && (velocity != [0.0; 2] || body.angular_velocity() != 0.0) {
         return Err("no static bodies with a velocity".to_owned());
     }
-    if velocity[0].hypot(velocity[1]) > FASTEST {
-        return Err(format!("no speeds over {FASTEST} px/s"));
+    if velocity[0].hypot(velocity[1]) > MAX_SPEED {
+        return Err(format!("no speeds over {MAX_SPEED} px/s"));
     }
     if body.is_quadratic_drag_enabled() && body.quadratic_drag_coefficient() != 0.0 {
         return Err("no quadratic drag".to_owned());
@@ -161,7 +161,8 @@ fn shapes(run: &Run<'_>) -> Result<Vec<ShapePart>, String> {
     Ok(shapes)
 }
 
-/// The number of a collision group among those seen so far; nothing for 0, which is none (behaviour chapter 05).
+/// Returns the index, from 0, of a collision group in `groups` and adds the group if it is new. `None` for group 0, which means
+/// no group (behaviour chapter 05).
 fn number(group: i32, groups: &mut Vec<i32>) -> Option<usize> {
     if group == 0 {
         return None;
@@ -173,9 +174,9 @@ fn number(group: i32, groups: &mut Vec<i32>) -> Option<usize> {
     }))
 }
 
-/// Refuses what peers decide otherwise or not at all.
+/// Rejects settings of a geom that peers lack or treat differently.
 fn check(spec: &GeomSpec) -> Result<(), String> {
-    // There may be more geoms than entries then.
+    // These shapes may make more geoms than the scene has entries.
     if matches!(spec.shape, GeomShape::Decomposed { .. } | GeomShape::Clone { .. }) {
         return Err("no geoms that are copies or decompositions: name the outlines themselves".to_owned());
     }
@@ -198,7 +199,7 @@ fn check(spec: &GeomSpec) -> Result<(), String> {
 fn forms(spec: &GeomSpec, outline: &Vertices) -> Result<Vec<Form>, String> {
     let offset = double(spec.offset.unwrap_or_else(Vector2::zeros));
     let angle = f64::from(spec.rotation_offset.unwrap_or(0.0));
-    // The offset is turned with the geom (behaviour chapter 05).
+    // The geom's rotation also turns its offset (behaviour chapter 05).
     let place = |corner: [f64; 2]| point(turned([corner[0] + offset[0], corner[1] + offset[1]], angle));
     Ok(match spec.shape {
         GeomShape::Circle { radius, .. } => {
@@ -216,7 +217,7 @@ fn forms(spec: &GeomSpec, outline: &Vertices) -> Result<Vec<Form>, String> {
     })
 }
 
-/// The corners of an outline, of it alone if it is convex.
+/// Returns the corners in px of the convex pieces of an outline; a convex outline is the only piece.
 fn convex_pieces(outline: &Vertices) -> Result<Vec<Vec<[f64; 2]>>, String> {
     let corners = corners(outline);
     if is_convex(&corners) {
@@ -225,14 +226,14 @@ fn convex_pieces(outline: &Vertices) -> Result<Vec<Vec<[f64; 2]>>, String> {
     let pieces = outline.decompose(50).map_err(|error| error.to_string())?;
     let pieces: Vec<_> = pieces.iter().map(|piece| self::corners(piece)).collect();
     let (whole, sum) = (area(&corners).abs(), pieces.iter().map(|piece| area(piece).abs()).sum::<f64>());
-    // The decomposition leaves corners of less than a degree out, and what is beyond its number of pieces.
+    // The decomposition omits corners of less than a degree, and pieces beyond its limit: the area then differs.
     if (whole - sum).abs() > 1e-3 * whole {
         return Err(format!("an outline of {} corners cannot be cut into convex pieces", corners.len()));
     }
     Ok(pieces)
 }
 
-/// The vertices that do not lie on a straight line with the ones beside them.
+/// Returns the vertices of `outline` in px that do not lie on a straight line with their neighbours.
 fn corners(outline: &[Vector2]) -> Vec<[f64; 2]> {
     let points: Vec<_> = outline.iter().map(|&vertex| double(vertex)).collect();
     let extent = points.iter().flatten().fold(0.0_f64, |most, part| most.max(part.abs()));
@@ -240,8 +241,8 @@ fn corners(outline: &[Vector2]) -> Vec<[f64; 2]> {
     (0..points.len()).filter(is_corner).map(|index| points[index]).collect()
 }
 
-/// Twice the area of the triangle that a vertex makes with the ones beside it; its sign says which way the outline
-/// turns there.
+/// Returns twice the signed area, px², of the triangle of a vertex and its two neighbours. The sign is the turning direction of
+/// the outline at the vertex.
 fn bend(points: &[[f64; 2]], index: usize) -> f64 {
     let count = points.len();
     let [before, at, after] = [index + count - 1, index, index + 1].map(|index| points[index % count]);
@@ -259,18 +260,18 @@ fn area(points: &[[f64; 2]]) -> f64 {
 }
 
 impl BodyPart {
-    /// Angle and angular velocity at the start.
+    /// Returns the initial rotation in radians and the initial angular velocity in radians/s.
     pub(super) fn spin(&self) -> (f64, f64) {
         (f64::from(self.angle), f64::from(self.angular_velocity))
     }
 
-    /// A point of the world in px, in the body's coordinates in px.
+    /// Converts a point from the world's coordinates to the body's coordinates, both in px.
     pub(super) fn local(&self, world: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.position.map(|part| f64::from(part) * METRE);
         turned([world[0] - x, world[1] - y], -f64::from(self.angle))
     }
 
-    /// A point in the body's coordinates in px, in the world in px.
+    /// Converts a point from the body's coordinates to the world's coordinates, both in px.
     pub(super) fn world(&self, local: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.position.map(|part| f64::from(part) * METRE);
         let [dx, dy] = turned(local, f64::from(self.angle));

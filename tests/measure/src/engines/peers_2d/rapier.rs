@@ -1,8 +1,8 @@
-//! Scenes in `rapier2d`.
+//! Runs 2D scenes in `rapier2d`.
 
 use super::links::{Link, LinkKind};
 use super::parts::{BodyPart, Form, Parts, ShapePart, parts};
-use super::state::{Told, Turns, goes_well, metres, point};
+use super::state::{PeerState, TurnCounter, metres, point, succeeds};
 use crate::method::Setting;
 use crate::world::{BodyState, World};
 use conformance::scene::Scene;
@@ -13,33 +13,34 @@ use rapier2d::prelude::{
     RopeJointBuilder, SpringJointBuilder, Vector,
 };
 
-/// Stiffness in N/m of the spring that stands for a rod: rigid as far as floats go, like the engine's own joints.
+/// Stiffness in N/m (kg/s²) of the spring that stands for a distance joint. It is rigid within the precision of floats, as the
+/// joints of `rapier2d` are.
 const RIGID: f32 = 1e12;
 
-/// Gain of a motor in 1/s: it reaches its speed within an update, as far as its greatest torque allows.
+/// Gain of a motor in 1/s. The motor reaches its target speed within one step, as far as its greatest torque allows.
 const SPEED_GAIN: f32 = 1e6;
 
 struct Rapier {
     world: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
-    turns: Turns,
-    /// Bodies with a torque per squared angular velocity.
+    turns: TurnCounter,
+    /// Bodies with rotational drag, and the drag torque per squared angular velocity in kg m².
     dragged: Vec<(RigidBodyHandle, f32)>,
-    /// Whether a step panicked.
+    /// Whether a step has panicked: the world then gives no states.
     is_broken: bool,
 }
 
-/// Puts a scene into `rapier2d`, with as many solver iterations as the setting has passes and all else as it is by
-/// default. Distance joints are springs too stiff to give way, since the engine has no others.
+/// Builds a scene in `rapier2d`, with the iterations of the setting as solver iterations and default settings. Distance joints
+/// are springs of very high stiffness, because `rapier2d` has no rigid ones.
 ///
 /// # Errors
 ///
-/// When the scene has something that the engine does not have.
+/// The scene has a feature that `rapier2d` lacks.
 pub fn build_rapier(scene: &Scene, setting: Setting) -> Result<Box<dyn World>, String> {
     build_parts(&parts(scene)?, setting)
 }
 
-/// The same from parts.
+/// Builds a world of `rapier2d` from the bodies, shapes and joints of a scene.
 pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn World>, String> {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::from(parts.gravity);
@@ -50,7 +51,7 @@ pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn Wor
         world.insert_collider(collider, Some(bodies[shape.body]));
     }
     for &body in &bodies {
-        // Else an impulse before the first step would meet a body without mass.
+        // Without this, an impulse before the first step would act on a body without mass.
         world.bodies[body].recompute_mass_properties_from_colliders(&world.colliders);
     }
     let ground = world.insert_body(RigidBodyBuilder::fixed());
@@ -61,7 +62,7 @@ pub(super) fn build_parts(parts: &Parts, setting: Setting) -> Result<Box<dyn Wor
     let dragged = parts.bodies.iter().zip(&bodies).filter(|(part, _)| part.rotational_drag != 0.0);
     Ok(Box::new(Rapier {
         dragged: dragged.map(|(part, &body)| (body, part.rotational_drag)).collect(),
-        turns: Turns::new(parts.bodies.iter().map(BodyPart::spin)),
+        turns: TurnCounter::new(parts.bodies.iter().map(BodyPart::spin)),
         world,
         bodies,
         is_broken: false,
@@ -107,7 +108,8 @@ fn collider(shape: &ShapePart, parts: &Parts) -> Result<ColliderBuilder, String>
         .restitution_combine_rule(CoefficientCombineRule::Average))
 }
 
-/// A collision group is a bit; its shapes are filtered against it alone. The first bit is for those without a group.
+/// Returns the collision filter of a shape. Each collision group is one bit, and shapes of one group do not collide. The first
+/// bit is for shapes without a group.
 fn groups(shape: &ShapePart) -> Result<InteractionGroups, String> {
     let (member, filter) = match shape.group {
         None => (Group::GROUP_1, Group::ALL),
@@ -185,9 +187,9 @@ fn spring([one, two]: [[f32; 2]; 2], length: f32, stiffness: f32, damping: f32) 
 }
 
 impl Rapier {
-    fn told(&self, index: usize) -> Told {
+    fn peer_state(&self, index: usize) -> PeerState {
         let body = &self.world.bodies[self.bodies[index]];
-        Told {
+        PeerState {
             position: body.translation().to_array(),
             rotation: [body.rotation().cos(), body.rotation().sin()],
             velocity: body.linvel().to_array(),
@@ -208,7 +210,7 @@ impl World for Rapier {
             body.add_torque(-drag * angular_velocity * angular_velocity.abs(), false);
         }
         self.world.integration_parameters.dt = dt;
-        self.is_broken = !goes_well(|| {
+        self.is_broken = !succeeds(|| {
             self.world.step();
             Ok(())
         });
@@ -216,7 +218,7 @@ impl World for Rapier {
     }
 
     fn body(&self, index: usize) -> BodyState {
-        self.turns.see(index, (!self.is_broken).then(|| self.told(index)))
+        self.turns.state(index, (!self.is_broken).then(|| self.peer_state(index)))
     }
 
     fn body_count(&self) -> usize {

@@ -1,84 +1,85 @@
-//! Units, and what is seen of a body in a peer.
+//! Conversion of units, and the state of a body in another engine (peer).
 
 use crate::world::BodyState;
 use std::cell::Cell;
 use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Px of a metre.
+/// Length of a metre in px.
 pub(super) const METRE: f64 = 32.0;
 
-/// A length, speed or acceleration from px to metres.
+/// Converts a length, speed or acceleration from px (px/s, px/s²) to metres (m/s, m/s²).
 pub(super) fn metres(px: f64) -> f32 {
     (px / METRE) as f32
 }
 
-/// The same of a point or vector.
+/// Converts a point or vector from px to metres.
 pub(super) fn point(px: [f64; 2]) -> [f32; 2] {
     px.map(metres)
 }
 
-/// A moment of inertia, a torque or what is per angle of it, from px² to square metres.
+/// Converts a moment of inertia, a torque or an angular stiffness, which contain px², to m².
 pub(super) fn square_metres(value: f64) -> f32 {
     (value / (METRE * METRE)) as f32
 }
 
-/// A point or vector from metres to px.
+/// Converts a point or vector from metres to px; the third component is 0.
 fn px([x, y]: [f32; 2]) -> [f64; 3] {
     [x, y, 0.0].map(|part| f64::from(part) * METRE)
 }
 
-/// What a peer tells of a body, in metres, the rotation as cosine and sine.
+/// State of a body in a peer: metres, m/s and radians/s, the rotation as cosine and sine.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Told {
+pub(super) struct PeerState {
     pub(super) position: [f32; 2],
     pub(super) rotation: [f32; 2],
     pub(super) velocity: [f32; 2],
     pub(super) angular_velocity: f32,
 }
 
-/// Total angles: peers know angles up to whole turns. A turn is told by how far the body must have turned since it was
-/// last looked at, which holds if it is looked at often enough for its angular velocity to be about even between.
+/// Counts the full turns of bodies: peers know rotations up to full turns. The number of turns follows from the angular
+/// velocity and the time since the last observation, if the angular velocity is about constant in between.
 #[derive(Debug)]
-pub(super) struct Turns {
+pub(super) struct TurnCounter {
     time: f64,
-    seen: Vec<Cell<Seen>>,
+    last: Vec<Cell<LastState>>,
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Seen {
+struct LastState {
     time: f64,
     angle: f64,
     angular_velocity: f64,
 }
 
-impl Turns {
-    /// Bodies by angle in rad and angular velocity in rad/s.
+impl TurnCounter {
+    /// Starts with bodies of a rotation in radians and an angular velocity in radians/s.
     pub(super) fn new(bodies: impl Iterator<Item = (f64, f64)>) -> Self {
-        let seen = |(angle, angular_velocity)| Cell::new(Seen { time: 0.0, angle, angular_velocity });
-        Turns { time: 0.0, seen: bodies.map(seen).collect() }
+        let seen = |(angle, angular_velocity)| Cell::new(LastState { time: 0.0, angle, angular_velocity });
+        TurnCounter { time: 0.0, last: bodies.map(seen).collect() }
     }
 
-    /// Time goes by.
+    /// Advances the time by `dt` s.
     pub(super) fn advance(&mut self, dt: f32) {
         self.time += f64::from(dt);
     }
 
-    /// Number of bodies.
+    /// Returns the number of bodies.
     pub(super) fn len(&self) -> usize {
-        self.seen.len()
+        self.last.len()
     }
 
-    /// A body got an angular velocity, and an angle if it was put elsewhere.
+    /// Sets the angular velocity of a body in radians/s, and its rotation in radians if the body was teleported.
     pub(super) fn set(&self, index: usize, angle: Option<f64>, angular_velocity: Option<f64>) {
-        let seen = self.seen[index].get();
+        let seen = self.last[index].get();
         let angle = angle.unwrap_or(seen.angle);
         let angular_velocity = angular_velocity.unwrap_or(seen.angular_velocity);
-        self.seen[index].set(Seen { time: self.time, angle, angular_velocity });
+        self.last[index].set(LastState { time: self.time, angle, angular_velocity });
     }
 
-    /// What is seen of a body. Nothing is a number if the peer tells nothing.
-    pub(super) fn see(&self, index: usize, told: Option<Told>) -> BodyState {
+    /// Returns the state of a body in px, with the rotation including full turns. All values are NaN if `told` is `None`: the
+    /// peer gave no state.
+    pub(super) fn state(&self, index: usize, told: Option<PeerState>) -> BodyState {
         let Some(told) = told else {
             let nothing = [f64::NAN; 3];
             return BodyState {
@@ -98,19 +99,19 @@ impl Turns {
     }
 
     fn total_angle(&self, index: usize, [cosine, sine]: [f32; 2], angular_velocity: f64) -> f64 {
-        let seen = self.seen[index].get();
+        let seen = self.last[index].get();
         let angle = f64::from(sine).atan2(f64::from(cosine));
         let turned = (seen.angular_velocity + angular_velocity) / 2.0 * (self.time - seen.time);
         let angle = angle + TAU * ((seen.angle + turned - angle) / TAU).round();
         if angle.is_finite() {
-            self.seen[index].set(Seen { time: self.time, angle, angular_velocity });
+            self.last[index].set(LastState { time: self.time, angle, angular_velocity });
         }
         angle
     }
 }
 
-/// Does something with a peer that may refuse or panic: whether it did neither.
-pub(super) fn goes_well(act: impl FnOnce() -> Result<(), String>) -> bool {
+/// Calls a function that may fail or panic in a peer. Returns whether it succeeded.
+pub(super) fn succeeds(act: impl FnOnce() -> Result<(), String>) -> bool {
     matches!(catch_unwind(AssertUnwindSafe(act)), Ok(Ok(())))
 }
 
@@ -118,8 +119,8 @@ pub(super) fn goes_well(act: impl FnOnce() -> Result<(), String>) -> bool {
 mod tests {
     use super::*;
 
-    fn spinning(angle: f64, angular_velocity: f64) -> Told {
-        Told {
+    fn spinning(angle: f64, angular_velocity: f64) -> PeerState {
+        PeerState {
             position: [1.0, -2.0],
             rotation: [angle.cos() as f32, angle.sin() as f32],
             velocity: [0.0; 2],
@@ -128,24 +129,24 @@ mod tests {
     }
 
     #[test]
-    fn turns_are_counted_at_any_speed_and_either_way() {
+    fn turns_are_counted_at_any_speed_in_both_directions() {
         for angular_velocity in [0.3, 7.0, 500.0, -500.0] {
-            let mut turns = Turns::new(std::iter::once((0.5, angular_velocity)));
+            let mut turns = TurnCounter::new(std::iter::once((0.5, angular_velocity)));
             for step in 1..200 {
                 turns.advance(0.016);
                 let angle = 0.5 + angular_velocity * f64::from(step) * f64::from(0.016_f32);
-                let seen = turns.see(0, Some(spinning(angle, angular_velocity)));
+                let seen = turns.state(0, Some(spinning(angle, angular_velocity)));
                 assert!((seen.angle - angle).abs() < 1e-4, "{} {angle}", seen.angle);
             }
         }
     }
 
     #[test]
-    fn a_body_that_is_put_elsewhere_keeps_the_turns_it_was_given() {
-        let mut turns = Turns::new(std::iter::once((0.0, 0.0)));
+    fn a_teleported_body_keeps_its_number_of_turns() {
+        let mut turns = TurnCounter::new(std::iter::once((0.0, 0.0)));
         turns.set(0, Some(20.0), None);
         turns.advance(0.1);
-        let seen = turns.see(0, Some(spinning(20.1, 1.0)));
+        let seen = turns.state(0, Some(spinning(20.1, 1.0)));
         assert!((seen.angle - 20.1).abs() < 1e-6);
         assert_eq!(seen.position, [32.0, -64.0, 0.0]);
     }

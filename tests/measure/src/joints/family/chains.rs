@@ -1,10 +1,10 @@
-//! Pendulums, chains, bridges, and chains that are stretched.
+//! Pendulums, chains, bridges, and chains stretched beyond their length.
 
 use super::{JointScene, Pull};
 use crate::joints::assembly::{Assembly, Form};
 use std::f32::consts::FRAC_PI_2;
 
-/// Length and thickness of a link in px.
+/// Length and thickness of a chain link in px.
 const LINK: [f32; 2] = [16.0, 4.0];
 /// Length and thickness of a plank in px.
 const PLANK: [f32; 2] = [24.0, 6.0];
@@ -34,7 +34,7 @@ pub(super) fn scenes() -> Vec<JointScene> {
     ]
 }
 
-/// A box of 1 kg on an arm of 64 px, turned out of the vertical by an angle in rad.
+/// Returns a pendulum: a box of 1 kg on an arm of 64 px, released at `angle` rad from the vertical.
 fn pendulum(angle: f32) -> JointScene {
     let mut assembly = Assembly::new(320.0, 0.5);
     let post = assembly.post([0.0, 0.0]);
@@ -44,7 +44,8 @@ fn pendulum(angle: f32) -> JointScene {
     JointScene::new(format!("pendulum {angle}"), assembly)
 }
 
-/// Links of 1 kg without shapes on a post, level or hung, with a ball of a mass in kg at the end if it is > 0.
+/// Returns a chain of links of 1 kg that hangs from a post; it starts level or hanging down. If `ball` > 0, a ball of that
+/// mass in kg is at the end.
 fn chain(links: usize, ball: f32, is_level: bool) -> JointScene {
     let mut assembly = Assembly::new(320.0, 0.5);
     let along = |way: f32| if is_level { [way, 0.0] } else { [0.0, way] };
@@ -66,7 +67,7 @@ fn chain(links: usize, ball: f32, is_level: bool) -> JointScene {
     JointScene::new(format!("{load}chain {links}{hung}"), assembly)
 }
 
-/// Six links that rotate about their common centre as one.
+/// Returns six links without gravity that rotate about their common centre like one rigid body, at 20 rad/s.
 fn spinner() -> JointScene {
     let mut assembly = Assembly::new(0.0, 0.5);
     for index in 0..6 {
@@ -81,7 +82,7 @@ fn spinner() -> JointScene {
     JointScene::new("free chain of 6 spins at 20 rad/s", assembly)
 }
 
-/// Planks of 1 kg between two posts, and boxes of a mass in kg that fall on them.
+/// Returns a bridge of planks of 1 kg between two posts, and `loads` boxes of `mass` kg each that fall on it.
 fn bridge(planks: usize, loads: usize, mass: f32) -> JointScene {
     let mut assembly = Assembly::new(320.0, 0.5);
     let mut last = assembly.post([0.0, 0.0]);
@@ -101,7 +102,7 @@ fn bridge(planks: usize, loads: usize, mass: f32) -> JointScene {
     JointScene::new(format!("bridge {planks} with {loads} of {mass}"), assembly)
 }
 
-/// A level chain that falls on the floor.
+/// Returns a level chain that falls on the floor.
 fn falling(links: usize) -> JointScene {
     let mut assembly = Assembly::with_floor(320.0, 0.5);
     for index in 0..links {
@@ -114,7 +115,7 @@ fn falling(links: usize) -> JointScene {
     JointScene::new(format!("chain {links} falls on the floor"), assembly)
 }
 
-/// Ten circles between two posts, of which one moves.
+/// Returns a chain of ten circles between two posts, one of which is moved until the chain is stretched by `elongation` px.
 fn stretched(elongation: f32) -> JointScene {
     let mut assembly = Assembly::new(900.0, 0.5);
     let mut last = assembly.post([0.0, 0.0]);
@@ -130,7 +131,7 @@ fn stretched(elongation: f32) -> JointScene {
     JointScene { pull: Some(Pull { body, elongation }), ..scene.lasting(8.5) }
 }
 
-/// A load of 50 kg on a pallet of 1 kg, which stand on the floor, and a taut chain above them.
+/// Returns a load of 50 kg on a pallet of 1 kg on the floor, and a taut chain from the load to a post above.
 pub(super) fn pallet() -> JointScene {
     let mut assembly = Assembly::with_floor(900.0, 0.5);
     let mut last = assembly.post([0.0, -160.0]);

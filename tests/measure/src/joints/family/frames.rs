@@ -6,7 +6,7 @@ use std::f32::consts::FRAC_PI_2;
 
 /// Distance in px between the nodes of a grid.
 const MESH: f32 = 32.0;
-/// Half of the width and the height of a triangle of a girder in px.
+/// Half of the width, and the height, of a triangle of a girder, in px.
 const TRIANGLE: [f32; 2] = [20.0, 35.0];
 
 pub(super) fn scenes() -> Vec<JointScene> {
@@ -31,7 +31,7 @@ pub(super) fn scenes() -> Vec<JointScene> {
     ]
 }
 
-/// A square of circles, each joined to its neighbours, that hangs by its upper corners.
+/// Returns a square grid of circles, each joined by hinges to its neighbours, that hangs by its two upper corners.
 fn grid(nodes: usize) -> JointScene {
     let mut assembly = Assembly::new(320.0, 0.5);
     let at = |index: usize| MESH * index as f32;
@@ -55,7 +55,8 @@ fn grid(nodes: usize) -> JointScene {
     JointScene::new(format!("joint grid {nodes}x{nodes}"), assembly)
 }
 
-/// A girder of triangles between two fixed nodes, of rods or of bars on hinges, whose middle lower node has a mass in kg.
+/// Returns a girder of triangles between two fixed nodes. It consists of rods, or of bars on hinges if `has_bars`. The
+/// middle lower node has a mass of `load` kg.
 fn girder(triangles: usize, load: f32, has_bars: bool) -> JointScene {
     let mut assembly = Assembly::new(900.0, 0.5);
     let [half, height] = TRIANGLE;
@@ -82,7 +83,7 @@ fn girder(triangles: usize, load: f32, has_bars: bool) -> JointScene {
     JointScene::new(format!("girder {triangles} {of} load {load}"), assembly).watching(middle)
 }
 
-/// A bar of 0.5 kg between two nodes.
+/// Adds a bar of 0.5 kg on hinges between two nodes.
 fn bar(assembly: &mut Assembly, node: usize, end: usize) {
     let [[x1, y1], [x2, y2]] = [node, end].map(|node| assembly.bodies[node].position);
     let (dx, dy) = (x2 - x1, y2 - y1);
@@ -92,7 +93,7 @@ fn bar(assembly: &mut Assembly, node: usize, end: usize) {
     assembly.hinge(end, bar, [x2, y2]);
 }
 
-/// Four plates welded to a hub, which overlap each other.
+/// Returns four plates that are welded to a hub and overlap each other.
 fn windmill() -> JointScene {
     let mut assembly = Assembly::new(0.0, 0.5);
     let hub = assembly.circle([0.0, 0.0], 50.0, 10.0, 0);
@@ -106,7 +107,7 @@ fn windmill() -> JointScene {
     JointScene::new("windmill", assembly).watching(hub)
 }
 
-/// A bar and two legs that overlap it and each other, on one hinge.
+/// Returns a bar and two legs on one common hinge; all three overlap.
 fn legs_on_one_pin() -> JointScene {
     let mut assembly = Assembly::new(0.0, 0.5);
     let bar = assembly.rectangle([0.0, 0.0], [320.0, 64.0], 10.0, 0);
@@ -117,7 +118,7 @@ fn legs_on_one_pin() -> JointScene {
     JointScene::new("bar and two legs on one pin", assembly).lasting(20.0)
 }
 
-/// A body on ten legs of two parts, all of which collide and many of which overlap.
+/// Returns a body on ten legs of two limbs each. All bodies collide, and many overlap.
 fn thousand_legger() -> JointScene {
     let mut assembly = Assembly::with_floor(900.0, 0.5);
     let body = assembly.rectangle([0.0, -110.0], [320.0, 40.0], 10.0, 0);
@@ -131,7 +132,8 @@ fn thousand_legger() -> JointScene {
     JointScene::new("thousand-legger of 10 legs on the floor", assembly)
 }
 
-/// A circle midway between two posts, which two rods would have half as far from both.
+/// Returns a circle midway between two posts, with two rods that are half as long as the distance to each post: they cannot
+/// both hold.
 fn contradicting_rods() -> JointScene {
     let mut assembly = Assembly::new(0.0, 0.5);
     let posts = [-100.0, 100.0].map(|x| assembly.post([x, 0.0]));

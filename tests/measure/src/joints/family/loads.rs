@@ -1,9 +1,9 @@
-//! Heavy on light: welds, sliders and springs that bear a load on the floor, beams and cantilevers.
+//! Heavy loads on light bodies: welds, sliders and springs on the floor, beams and cantilevers.
 
 use super::{JointScene, chains};
 use crate::joints::assembly::Assembly;
 
-/// Gravity in px/s² of most of these scenes.
+/// Gravity in most of these scenes, in px/s², downwards.
 const GRAVITY: f32 = 900.0;
 
 pub(super) fn scenes() -> Vec<JointScene> {
@@ -27,7 +27,7 @@ pub(super) fn scenes() -> Vec<JointScene> {
     scenes
 }
 
-/// A box of a mass in kg, welded to a plate of 1 kg.
+/// Returns a box of `mass` kg, welded to a plate of 1 kg on the floor.
 fn welded(mass: f32) -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.5);
     let plate = assembly.rectangle([0.0, -5.0], [60.0, 10.0], 1.0, 1);
@@ -36,7 +36,7 @@ fn welded(mass: f32) -> JointScene {
     JointScene::new(format!("weld {mass} on plate 1"), assembly).watching(load)
 }
 
-/// A box of a mass in kg, welded to a leg of 1 kg on a foot of 1 kg.
+/// Returns a box of `mass` kg, welded to a leg of 1 kg on a foot of 1 kg.
 fn torso(mass: f32) -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.8);
     let foot = assembly.rectangle([0.0, -5.0], [80.0, 10.0], 1.0, 1);
@@ -47,7 +47,7 @@ fn torso(mass: f32) -> JointScene {
     JointScene::new(format!("torso {mass} on leg and foot"), assembly).watching(torso)
 }
 
-/// A box of a mass in kg on two legs that slant outwards by 0.9 rad from the level.
+/// Returns a box of `mass` kg, welded to two legs of 1 kg that are inclined outwards by 0.9 rad from the horizontal.
 fn splayed_legs(mass: f32) -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.5);
     let load = assembly.rectangle([0.0, -50.0], [60.0, 20.0], mass, 1);
@@ -60,7 +60,8 @@ fn splayed_legs(mass: f32) -> JointScene {
     JointScene::new(format!("splayed legs under {mass}"), assembly).watching(load)
 }
 
-/// Seven boxes welded to a beam between two walls; the middle one has a mass in kg.
+/// Returns a beam of seven boxes, welded side by side, on two walls; the middle box has a mass of `mass` kg, all others 1
+/// kg.
 fn beam(mass: f32) -> JointScene {
     let mut assembly = Assembly::new(GRAVITY, 0.5);
     for x in [-100.0, 100.0] {
@@ -78,7 +79,7 @@ fn beam(mass: f32) -> JointScene {
     JointScene::new(format!("welded beam, middle {mass}"), assembly).watching(5)
 }
 
-/// A box of a mass in kg that slides upright on a plate of 1 kg, and lies on it.
+/// Returns a box of `mass` kg that rests on a plate of 1 kg; a slider lets it move relative to the plate along y alone.
 fn slider(mass: f32) -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.5);
     let plate = assembly.rectangle([0.0, -5.0], [60.0, 10.0], 1.0, 0);
@@ -87,12 +88,13 @@ fn slider(mass: f32) -> JointScene {
     JointScene::new(format!("slider {mass} on plate 1"), assembly).watching(load)
 }
 
-/// A box of a mass in kg that slides upright above a plate of 1 kg, carried by a spring.
+/// Returns a box of `mass` kg that a spring carries above a plate of 1 kg; a slider lets it move relative to the plate along
+/// y alone. `stiffness` in kg/s², `damping` in kg/s.
 fn spring(mass: f32, stiffness: f32, damping: f32) -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.5);
     let plate = assembly.rectangle([0.0, -5.0], [60.0, 10.0], 1.0, 0);
     let load = assembly.rectangle([0.0, -105.0], [40.0, 40.0], mass, 0);
-    // They cannot topple.
+    // The large moments of inertia keep both bodies from toppling.
     for body in [plate, load] {
         assembly.bodies[body].inertia = 1e9;
     }
@@ -103,7 +105,7 @@ fn spring(mass: f32, stiffness: f32, damping: f32) -> JointScene {
     JointScene::new(name, assembly).watching_at(load, [0.0, -105.0 + sag])
 }
 
-/// Boxes on each other, welded.
+/// Returns a tower of welded boxes of 1 kg on the floor.
 fn tower(boxes: usize) -> JointScene {
     let mut assembly = Assembly::with_floor(320.0, 0.5);
     for index in 0..boxes {
@@ -116,7 +118,7 @@ fn tower(boxes: usize) -> JointScene {
     JointScene::new(format!("tower of {boxes} welded boxes"), assembly).watching(boxes)
 }
 
-/// Boxes welded side by side to a post; the last one has a mass in kg.
+/// Returns a cantilever: boxes of 1 kg, welded side by side to a post; the last box has a mass of `tip` kg.
 fn cantilever(boxes: usize, tip: f32) -> JointScene {
     let mut assembly = Assembly::new(320.0, 0.5);
     let mut last = assembly.post([0.0, 0.0]);
@@ -130,7 +132,7 @@ fn cantilever(boxes: usize, tip: f32) -> JointScene {
     JointScene::new(format!("cantilever {boxes} welds, tip {tip}"), assembly).watching(last)
 }
 
-/// A figure of eight welded parts that stands on two feet.
+/// Returns a figure of eight welded bodies that stands on two feet.
 fn standing_man() -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.9);
     let torso = assembly.rectangle([0.0, -95.0], [30.0, 50.0], 8.0, 1);

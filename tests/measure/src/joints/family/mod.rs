@@ -1,4 +1,4 @@
-//! The joint scenes with fixed dimensions.
+//! Joint scenes with fixed dimensions, and the script that moves a body in some of them.
 
 mod chains;
 mod frames;
@@ -9,27 +9,27 @@ mod vehicles;
 use super::assembly::Assembly;
 use crate::world::World;
 
-/// Steps per second.
+/// Number of steps per second of simulated time.
 const RATE: u32 = 60;
-/// Length of most runs in s.
+/// Simulated time in s of most runs.
 const SECONDS: f64 = 10.0;
-/// Impulse in kg px/s that wakes a body and does not move it visibly: scenes with a pull have masses of 1 kg.
+/// Impulse in kg px/s that wakes a body without moving it visibly: bodies in scenes with a [`Pull`] have masses of 1 kg.
 const WAKING: [f64; 2] = [0.0, 1e-4];
 
-/// A scene, and what is asked of it.
+/// A joint scene with its length and its expected outcome.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointScene {
-    /// Its name, by which programs choose scenes.
+    /// Name of the scene, by which programs select it.
     pub name: String,
-    /// Bodies, joints and springs.
+    /// Bodies, joints and springs of the scene.
     pub assembly: Assembly,
-    /// Length of a run in s.
+    /// Simulated time of a run in s.
     pub seconds: f64,
-    /// A body, and its correct place in px at the end.
+    /// Index of the watched body, and its expected position at the end of the run, in px; `None` if none is watched.
     pub watched: Option<(usize, [f32; 2])>,
-    /// A static body that moves.
+    /// Script that moves a static body; `None` if there is none.
     pub pull: Option<Pull>,
-    /// Whether a quick run leaves it out.
+    /// Whether quick runs omit the scene because of its size.
     pub is_large: bool,
 }
 
@@ -39,7 +39,7 @@ impl JointScene {
         JointScene { name, assembly, seconds: SECONDS, watched: None, pull: None, is_large: false }
     }
 
-    /// A body belongs where it begins.
+    /// Sets the watched body; its position at the end should be that at the start.
     fn watching(self, body: usize) -> Self {
         let place = self.assembly.bodies[body].position;
         self.watching_at(body, place)
@@ -55,35 +55,35 @@ impl JointScene {
         self
     }
 
-    /// Number of updates.
+    /// Returns the number of updates of a run.
     pub fn steps(&self) -> u32 {
         (self.seconds * f64::from(RATE)) as u32
     }
 
-    /// Whether a motor or a moved body adds energy.
+    /// Returns whether a motor or a moved static body adds energy.
     pub fn is_driven(&self) -> bool {
         self.pull.is_some() || self.assembly.is_driven()
     }
 
-    /// Number of joints without springs.
+    /// Returns the number of joints; springs do not count.
     pub fn joints(&self) -> usize {
         let is_joint = |kind| !matches!(kind, super::assembly::JointKind::Spring { .. });
         self.assembly.joints.iter().filter(|joint| is_joint(joint.kind)).count()
     }
 }
 
-/// Teleports a static body along y = 0: the far end of a chain of 200 px, which it stretches.
+/// Script that teleports a static body along y = 0. The body is the far end of a chain of 200 px, which it stretches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
-    /// Index of the body.
+    /// Index into `Assembly::bodies` of the static body that is teleported.
     pub body: usize,
-    /// Greatest elongation of the chain in px.
+    /// Greatest elongation of the chain in px, >= 0.
     pub elongation: f32,
 }
 
 impl Pull {
-    /// The place along x in px before an update, if it changes: slack for 1 s, stretched within 0.5 s, loose again after
-    /// 5 s more.
+    /// Returns the position of the body along x in px before update `step`; `None` if it does not change. The chain is slack
+    /// for 1 s, is stretched within 0.5 s, and is loose again 5 s later.
     fn place(self, step: u32) -> Option<f32> {
         match step {
             0 => Some(180.0),
@@ -93,7 +93,7 @@ impl Pull {
         }
     }
 
-    /// Moves the body before an update and wakes all others.
+    /// Moves the static body before update `step`, and wakes all dynamic bodies.
     pub fn act(self, step: u32, assembly: &Assembly, world: &mut dyn World) {
         let Some(x) = self.place(step) else { return };
         world.teleport(self.body, [f64::from(x), 0.0], 0.0);
@@ -102,7 +102,7 @@ impl Pull {
     }
 }
 
-/// All scenes.
+/// Returns all joint scenes with fixed dimensions.
 pub fn family() -> Vec<JointScene> {
     [chains::scenes(), frames::scenes(), loads::scenes(), vehicles::scenes(), ragdolls::scenes()].concat()
 }

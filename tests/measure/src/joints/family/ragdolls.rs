@@ -1,13 +1,14 @@
-//! Ragdolls with limits, one of them thrown on the floor and a pile in a pit.
+//! Ragdolls whose joints have limits: one that is thrown on the floor, and a pile in a pit.
 
 use super::JointScene;
 use crate::joints::assembly::{Assembly, JointKind};
 use crate::stability::ragdolls::{JOINTS, LIMBS};
 
-/// Px per cm.
+/// Factor from cm in the description of a ragdoll to px: 32 px are 1 m.
 const SCALE: f32 = 0.32;
-/// Angle of a ragdoll in rad, and the speed downwards in px/s with which it begins.
+/// Angle in rad with which a ragdoll begins, clockwise on the screen.
 const ANGLE: f32 = 1.9;
+/// Speed downwards in px/s with which a ragdoll begins.
 const SPEED: f32 = 100.0;
 
 pub(super) fn scenes() -> Vec<JointScene> {
@@ -32,10 +33,11 @@ fn pile(count: usize) -> JointScene {
     JointScene::new(format!("ragdolls {count}"), assembly)
 }
 
-/// Adds a ragdoll of ten limbs of 1 kg per square metre, which do not collide with each other.
+/// Adds a ragdoll of limbs of 1 kg per square metre, which do not collide with each other. `at` is the position of the hips
+/// in px, `angle` in rad, `velocity` in px/s.
 fn add(assembly: &mut Assembly, at: [f32; 2], angle: f32, velocity: [f32; 2], group: i32) {
     let (sine, cosine) = angle.sin_cos();
-    // From cm below the crown of the head, about the hips.
+    // Maps a point in cm (y from the crown of the head down) to the world in px; the ragdoll is rotated about its hips.
     let place = |[x, y]: [f32; 2]| {
         let (x, y) = (SCALE * x, SCALE * (y - 90.0));
         [x * cosine - y * sine + at[0], x * sine + y * cosine + at[1]]

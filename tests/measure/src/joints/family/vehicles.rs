@@ -1,16 +1,16 @@
-//! Carts, cars on springs, and tanks on tracks.
+//! Carts, cars with suspension springs, and tanks with tracks.
 
 use super::JointScene;
 use crate::joints::assembly::{Assembly, Form, JointKind};
 use std::f32::consts::PI;
 
-/// Gravity in px/s².
+/// Gravity in px/s², downwards.
 const GRAVITY: f32 = 900.0;
-/// Radius in px of the wheels of a cart, and their distance from its middle.
+/// Radius of the wheels of a cart, and distance along x of each wheel from the middle of the cart, in px.
 const WHEEL: [f32; 2] = [12.0, 35.0];
-/// Links of a track.
+/// Number of links of a track.
 const TRACK: usize = 24;
-/// Radius of the round ends of a track and distance between their centres in px.
+/// Radius of the round ends of a track, and distance between the centres of both ends, in px.
 const OVAL: [f32; 2] = [20.0, 60.0];
 
 pub(super) fn scenes() -> Vec<JointScene> {
@@ -19,19 +19,20 @@ pub(super) fn scenes() -> Vec<JointScene> {
     scenes
 }
 
-/// A box of a mass in kg on two wheels of 1 kg.
+/// Returns a box of `mass` kg on two wheels of 1 kg.
 fn cart(mass: f32) -> JointScene {
     JointScene::new(format!("cart {mass} on wheels 1"), on_wheels(mass, 0.5, None)).watching(1)
 }
 
-/// A cart whose wheels have motors: it should go at the speed of their rims.
+/// Returns a cart with motors at both wheels: it should move at the speed of the wheel rims.
 fn motor_cart() -> JointScene {
     let assembly = on_wheels(20.0, 0.9, Some([10.0, 4e4]));
     let way = 10.0 * WHEEL[0] * super::SECONDS as f32;
     JointScene::new("cart 20 driven by motors 10 rad/s", assembly).watching_at(1, [way, -25.0])
 }
 
-/// The cart is body 1.
+/// Returns a cart of `mass` kg (body 1) on two wheels of 1 kg. `motor` is angular velocity in rad/s and greatest torque in
+/// kg px²/s².
 fn on_wheels(mass: f32, friction: f32, motor: Option<[f32; 2]>) -> Assembly {
     let mut assembly = Assembly::with_floor(GRAVITY, friction);
     let cart = assembly.rectangle([0.0, -25.0], [100.0, 20.0], mass, 1);
@@ -44,7 +45,8 @@ fn on_wheels(mass: f32, friction: f32, motor: Option<[f32; 2]>) -> Assembly {
     assembly
 }
 
-/// A body of a mass in kg on two axles of 1 kg with wheels of 1 kg; springs carry it as stiffly as its mass asks for.
+/// Returns a car of `mass` kg on two axles of 1 kg with wheels of 1 kg; the stiffness of the suspension springs is
+/// proportional to the mass of the car.
 fn car(mass: f32) -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.5);
     let car = assembly.rectangle([0.0, -40.0], [120.0, 20.0], mass, 1);
@@ -61,7 +63,7 @@ fn car(mass: f32) -> JointScene {
     JointScene::new(format!("car {mass} on springs"), assembly).watching_at(car, [0.0, -40.0 + sag])
 }
 
-/// A body of a mass in kg on two wheels within a closed track.
+/// Returns a tank: a body of `mass` kg on two wheels within a closed track of links on hinges.
 fn tank(mass: f32) -> JointScene {
     let mut assembly = Assembly::with_floor(GRAVITY, 0.8);
     let [radius, length] = OVAL;
@@ -85,12 +87,13 @@ fn tank(mass: f32) -> JointScene {
     JointScene::new(format!("tank {mass}, track of {TRACK}"), assembly)
 }
 
-/// Place in px and angle in rad on a track after a way in px from the start of its upper side.
+/// Returns position in px relative to the middle of a track, and angle in rad, after a distance of `way` px from the start
+/// of its upper side.
 fn on_track(way: f32) -> ([f32; 2], f32) {
     let [radius, length] = OVAL;
     let half = length + PI * radius;
     let way = way % (2.0 * half);
-    // The second half is the first one turned by half a turn.
+    // The second half of the track is the first one rotated by half a turn.
     let (way, turn, sign) = if way < half { (way, 0.0, 1.0) } else { (way - half, PI, -1.0) };
     let (place, angle) = if way < length {
         ([way - length / 2.0, -radius], 0.0)

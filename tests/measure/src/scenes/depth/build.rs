@@ -1,4 +1,4 @@
-//! A scene in the 2.5D engine.
+//! Builds a 2.5D scene in `twohalf`.
 
 use farseer_core::{Body, BodyFactory, GeomPlacement, JointFactory, SliderJoint, Vertices};
 use twohalf::{
@@ -9,22 +9,22 @@ use super::{DepthObject, DepthPlatform, DepthScene, DepthShape, SCREEN_ANGLE, Su
 
 /// Height of the screen in px.
 const SCREEN_HEIGHT: i32 = 600;
-/// Edges of a ball's outline.
+/// Number of edges of the polygon that stands for a ball's outline.
 const EDGES: i32 = 24;
 
-/// Builds a scene with the scheme that a new simulator has: the simulator, and the bodies in the order of the scene's objects.
-/// The platforms are in the scene's order, too.
+/// Builds a scene with the default [`DepthScheme`] of a new simulator. Returns the simulator and the bodies in the order of
+/// the scene's objects. The simulator has the platforms in the order of the scene.
 ///
 /// # Panics
-/// A scene with values that the engine refuses, which none of this module's is.
+/// The scene has values that the engine rejects. No scene of this module has.
 pub fn build(scene: &DepthScene) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
     build_with(scene, DepthScheme::default())
 }
 
-/// [`build`] with another scheme.
+/// Builds a scene with the depth scheme `scheme`. Returns the simulator and the bodies in the order of the scene's objects.
 ///
 /// # Panics
-/// As that.
+/// The scene has values that the engine rejects.
 pub fn build_with(scene: &DepthScene, scheme: DepthScheme) -> (TwoHalfPhysicsSimulator, Vec<BodyId>) {
     try_build(scene, scheme).unwrap_or_else(|error| panic!("{}: {error}", scene.name))
 }
@@ -44,7 +44,7 @@ fn try_build(scene: &DepthScene, scheme: DepthScheme) -> Result<(TwoHalfPhysicsS
     }
     for (number, rope) in scene.ropes.iter().enumerate() {
         let rope: Vec<BodyId> = rope.iter().map(|&object| bodies[object]).collect();
-        tie(&mut simulator, &rope, -1 - number as i32)?;
+        connect_rope(&mut simulator, &rope, -1 - number as i32)?;
     }
     Ok((simulator, bodies))
 }
@@ -78,8 +78,9 @@ fn add_object(
     Ok(body)
 }
 
-/// Ties bodies to a rope whose geoms are of one collision group.
-fn tie(simulator: &mut TwoHalfPhysicsSimulator, rope: &[BodyId], group: i32) -> Result<()> {
+/// Connects the bodies of a rope, in order, by joints that limit their distances, and puts their geoms into the collision
+/// group `group`.
+fn connect_rope(simulator: &mut TwoHalfPhysicsSimulator, rope: &[BodyId], group: i32) -> Result<()> {
     for &body in rope {
         for geom in simulator.core().geoms_of(body).to_vec() {
             if let Some(settings) = simulator.geom_mut(geom) {
@@ -125,10 +126,10 @@ fn add_platform(simulator: &mut TwoHalfPhysicsSimulator, platform: &DepthPlatfor
 }
 
 impl DepthObject {
-    /// A body of the 2D engine with the object's mass and moment of inertia, without drag.
+    /// Returns a body of the 2D engine with the object's mass (kg) and moment of inertia (kg px²), without drag.
     ///
     /// # Errors
-    /// A size or mass that the engine refuses.
+    /// The engine rejects the size or the mass.
     pub fn body(&self) -> farseer_core::Result<Body> {
         let mut body = match &self.shape {
             DepthShape::Ball { radius } => BodyFactory::create_circle_body(*radius, self.mass)?,
@@ -142,10 +143,10 @@ impl DepthObject {
         Ok(body)
     }
 
-    /// The outline at rotation 0 about the body's origin, px, y down.
+    /// Returns the outline at rotation 0, relative to the body's origin, in px with y down.
     ///
     /// # Errors
-    /// A size that the engine refuses.
+    /// The engine rejects the size.
     pub fn outline(&self) -> farseer_core::Result<Vertices> {
         match &self.shape {
             DepthShape::Ball { radius } => Vertices::create_circle(*radius, EDGES),
@@ -175,7 +176,7 @@ mod tests {
             let (simulator, bodies) = build(&scene);
             for (object, &body) in scene.objects.iter().zip(&bodies) {
                 let place = simulator.body(body).unwrap().position3d();
-                // Moved to the body's origin and back: the rounding of coordinates up to a few hundred.
+                // The tolerance is the rounding of coordinates up to a few hundred px, moved to the body's origin and back.
                 assert!((place - Vector3::from(object.position)).norm() < 1e-4, "{} {place}", scene.name);
             }
         }

@@ -1,23 +1,24 @@
-//! Many objects: a heap, and traffic on a field. Made by a fixed sequence of numbers, so the same every time.
+//! Scenes with many objects: a heap, and traffic on a field. A fixed pseudo-random sequence places the objects, so that a
+//! scene is always the same.
 
 use farseer_core::Vertices;
 use farseer_core::math::Vector2;
 
 use super::{DepthObject, DepthPlatform, DepthScene, DepthShape, SLOPE_ROTATION, Surface};
 
-/// Room for one object of a heap, px: objects start apart.
+/// Edge of the cube of space for one object of a heap at the start, px: objects start apart.
 const PILE_CELL: f32 = 36.0;
-/// Room for one object of the traffic, px.
+/// Edge of the square of space for one object of the traffic, px.
 const TRAFFIC_CELL: f32 = 40.0;
-/// Cells of the traffic along X and along Z that share one platform.
+/// Number of cells (squares of `TRAFFIC_CELL` px) along X, and along Z, that share one platform of the traffic.
 const CELLS_PER_PLATFORM: usize = 4;
-/// Height of the walls of the traffic in px: nothing jumps over them.
+/// Height of the walls of the traffic in px: no object jumps over them.
 const WALL_HEIGHT: f32 = 400.0;
-/// Thickness of walls in px: nothing passes them in one step.
+/// Thickness of the walls around a heap or the traffic, in px: more than an object moves in one step.
 const WALL: f32 = 60.0;
 
-/// `count` objects, half of them balls and half of them boxes and polygons, fall into a pit and come to rest in a
-/// heap of about four layers. The four walls are the last objects.
+/// A scene in which `count` objects fall into a pit and come to rest in a heap of about four layers. Half of the objects are
+/// balls, the others boxes and polygons. Four static walls follow as the last objects.
 pub fn pile(count: usize) -> DepthScene {
     const LAYERS: f32 = 4.0;
     let surface = Surface { friction: 0.5, restitution: 0.1 };
@@ -38,10 +39,9 @@ pub fn pile(count: usize) -> DepthScene {
     enclose(scene, side as f32 * PILE_CELL, height.max(3.0 * PILE_CELL), surface)
 }
 
-/// `count` objects move around on a field with platforms, level and sloped, and walls, and keep meeting each
-/// other: balls roll on, boxes and polygons slide with little friction. Room per object is the same for every
-/// count. They start above the platforms, so most land within the first two seconds. The four walls are the last
-/// objects.
+/// A scene in which `count` objects move around on a field with level and sloped platforms and walls, and keep hitting each
+/// other. Balls roll; boxes and polygons slide with little friction. The space per object is equal for every count. The objects
+/// start above the platforms, so that most land within the first 2 s. Four static walls follow as the last objects.
 pub fn traffic(count: usize) -> DepthScene {
     let slippery = Surface { friction: 0.0, restitution: 0.1 };
     let lively = Surface { friction: 0.1, restitution: 0.9 };
@@ -63,7 +63,8 @@ pub fn traffic(count: usize) -> DepthScene {
     enclose(scene, side as f32 * TRAFFIC_CELL, WALL_HEIGHT, lively)
 }
 
-/// One of four: a bar to pass under, a step to bump into, a slope to the right, a slope to the left.
+/// Returns one of four platforms, by `index` modulo 4: a bar to pass under, a step to bump into, a slope to the right, a
+/// slope to the left. `[x, z]` is its position in px.
 fn platform(index: usize, [x, z]: [f32; 2], surface: Surface) -> DepthPlatform {
     let level = |size, height| DepthPlatform::new(size, [x, height, z], surface);
     match index % 4 {
@@ -74,7 +75,8 @@ fn platform(index: usize, [x, z]: [f32; 2], surface: Surface) -> DepthPlatform {
     }
 }
 
-/// Balls, boxes and polygons in turn, about 20 px across; the mass is that of the area.
+/// Returns a ball, a box or a polygon in turn, about 20 px across. Its mass in kg is proportional to the area of the shape
+/// in X and Y.
 fn mixed(index: usize, numbers: &mut Numbers, position: [f32; 3]) -> DepthObject {
     let size = 10.0 + 2.0 * numbers.next();
     match index % 4 {
@@ -88,7 +90,8 @@ fn mixed(index: usize, numbers: &mut Numbers, position: [f32; 3]) -> DepthObject
     }
 }
 
-/// A regular hexagon that stands on a side, px from its middle to its corners.
+/// Returns the corners in px, about the centre, of a regular hexagon that stands on one side. `radius` is the distance from
+/// the centre to a corner in px.
 fn hexagon(radius: f32) -> Vec<Vector2> {
     const HALF_ROOT_OF_3: f32 = 0.866_025_4;
     let corner = |x: f32, y: f32| Vector2::new(radius * x, radius * y);
@@ -104,13 +107,14 @@ fn hexagon(radius: f32) -> Vec<Vector2> {
     outline.to_vec()
 }
 
-/// X and Z of the middle of a cell of a square field about the origin, `side` cells of `size` px across.
+/// Returns X and Z in px of the middle of a cell. The field is a square about the origin with `side` cells of `size` px
+/// along X and along Z.
 fn place_in_field(cell: usize, side: usize, size: f32) -> [f32; 2] {
     let from_centre = |index: usize| size * (index as f32 - (side - 1) as f32 / 2.0);
     [from_centre(cell % side), from_centre(cell / side % side)]
 }
 
-/// Four walls about a square field of `width` px.
+/// Adds four static boxes as walls around a square field of `width` px. `height` is that of the walls in px.
 fn enclose(scene: DepthScene, width: f32, height: f32, surface: Surface) -> DepthScene {
     let middle = (width + WALL) / 2.0;
     let wall = |size, position| DepthObject::new_box(size, position).with_surface(surface).fixed();
@@ -121,7 +125,7 @@ fn enclose(scene: DepthScene, width: f32, height: f32, surface: Surface) -> Dept
         .with(wall([width + 2.0 * WALL + 1.0, height + 1.5, WALL], [0.0, 0.0, middle]))
 }
 
-/// A sequence of numbers that look random: Knuth's MMIX linear congruential generator, its upper 24 bits.
+/// A pseudo-random sequence: D. Knuth's MMIX linear congruential generator, of which the upper 24 bits are used.
 struct Numbers(u64);
 
 impl Numbers {
@@ -131,7 +135,7 @@ impl Numbers {
         numbers
     }
 
-    /// From -1 to 1.
+    /// Returns the next pseudo-random number, dimensionless, from -1 to 1.
     fn next(&mut self) -> f32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 40) as f32 / (1 << 23) as f32 - 1.0
@@ -157,7 +161,7 @@ mod tests {
         assert_eq!((platforms(20), platforms(40), platforms(1000)), (1, 1, 64));
     }
 
-    /// Half of the extent along each axis, at least.
+    /// Returns the distances in px from an object's centre to its outermost points along X, Y and Z.
     fn reach(object: &DepthObject) -> [f32; 3] {
         match &object.shape {
             DepthShape::Ball { radius } => [*radius; 3],

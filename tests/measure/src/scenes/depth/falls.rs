@@ -1,22 +1,22 @@
-//! Things that fall, slide, roll and are thrown: one object each, with a closed form.
+//! Scenes of one object that falls, slides, rolls or is thrown, with a path in closed form.
 
 use super::{DepthObject, DepthPlatform, DepthScene, Surface};
 
-/// A box falls flat from a height of 100 px and stays where it lands.
+/// A box falls flat from a height of 100 px and rests where it lands.
 pub fn drop_onto_ground() -> DepthScene {
     let surface = Surface { friction: 0.5, restitution: 0.0 };
     let crate_box = DepthObject::new_box([40.0, 30.0, 30.0], [20.0, 100.0, 35.0]).with_surface(surface);
     DepthScene::empty("drop_onto_ground", 300, surface).with(crate_box)
 }
 
-/// A ball falls from a height of 200 px and comes back up with 0.6 of its speed.
+/// A ball falls from a height of 200 px and bounces with 0.6 of its speed.
 pub fn bounce() -> DepthScene {
     let surface = Surface { friction: 0.3, restitution: 0.6 };
     let ball = DepthObject::ball(10.0, [0.0, 200.0, 20.0]).with_surface(surface);
     DepthScene::empty("bounce", 400, surface).with(ball)
 }
 
-/// A flat box slides at 100 px/s in the direction (X, Z) until friction (0.4) stops it.
+/// A flat box slides at 100 px/s along the unit vector `direction` (X, Z) until friction (0.4) stops it.
 pub fn box_sliding(name: &str, direction: [f32; 2]) -> DepthScene {
     let surface = Surface { friction: 0.4, restitution: 0.0 };
     let velocity = [100.0 * direction[0], 0.0, 100.0 * direction[1]];
@@ -24,7 +24,7 @@ pub fn box_sliding(name: &str, direction: [f32; 2]) -> DepthScene {
     DepthScene::empty(name, 400, surface).with(crate_box.with_surface(surface).with_velocity(velocity))
 }
 
-/// A ball thrown flat at 90 px/s in the direction (X, Z): it slides until it rolls.
+/// A ball is thrown horizontally at 90 px/s along the unit vector `direction` (X, Z), and slides until it rolls.
 pub fn ball_rolling(name: &str, direction: [f32; 2]) -> DepthScene {
     let surface = Surface { friction: 0.3, restitution: 0.0 };
     let velocity = [90.0 * direction[0], 0.0, 90.0 * direction[1]];

@@ -1,21 +1,22 @@
-//! Fields full of objects whose ways are known: they fly, stand, or walk past each other.
+//! Scenes with many objects whose paths are known: they fly, stand, or glide past each other.
 
 use super::{DepthObject, DepthScene, Surface};
 use conformance::scenes::vary;
 
-/// A figure: width, height and depth, px.
+/// Width, height and depth of a figure (a box), px.
 const FIGURE: [f32; 3] = [20.0, 40.0, 16.0];
-/// Room for one that flies: none leaves it.
+/// Edge in px of the cube in which one object flies. No object leaves its cube.
 const ROOM_TO_FLY: f32 = 80.0;
-/// From one figure to the next along a lane, and from one lane to the next, px: who passes is 4 px in front or behind.
+/// `STRIDE`: distance in px from one figure to the next in a lane (a row along X). `LANE`: distance in px from one
+/// lane to the next. Figures in neighbouring lanes pass each other 4 px apart.
 const STRIDE: f32 = 60.0;
 const LANE: f32 = 20.0;
-/// Of those that walk, px/s.
+/// Speed of gliding figures along X, px/s.
 const PACE: f32 = 60.0;
-/// Figures of a lane in a deep field.
+/// Number of figures in one lane (a row along X) of a deep field.
 const FEW: usize = 10;
 
-/// Balls and boxes fly up and fall, each in a room of its own.
+/// Returns a scene of balls and boxes that fly up and fall. Each stays within a cube of space of its own.
 pub fn flying(count: usize) -> DepthScene {
     let mut scene = DepthScene::empty(format!("flying_{count}"), 240, Surface::default());
     let side = side_of(count);
@@ -31,7 +32,7 @@ pub fn flying(count: usize) -> DepthScene {
     scene
 }
 
-/// Figures stand on the ground, as many along X as along Z.
+/// Returns a scene of figures that stand on the ground, with as many along X as along Z.
 pub fn standing(count: usize) -> DepthScene {
     let rough = Surface { friction: 0.5, restitution: 0.0 };
     let mut scene = lanes(format!("standing_{count}"), count, side_of(count), |_| 0.0);
@@ -40,18 +41,18 @@ pub fn standing(count: usize) -> DepthScene {
     scene
 }
 
-/// Lanes of figures in a field as wide as it is deep: in every third they stand, in the others they glide to the left or to
-/// the right, past those in front and behind.
+/// Returns a square field of figures in lanes (rows along X). In every third lane they stand; in the others they glide to
+/// the left or to the right, past those in front and behind.
 pub fn street(count: usize) -> DepthScene {
     lanes(format!("street_{count}"), count, side_of(count), pace)
 }
 
-/// The same in a field that is ten figures wide.
+/// Returns the lanes of [`street`] in a field that is ten figures wide.
 pub fn deep_field(count: usize) -> DepthScene {
     lanes(format!("deep_field_{count}"), count, FEW, pace)
 }
 
-/// So many that there are about as many lanes.
+/// Returns the square root of `count`, rounded up: the number of objects in one lane of a square field.
 fn side_of(count: usize) -> usize {
     (count as f32).sqrt().ceil().max(1.0) as usize
 }
@@ -64,7 +65,7 @@ fn lanes(name: String, count: usize, along: usize, speed: impl Fn(usize) -> f32)
     let mut scene = DepthScene::empty(name, 240, Surface::default());
     for index in 0..count {
         let (lane, place) = (index / along, index % along);
-        // Not all edges of a column at one place.
+        // A shift per lane, so that the edges of figures in neighbouring lanes do not coincide.
         let x = STRIDE * place as f32 + 7.3 * (lane % 8) as f32;
         let figure = DepthObject::new_box(FIGURE, [x, 0.0, LANE * lane as f32]);
         scene.objects.push(figure.with_velocity([speed(lane), 0.0, 0.0]));
@@ -86,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_have_as_many_objects_as_they_are_asked_for() {
+    fn fields_have_the_requested_number_of_objects() {
         for build in [flying, standing, street, deep_field] {
             assert_eq!(build(40).objects.len(), 40);
         }

@@ -1,12 +1,12 @@
-//! Objects that hit each other.
+//! Scenes of objects that hit each other.
 
 use super::{DepthObject, DepthScene, Surface};
 
-/// Nothing rubs, nothing bounces.
+/// A surface without friction and restitution.
 const SLIPPERY: Surface = Surface { friction: 0.0, restitution: 0.0 };
 
-/// Two balls of masses 1 and 2 without friction or gravity; the line between their centres has a part along every
-/// axis when they meet.
+/// Two balls of masses 1 and 2 kg collide without friction and gravity. At the collision the line between the centres has a
+/// component along X, Y and Z.
 pub fn balls_meeting_obliquely() -> DepthScene {
     let surface = Surface { friction: 0.0, restitution: 0.5 };
     let a = DepthObject::ball(20.0, [-80.0, 100.0, -60.0]).with_velocity([100.0, 0.0, 60.0]);
@@ -17,7 +17,7 @@ pub fn balls_meeting_obliquely() -> DepthScene {
         .with(b.with_surface(surface))
 }
 
-/// A box of mass 2 slides along Z over ice into the front of one of mass 1.
+/// A box of mass 2 kg slides along Z without friction into the front of a box of mass 1 kg.
 pub fn box_pushed_into_box_along_z() -> DepthScene {
     let surface = Surface { friction: 0.0, restitution: 0.4 };
     let pusher = DepthObject::new_box([40.0, 30.0, 30.0], [0.0, 0.0, 0.0]).with_mass(2.0);
@@ -27,7 +27,7 @@ pub fn box_pushed_into_box_along_z() -> DepthScene {
         .with(pushed.with_surface(surface))
 }
 
-/// A ball slides along Z over ice into the front of a box of mass 3.
+/// A ball slides along Z without friction into the front of a box of mass 3 kg.
 pub fn ball_against_box_front() -> DepthScene {
     let surface = Surface { friction: 0.0, restitution: 0.6 };
     let ball = DepthObject::ball(15.0, [5.0, 0.0, 0.0]).with_velocity([0.0, 0.0, 90.0]);
@@ -37,7 +37,7 @@ pub fn ball_against_box_front() -> DepthScene {
         .with(crate_box.with_surface(surface))
 }
 
-/// A ball flies past the front of an immovable post and glances off its upright edge, at an angle in X and Z.
+/// A ball flies past the front of a static post and glances off the post's vertical edge, at an angle in X and Z.
 pub fn ball_against_box_edge() -> DepthScene {
     let surface = Surface { friction: 0.0, restitution: 0.5 };
     let ball = DepthObject::ball(15.0, [-31.0, 40.0, -60.0]).with_velocity([0.0, 0.0, 80.0]);
@@ -48,7 +48,8 @@ pub fn ball_against_box_edge() -> DepthScene {
         .with(post.with_surface(surface))
 }
 
-/// Balls in a row over ice, askew in X and Z: the first hits the second, that the third, that the fourth.
+/// Four balls in a row oblique to X and Z, without friction: the first hits the second, the second the third, the third the
+/// fourth.
 pub fn row_of_three_hits() -> DepthScene {
     let surface = Surface { friction: 0.0, restitution: 1.0 };
     let place = |along: f32| [0.6 * along, 0.0, 0.8 * along];

@@ -1,22 +1,22 @@
-//! Things that leave platforms, bump into them, and stand on each other.
+//! Scenes of objects that leave platforms, bump into platforms, or stand on each other.
 
 use super::{DepthObject, DepthPlatform, DepthScene, SCREEN_ANGLE, Surface};
 
-/// Nothing rubs, nothing bounces.
+/// A surface without friction and restitution.
 const SLIPPERY: Surface = Surface { friction: 0.0, restitution: 0.0 };
-/// A level platform with its upper face 60 px above the ground.
+/// Returns a level platform whose upper face is 60 px above the ground.
 fn table(surface: Surface) -> DepthPlatform {
     DepthPlatform::new([200.0, 20.0, 120.0], [0.0, 40.0, 0.0], surface)
 }
 
-/// A ball that slides over ice leaves a platform by its far edge, askew.
+/// A ball slides without friction and leaves a platform over its far edge, oblique to the edge.
 pub fn ball_off_far_edge() -> DepthScene {
     let ball = DepthObject::ball(12.0, [-40.0, 60.0, 10.0]).with_velocity([30.0, 0.0, 60.0]);
     DepthScene::empty("ball_off_far_edge", 250, SLIPPERY).with(ball).with_platform(table(SLIPPERY))
 }
 
-/// A box that slides over ice leaves a platform by its near edge. It does not tip: it stands until no part of it is
-/// over the platform.
+/// A box slides without friction and leaves a platform over its near edge. The box does not tip: it stands as long as any
+/// of its underside is over the platform.
 pub fn box_off_near_edge() -> DepthScene {
     let crate_box = DepthObject::new_box([40.0, 30.0, 30.0], [20.0, 60.0, -10.0]);
     DepthScene::empty("box_off_near_edge", 300, SLIPPERY)
@@ -24,7 +24,7 @@ pub fn box_off_near_edge() -> DepthScene {
         .with_platform(table(SLIPPERY))
 }
 
-/// A box is dropped with its middle beyond the right edge of a platform; it tips over it and falls.
+/// A box is dropped with its centre beyond the right edge of a platform; the box tips over the edge and falls.
 pub fn box_tipping_over_edge() -> DepthScene {
     let surface = Surface { friction: 0.5, restitution: 0.0 };
     let crate_box = DepthObject::new_box([44.0, 30.0, 30.0], [106.0, 70.0, 5.0]);
@@ -33,8 +33,8 @@ pub fn box_tipping_over_edge() -> DepthScene {
         .with_platform(table(surface))
 }
 
-/// On ice, a box slides against the left side of a block, another against its front; a ball is thrown against the
-/// underside of a table beside it.
+/// Without friction, one box slides against the left side of a block and another against the front. A ball is thrown
+/// against the underside of a platform beside the block.
 pub fn against_every_side() -> DepthScene {
     let surface = Surface { friction: 0.0, restitution: 0.5 };
     let block = DepthPlatform::new([100.0, 80.0, 60.0], [0.0, 0.0, 0.0], surface);
@@ -50,8 +50,8 @@ pub fn against_every_side() -> DepthScene {
         .with_platform(DepthPlatform::new([100.0, 20.0, 60.0], [300.0, 70.0, 0.0], surface))
 }
 
-/// A ball and a box fly without weight against the left side of a block whose edges in depth run straight up the
-/// screen, so that the side faces forward as well.
+/// Without gravity, a ball and a box fly against the left side of a block. The block's edges along Z run straight up on the
+/// screen, so that the left side also faces forward.
 pub fn against_sheared_side() -> DepthScene {
     let surface = Surface { friction: 0.0, restitution: 0.5 };
     let block = |y| DepthPlatform {
@@ -68,16 +68,16 @@ pub fn against_sheared_side() -> DepthScene {
         .with_platform(block(200.0))
 }
 
-/// Along X, how far a point of the block of [`against_sheared_side`] is shifted per px of depth: the difference of
-/// the cotangents of 90 degrees and of the screen's angle.
+/// Returns the shift along X, in px per px of depth, of the edges of the block in [`against_sheared_side`]. It is the
+/// difference of the cotangents of 90 degrees and of the screen angle.
 pub fn shear_of_side() -> f64 {
     -1.0 / f64::from(SCREEN_ANGLE).to_radians().tan()
 }
 
-/// A long box of mass 2 slides over ice at 50 px/s, along X and Z, and friction takes along one of mass 1 that is
-/// put on it.
+/// A long box of mass 2 kg slides on ice at 50 px/s, along X and Z. Friction carries a box of mass 1 kg that lies on the
+/// long one.
 pub fn box_on_sliding_box() -> DepthScene {
-    // The mean of 0.6 and 0 acts between the two, and none on the ground.
+    // The mean of 0.6 and 0 acts between the two boxes; no friction acts on the ground.
     let rough = Surface { friction: 0.6, restitution: 0.0 };
     let carrier = DepthObject::new_box([120.0, 20.0, 120.0], [0.0, 0.0, 0.0]).with_mass(2.0);
     let load = DepthObject::new_box([40.0, 16.0, 40.0], [10.0, 20.0, 10.0]);
@@ -86,7 +86,7 @@ pub fn box_on_sliding_box() -> DepthScene {
         .with(load.with_surface(rough))
 }
 
-/// A box falls on one of its edges and comes to rest on a side.
+/// A tilted box falls on an edge of the box and comes to rest on a side.
 pub fn tilted_drop() -> DepthScene {
     let surface = Surface { friction: 0.6, restitution: 0.0 };
     let crate_box = DepthObject::new_box([60.0, 40.0, 30.0], [0.0, 60.0, 0.0]).with_rotation(0.3);

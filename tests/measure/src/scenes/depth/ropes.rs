@@ -1,20 +1,20 @@
-//! Ropes: chains of balls that hang from fixed points.
+//! Scenes of ropes: chains of balls that hang from fixed points.
 
 use super::{DepthObject, DepthScene, Surface};
 
-/// Links of a rope.
+/// Number of movable balls (links) of a rope.
 pub const LINKS: usize = 20;
-/// Length of a link, px.
+/// Distance between the centres of neighbouring balls of a rope, px.
 const LINK: f32 = 10.0;
-/// Radius of a ball, px: of a link the part that `rapier3d`'s example of ball joints has.
+/// Radius of a ball, px. Its ratio to the length of a link is that of `rapier3d`'s example of ball joints.
 const RADIUS: f32 = 4.0;
-/// Height of the fixed points, px: no rope reaches the ground.
+/// Height of the fixed points above the ground, px: no rope reaches the ground.
 const HEIGHT: f32 = 400.0;
-/// Room for one rope along X and along Z, px: ropes do not reach each other.
+/// Width of the square along X and Z that belongs to one rope, px: ropes do not reach each other.
 const ROOM: f32 = 450.0;
 
-/// Ropes of [`LINKS`] links that begin stretched out level, each in another direction, and swing; no rope touches another one.
-/// `count` balls move: one rope for each [`LINKS`] of them. The fixed points are the last objects.
+/// Returns a scene of ropes of [`LINKS`] links that start straight and level, each in another direction, and swing. `count`
+/// is the number of movable balls: one rope per [`LINKS`] of them. The fixed points are the last objects.
 pub fn ropes(count: usize) -> DepthScene {
     let mut scene = DepthScene::empty(format!("ropes_{count}"), 240, Surface::default());
     let ropes = count / LINKS;
@@ -22,7 +22,7 @@ pub fn ropes(count: usize) -> DepthScene {
     let hook_of = |rope: usize| [ROOM * (rope % side) as f32, HEIGHT, ROOM * (rope / side) as f32];
     for rope in 0..ropes {
         let [x, y, z] = hook_of(rope);
-        // The golden angle: no two of them in one direction.
+        // Multiples of the golden angle: no two ropes start in the same direction.
         let (sine, cosine) = (2.4 * rope as f32 + 0.5).sin_cos();
         for link in 1..=LINKS {
             let away = LINK * link as f32;

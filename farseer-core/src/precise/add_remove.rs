@@ -1,0 +1,308 @@
+//! Addition and removal of bodies and geoms without a rebuild of all lists.
+//!
+//! New bodies and proxies are appended; removed ones leave an empty position. The state is bit-identical to that after a
+//! [rebuild](Precise::rebuild), and the cost is proportional to the number of changes, beside one scan of the lists. With
+//! one-way geoms everything is rebuilt, because their pair states depend on all bodies and geoms. The module reads the lists of
+//! the simulator and writes bodies, proxies, pairs, constraints and sleep.
+
+use super::Precise;
+use super::depth::interface::is_geom;
+use super::import::{NO_ENTRY, set_entry};
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::objects::Objects;
+use crate::precise::broad_phase::query_candidates::AlwaysTested;
+use crate::precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
+
+/// Bodies and geoms by which the simulator's lists differ from those of the precise set.
+struct MembershipDiff {
+    /// Indices of removed dynamic and kinematic bodies into `bodies`, ascending.
+    removed_bodies: Vec<usize>,
+    /// Indices of the proxies of removed geoms, ascending.
+    removed_proxies: Vec<u32>,
+    /// Ids of new dynamic and kinematic bodies.
+    added_bodies: Vec<BodyId>,
+    /// Positions of new geoms in the simulator's list, ascending.
+    added_geoms: Vec<usize>,
+    /// Ids of all disabled bodies.
+    disabled_bodies: Vec<BodyId>,
+    /// Whether some geom belongs to a disabled or missing body.
+    has_geoms_of_disabled: bool,
+}
+
+impl Precise {
+    /// Applies additions and removals of bodies and geoms to the lists. Returns whether that was possible. If it returns false,
+    /// nothing is changed and a rebuild is needed: there are other changes, too, or the lists have no capacity left.
+    pub(super) fn apply_add_remove(&mut self, objects: &Objects) -> bool {
+        let diff = MembershipDiff::new(self, objects)
+            .filter(|diff| !diff.involves_one_way(self, objects) && diff.has_capacity(self, objects));
+        let Some(members) = diff else { return false };
+        self.remove_members(&members);
+        for &id in &members.added_bodies {
+            self.add_body(id, objects);
+        }
+        for &at in &members.added_geoms {
+            self.add_geom(at, objects);
+        }
+        for &id in &members.added_bodies {
+            if let Some(index) = self.body_index(id) {
+                self.compute_extents(index, objects);
+            }
+        }
+        self.update_list_positions(&members, objects);
+        self.disabled_bodies = members.disabled_bodies;
+        self.invalidate_joints();
+        let mut joints = std::mem::take(&mut self.sleep.joints);
+        joints.retain(|joint| self.holds_sleeping_body(joint));
+        self.sleep.joints = joints;
+        self.sleep.update_runs(&self.proxies);
+        true
+    }
+
+    /// Removes the proxies of removed geoms with their pairs and constraints, and the removed bodies.
+    fn remove_members(&mut self, diff: &MembershipDiff) {
+        let MembershipDiff { removed_bodies, removed_proxies, .. } = diff;
+        // A removed body wakes nothing later.
+        removed_bodies.iter().for_each(|&number| self.sleep.remove_body(number));
+        let pairs = removed_proxies.iter().flat_map(|&proxy| self.pairs.pairs_of(proxy));
+        let mut pairs: Vec<usize> = pairs.collect();
+        // Descending order keeps the remaining indices valid.
+        pairs.sort_unstable();
+        pairs.dedup();
+        for pair in pairs.into_iter().rev() {
+            if self.pairs.all[pair].constraint.is_some() {
+                self.pair_support_removed(pair);
+            }
+            self.narrow_phase().end_touch_event(pair);
+            self.narrow_phase().delete_pair(pair);
+        }
+        self.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
+        for &proxy in removed_proxies {
+            let (geom, body) =
+                (self.proxies.all[proxy as usize].geom, self.proxies.all[proxy as usize].body as usize);
+            self.grid.remove(proxy);
+            self.proxies.remove(proxy);
+            self.first_proxies[geom.slot()] = NO_ENTRY;
+            // A static body without geoms is not listed.
+            if body >= self.bodies.first_static() && self.proxies.proxies_of(body).next().is_none() {
+                self.remove_body(body);
+            }
+        }
+        removed_bodies.iter().for_each(|&number| self.remove_body(number));
+    }
+
+    /// Removes the body at `index` from `bodies`, the direct solver and the graph colours.
+    fn remove_body(&mut self, index: usize) {
+        if let Some(id) = self.bodies.ids[index] {
+            self.body_indices[id.slot()] = NO_ENTRY;
+        }
+        if index < self.bodies.first_static() {
+            self.direct_solver.forget_body(index);
+            self.color_usage.remove_body(index);
+        }
+        self.bodies.remove(index);
+    }
+
+    /// Appends a dynamic or kinematic body to `bodies`, the graph colours and the sleep state.
+    fn add_body(&mut self, id: BodyId, objects: &Objects) {
+        let body = &objects.bodies[id].body;
+        let Some(index) = self.bodies.add_movable(id, body) else { return };
+        set_entry(&mut self.body_indices, id.slot(), index as u32);
+        self.color_usage.add_body(index, self.bodies.inverse_mass_inertia[index]);
+        self.sleep.add_body(index);
+        self.add_body_z(index, id);
+    }
+
+    /// Appends the proxies of a geom, and its body if that is static and not listed yet. `at`: position of the geom in the
+    /// simulator's list of geoms.
+    fn add_geom(&mut self, at: usize, objects: &Objects) {
+        let Some((id, geom)) = objects.geoms.at(at) else { return };
+        if self.body_index(geom.body).is_none() {
+            self.bodies.add_static(geom.body, &objects.bodies[geom.body].body);
+            set_entry(&mut self.body_indices, geom.body.slot(), self.bodies.ids.len() as u32 - 1);
+        }
+        for piece in 0..geom.pieces().len() {
+            let Some(proxy) = self.make_proxy(at, piece, objects).and_then(|proxy| self.proxies.add(proxy))
+            else {
+                continue;
+            };
+            if piece == 0 {
+                set_entry(&mut self.first_proxies, id.slot(), proxy as u32);
+            }
+            if let Some(space) = self.depth.as_deref_mut() {
+                space.add_proxy(proxy, id);
+            }
+            self.fix_rotation_of_proxy(proxy as u32);
+            let count = self.proxies.all.len();
+            self.proxy_flags.resize(count, false);
+            self.grid.grow(count);
+            self.pairs.grow(count);
+            self.insert_proxy(proxy as u32);
+            // The new body may form an island for the direct solver.
+            self.direct_solver.timer.is_due = true;
+        }
+    }
+
+    /// Updates `list_index` of the proxies of all geoms whose position in the simulator's list may have shifted. Updates also
+    /// the list of geoms that every AABB query tests.
+    fn update_list_positions(&mut self, diff: &MembershipDiff, objects: &Objects) {
+        let is_always_tested =
+            |at: usize| objects.geoms.at(at).is_none_or(|(id, geom)| !self.proxy_covers_geom(id, geom));
+        let added_always_tested: Vec<usize> =
+            diff.added_geoms.iter().copied().filter(|&at| is_always_tested(at)).collect();
+        let known = std::mem::take(&mut self.always_tested);
+        let is_listed = |loose: &&AlwaysTested| {
+            objects.geoms.lifecycle_state(loose.geom).is_some_and(|life| life.is_listed)
+        };
+        let mut known = known.iter().filter(is_listed).peekable();
+        let is_shifted =
+            !diff.removed_proxies.is_empty() || known.peek().is_some() || diff.has_geoms_of_disabled;
+        let first = if is_shifted { 0 } else { diff.added_geoms.first().copied().unwrap_or(usize::MAX) };
+        for (at, &geom) in objects.geoms.list().iter().enumerate().skip(first) {
+            let list_index = at as u32;
+            let pieces = self.proxy_range(geom);
+            let was_always_tested = known.next_if(|loose| loose.geom == geom).is_some();
+            if was_always_tested || pieces.is_empty() || added_always_tested.binary_search(&at).is_ok() {
+                self.always_tested.push(AlwaysTested { list_index, geom });
+            }
+            self.proxies.all[pieces].iter_mut().for_each(|proxy| proxy.list_index = list_index);
+        }
+    }
+
+    /// Returns the range of the proxy indices of a geom; empty if the geom has no proxy.
+    fn proxy_range(&self, geom: GeomId) -> std::ops::Range<usize> {
+        let Some(first) = self.proxy_of(geom, 0).map(|first| first as usize) else { return 0..0 };
+        let count = self.proxies.all[first..].iter().take_while(|proxy| proxy.geom == geom).count();
+        first..first + count
+    }
+}
+
+impl MembershipDiff {
+    /// Returns whether a one-way geom exists or is added.
+    fn involves_one_way(&self, precise: &Precise, objects: &Objects) -> bool {
+        let new = || self.added_geoms.iter().filter_map(|&at| objects.geoms.at(at));
+        precise.proxies.one_way_count > 0 || new().any(|(_, geom)| geom.one_way.is_some())
+    }
+
+    /// Returns the bodies and geoms that were added and removed. `None` if the remaining bodies or geoms have changed their
+    /// type or order.
+    fn new(precise: &Precise, objects: &Objects) -> Option<Self> {
+        let mut diff = MembershipDiff {
+            removed_bodies: Vec::new(),
+            removed_proxies: Vec::new(),
+            added_bodies: Vec::new(),
+            added_geoms: Vec::new(),
+            disabled_bodies: Vec::new(),
+            has_geoms_of_disabled: false,
+        };
+        diff.compare_bodies(precise, objects)?;
+        diff.compare_geoms(precise, objects)?;
+        diff.is_complete(precise, objects).then_some(diff)
+    }
+
+    /// Finds removed, added and disabled bodies. Returns `None` if the remaining bodies have changed their type or order.
+    fn compare_bodies(&mut self, precise: &Precise, objects: &Objects) -> Option<()> {
+        let bodies = &precise.bodies;
+        let (mut last, mut known_count) = (0, 0);
+        for (at, &id) in objects.bodies.list().iter().enumerate() {
+            let index = precise.body_index(id);
+            if let Some(number) = index.filter(|&number| number < bodies.first_static()) {
+                if number <= last || !self.added_bodies.is_empty() {
+                    return None;
+                }
+                (last, known_count) = (number, known_count + 1);
+                continue;
+            }
+            let (_, entry) = objects.bodies.at(at)?;
+            if entry.body.is_integrated() {
+                if index.is_some() {
+                    return None;
+                }
+                self.added_bodies.push(id);
+            } else if !entry.body.enabled() {
+                self.disabled_bodies.push(id);
+            }
+        }
+        if known_count < bodies.movable_count {
+            let is_removed = |&number: &usize| {
+                let is_listed = |id| objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed);
+                bodies.ids[number].is_some_and(|id| !is_listed(id))
+            };
+            self.removed_bodies.extend((1..=bodies.last_movable).filter(is_removed));
+        }
+        (known_count + self.removed_bodies.len() == bodies.movable_count).then_some(())
+    }
+
+    /// Finds removed proxies and added geoms. Returns `None` if the order of the remaining geoms has changed.
+    fn compare_geoms(&mut self, precise: &Precise, objects: &Objects) -> Option<()> {
+        let proxies = &precise.proxies;
+        let (mut last, mut known_count) = ([0; 2], 0);
+        for (at, &id) in objects.geoms.list().iter().enumerate() {
+            let pieces = precise.proxy_range(id);
+            if pieces.is_empty() {
+                let (_, geom) = objects.geoms.at(at)?;
+                let is_enabled = objects.bodies.get(geom.body).is_some_and(|entry| entry.body.enabled());
+                self.added_geoms.extend(is_enabled.then_some(at));
+                self.has_geoms_of_disabled |= !is_enabled;
+                continue;
+            }
+            let last = &mut last[usize::from(pieces.start >= proxies.first_fixed)];
+            if pieces.start < *last || !self.added_geoms.is_empty() {
+                return None;
+            }
+            (*last, known_count) = (pieces.end, known_count + pieces.len());
+        }
+        let live = proxies.live_count - precise.world_proxy_count();
+        if known_count < live {
+            let is_removed = |&at: &usize| {
+                let proxy = &proxies.all[at];
+                let is_listed = !is_geom(proxy.geom)
+                    || objects.geoms.lifecycle_state(proxy.geom).is_some_and(|life| life.is_listed);
+                !(proxy.is_empty() || is_listed)
+            };
+            self.removed_proxies.extend((0..proxies.all.len()).filter(is_removed).map(|at| at as u32));
+        }
+        (known_count + self.removed_proxies.len() == live).then_some(())
+    }
+
+    /// Returns whether each dynamic or kinematic body that was added or removed was so with all of its geoms.
+    fn is_complete(&self, precise: &Precise, objects: &Objects) -> bool {
+        let is_removed = |proxy: u32| self.removed_proxies.binary_search(&proxy).is_ok();
+        let has_removed_body = |proxy: &u32| {
+            let body = precise.proxies.all[*proxy as usize].body as usize;
+            body >= precise.bodies.first_static() || self.removed_bodies.binary_search(&body).is_ok()
+        };
+        let has_new_or_static_body = |&at: &usize| {
+            let body = objects.geoms.at(at).map(|(_, geom)| geom.body);
+            let known = body.and_then(|body| precise.body_index(body));
+            known.is_none_or(|number| number >= precise.bodies.first_static())
+        };
+        // Proxies of static geoms are listed before those of world boxes, so that no static geom can be appended.
+        let is_new = |&at: &usize| {
+            objects.geoms.at(at).is_some_and(|(_, geom)| self.added_bodies.contains(&geom.body))
+        };
+        if precise.world_proxy_count() > 0 && !self.added_geoms.iter().all(is_new) {
+            return false;
+        }
+        self.removed_bodies.iter().all(|&number| precise.proxies.proxies_of(number).all(is_removed))
+            && self.removed_proxies.iter().all(has_removed_body)
+            && self.added_geoms.iter().all(has_new_or_static_body)
+    }
+
+    /// Returns whether the lists have capacity for the additions, and whether enough positions are used after the removals.
+    /// Enough means that twice the used positions plus [`MIN_EMPTY_POSITIONS_TO_COMPACT`] are at least all positions.
+    fn has_capacity(&self, precise: &Precise, objects: &Objects) -> bool {
+        let Precise { bodies, proxies, grid, .. } = precise;
+        let pieces = self.added_geoms.iter().filter_map(|&at| objects.geoms.at(at));
+        let pieces: usize = pieces.map(|(_, geom)| geom.pieces().len()).sum();
+        let positions = proxies.all.len() - (proxies.first_fixed - proxies.movable_end);
+        let is_full_enough = |live: usize, removed: usize, places: usize| {
+            2 * (live - removed) + MIN_EMPTY_POSITIONS_TO_COMPACT >= places
+        };
+        bodies.last_movable + self.added_bodies.len() < bodies.first_static()
+            && proxies.movable_end + pieces <= proxies.first_fixed
+            && grid.has_capacity(proxies.all.len() + pieces)
+            && is_full_enough(bodies.movable_count, self.removed_bodies.len(), bodies.last_movable)
+            && is_full_enough(proxies.live_count, self.removed_proxies.len(), positions)
+    }
+}

@@ -1,0 +1,96 @@
+//! Broad phase for queries: the geoms that an AABB query of the game has to test, found with the hash grid.
+//!
+//! The grid holds the fat AABBs of the last step. Geoms that these AABBs do not cover, and geoms of bodies that were edited
+//! since, are always candidates.
+
+use crate::body::entry::BodyEntry;
+use crate::geom::GeomId;
+use crate::geom::entry::{GeomEntry, GeomPose};
+use crate::math::Vector2;
+use crate::objects::Objects;
+use crate::precise::Precise;
+use crate::precise::parameters::broad_phase::{
+    PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
+};
+use crate::shape::Aabb;
+
+/// A geom that every AABB query of the game tests, because no fat AABB of the grid is known to cover it.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::precise) struct AlwaysTested {
+    /// Index of the geom in the simulator's list of geoms.
+    pub(in crate::precise) list_index: u32,
+    pub(in crate::precise) geom: GeomId,
+}
+
+impl Precise {
+    /// Returns the geoms that may overlap an AABB, and perhaps others, in the order of the list of geoms. `None`: the proxies
+    /// are older than the list of geoms, there is a depth axis, or the AABB is out of range. The caller then tests all geoms.
+    pub(crate) fn geoms_near(&self, aabb: &Aabb, objects: &Objects) -> Option<Vec<GeomId>> {
+        let Aabb { min, max } = *aabb;
+        let coordinate_sum =
+            [min.x, min.y, max.x, max.y].iter().fold(0.0, |max_coordinate: f32, x| max_coordinate + x.abs());
+        // A comparison that is false for NaN, too.
+        let is_in_range = coordinate_sum < QUERY_MAX_COORDINATE;
+        let is_outdated = self.needs_rebuild || self.has_membership_changes || self.loaded.is_some();
+        if is_outdated
+            || self.depth.is_some()
+            || objects.has_new_structure
+            || objects.has_new_members
+            || !is_in_range
+        {
+            return None;
+        }
+        let tolerance = QUERY_ROUNDING_RATIO * coordinate_sum;
+        let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
+        let mut list_indices: Vec<u32> = self.always_tested.iter().map(|tested| tested.list_index).collect();
+        self.grid.for_each_overlap(&bounds, |proxy| {
+            list_indices.push(self.proxies.all[proxy as usize].list_index)
+        });
+        let edited = objects.touched_bodies.iter().chain(&self.edited_bodies);
+        for &geom in
+            edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms)
+        {
+            list_indices
+                .extend(self.proxy_of(geom, 0).map(|proxy| self.proxies.all[proxy as usize].list_index));
+        }
+        list_indices.sort_unstable();
+        list_indices.dedup();
+        let list = objects.geoms.list();
+        // A damaged snapshot may hold an index beyond the list.
+        list_indices.into_iter().map(|index| list.get(index as usize).copied()).collect()
+    }
+
+    /// Stores the geoms that every AABB query tests in `always_tested`.
+    pub(in crate::precise) fn list_always_tested(&mut self, objects: &Objects) {
+        let mut always_tested = std::mem::take(&mut self.always_tested);
+        always_tested.clear();
+        for at in 0..objects.geoms.list().len() {
+            let Some((id, geom)) = objects.geoms.at(at) else { continue };
+            if !self.proxy_covers_geom(id, geom) {
+                always_tested.push(AlwaysTested { list_index: at as u32, geom: id });
+            }
+        }
+        self.always_tested = always_tested;
+    }
+
+    /// Returns whether the fat AABB of a geom's proxy covers the geom's vertices and AABB in every pose of its body. False for
+    /// geoms of more than one convex piece and for geoms whose AABB or matrix does not follow from vertices and pose.
+    pub(in crate::precise) fn proxy_covers_geom(&self, id: GeomId, geom: &GeomEntry) -> bool {
+        let has_own_pose = geom.box_radius.is_some() || geom.user_matrix.is_some() || geom.refresh_is_due;
+        let Some(proxy) = self.proxy_of(id, 0).filter(|_| !has_own_pose && geom.pieces().len() == 1) else {
+            return false;
+        };
+        let shape = self.proxies.all[proxy as usize].shape;
+        let tolerance = PIECE_MAX_SHORTFALL_RATIO * self.parameters.speculative_distance;
+        let on_body = GeomPose::of_body(Vector2::zeros(), 0.0, geom.offset, geom.rotation_offset).matrix;
+        let is_covered = |&corner: &Vector2| {
+            let corner = on_body.apply(corner);
+            let [x, y] = [0, 1].map(|axis| {
+                shape.half_extents[axis] + shape.radius + tolerance
+                    - (corner[axis] - shape.centre[axis]).abs()
+            });
+            x >= 0.0 && y >= 0.0
+        };
+        QUERY_ROUNDING_RATIO * shape.max_extent <= tolerance && geom.local_vertices.iter().all(is_covered)
+    }
+}

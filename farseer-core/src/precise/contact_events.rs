@@ -1,0 +1,265 @@
+//! Contact events and contacts as the API shows them, and changes that handlers make to contacts.
+//!
+//! The module reads pairs, cached manifolds and contact constraints. It returns touch events and [arbiters](ArbiterRef).
+//! Handlers may disable a contact, remove points or override surface properties for one step, which writes pairs and
+//! constraints.
+
+use super::Precise;
+use super::narrow_phase::{NarrowPhaseStats, TouchEvent};
+use crate::contacts::arbiter::{ArbiterRef, ContactSource};
+use crate::contacts::contact::{Contact, ContactId};
+use crate::geom::GeomId;
+use crate::geom::surface::SurfaceOverride;
+use crate::math::Vector2;
+use crate::math::plane::{difference, dot, rotate, rotate_inverse, rotation, sum, translation};
+use crate::math::scalar::nearest_finite;
+use crate::precise::broad_phase::proxies::BodyType;
+use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
+
+impl Precise {
+    /// Returns the number of pairs, touching or not.
+    pub(crate) fn pair_count(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Returns the numbers of computed and of recycled manifolds in this step.
+    pub(crate) fn narrow_phase_stats(&self) -> NarrowPhaseStats {
+        self.narrow_phase_stats
+    }
+
+    /// Returns the number of contact constraints in each graph colour.
+    pub(crate) fn constraints_per_color(&self) -> Vec<usize> {
+        self.constraints.constraints_per_color()
+    }
+
+    /// Returns the number of contact points in both solvers.
+    pub(crate) fn contacts_solved(&self) -> usize {
+        self.constraints.point_count()
+    }
+
+    /// Returns the sort key of a pair: the creation numbers of both geoms, the smaller one first, packed into one number.
+    /// `None` if the pair does not touch or a handler has disabled it.
+    fn touching_pair_key(&self, pair: usize) -> Option<u128> {
+        self.pairs.all.get(pair).filter(|state| state.is_touching && !state.is_vetoed)?;
+        let [a, b] =
+            self.pairs.triggers[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].creation_number);
+        Some(packed_key(if a < b { [a, b] } else { [b, a] }))
+    }
+
+    /// Returns the arbiter of a pair: contacts, friction and impulses of the touching geoms. `None` if the pair does not touch,
+    /// and in three axes.
+    pub(crate) fn arbiter_of_pair(&self, pair: usize) -> Option<ArbiterRef<'static>> {
+        let state = self.pairs.all.get(pair).filter(|state| state.is_touching)?;
+        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        if self.depth.is_some() {
+            return None;
+        }
+        let is_flipped = a.creation_number > b.creation_number;
+        let manifold = &self.pairs.manifolds[pair];
+        let constraint = state.constraint.map(|home| self.constraints.get(state.kind, home));
+        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
+        let [ca, sa, cb, sb] = manifold.rotations;
+        let (turned_a, turned_b) =
+            (rotate_inverse([ca, sa], rotation(pose_a)), rotate_inverse([cb, sb], rotation(pose_b)));
+        let normal = constraint.map_or(manifold.normal, |lane| lane.normal);
+        let sign = if is_flipped { -1.0 } else { 1.0 };
+        let (first, second) = if is_flipped { (b, a) } else { (a, b) };
+        let mut contacts = [Contact::default(); 2];
+        for (at, contact) in contacts.iter_mut().enumerate().take(manifold.count as usize) {
+            let [ax, ay, bx, by] = manifold.anchors[at];
+            let on_a = sum(translation(pose_a), rotate(turned_a, [ax, ay]));
+            let on_b = sum(translation(pose_b), rotate(turned_b, [bx, by]));
+            let separation = manifold.separations[at] + dot(difference(on_b, on_a), normal);
+            let point = constraint.map(|lane| lane.points[at]);
+            let vertex = manifold.features[at] as i32;
+            let id = ContactId { geom1: first.creation_number, vertex, geom2: second.creation_number };
+            // A body may have been moved as far as `f32` reaches.
+            let position = [0, 1].map(|axis| nearest_finite(0.5 * (on_a[axis] + on_b[axis])));
+            let position = Vector2::new(position[0], position[1]);
+            let normal = Vector2::new(sign * normal[0], sign * normal[1]);
+            let separation = nearest_finite(point.map_or(separation, |point| point.separation));
+            let impulses = point.map_or((0.0, 0.0), |point| {
+                (
+                    point.normal_impulse,
+                    constraint.map_or(0.0, |lane| lane.tangent_impulse) / manifold.count as f32,
+                )
+            });
+            *contact = Contact::new(position, normal, separation, id).with_impulses(impulses.0, impulses.1);
+        }
+        let geoms = (first.geom, second.geom);
+        let friction = self.friction.mix(a.friction, b.friction);
+        let contacts = ContactSource::Copied(contacts, manifold.count as usize);
+        Some(ArbiterRef { handle: pair as u32, geoms, friction, contacts })
+    }
+
+    /// Removes and returns the touch events since the last call, in the order of creation numbers. Each pair of geoms occurs
+    /// once, with true if it began to touch, false if it ceased.
+    pub(crate) fn drain_touch_events(&mut self) -> Vec<((GeomId, GeomId), bool)> {
+        let mut events = std::mem::take(&mut self.touch_events);
+        sort_by_number(&mut events, TouchEvent::sort_key);
+        let by_geoms = events.chunk_by(|one, other| one.numbers == other.numbers);
+        by_geoms.filter_map(|changes| self.geom_touch_event(changes)).collect()
+    }
+
+    /// Returns the touch event of two geoms from `events` of their convex pieces. Two geoms touch while at least one pair of
+    /// their pieces does. `None` if that has not changed.
+    fn geom_touch_event(&self, events: &[TouchEvent]) -> Option<((GeomId, GeomId), bool)> {
+        let geoms = events.first()?.geoms;
+        let touching_now = self.pairs_between(geoms).filter(|&pair| self.pairs.all[pair].is_touching).count();
+        let begun = events.iter().filter(|change| change.begins).count();
+        let touching_before = (touching_now + events.len() - begun).saturating_sub(begun);
+        ((touching_before > 0) != (touching_now > 0)).then_some((geoms, touching_now > 0))
+    }
+
+    /// Returns the indices of the pairs between the convex pieces of two geoms.
+    pub(super) fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
+        // A chain may have thousands of pieces, and a floor thousands of pairs, so the pieces of the smaller geom are searched.
+        let is_movable = |at: u32| self.proxies.all[at as usize].body_type == BodyType::Dynamic;
+        let is_small = self.proxy_of(other, 1).is_none() && self.proxy_of(other, 0).is_some_and(is_movable);
+        let (one, other) = if is_small { (one, other) } else { (other, one) };
+        let proxies = [self.single_proxy(one), self.single_proxy(other)];
+        let (pair, first) = match proxies {
+            [Some(one), Some(other)] => (self.find_pair([one, other]), u32::MAX),
+            _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
+        };
+        let is_piece =
+            move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);
+        let is_with_one = move |pair: &usize| {
+            let proxies = self.pairs.triggers[*pair].proxies;
+            proxies.iter().any(|&proxy| self.proxies.all[proxy as usize].geom == one)
+        };
+        let of_pieces = (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.pairs.pairs_of(piece));
+        pair.into_iter().chain(of_pieces.filter(is_with_one))
+    }
+
+    /// Returns the index of the proxy of a geom that has exactly one; else `None`.
+    fn single_proxy(&self, geom: GeomId) -> Option<u32> {
+        self.proxy_of(geom, 0).filter(|_| self.proxy_of(geom, 1).is_none())
+    }
+
+    /// Returns the index of the pair of two proxies; `None` if they are no pair. The pairs of both proxies are visited in turn,
+    /// so the cost is that of the proxy with fewer pairs.
+    fn find_pair(&self, [one, other]: [u32; 2]) -> Option<usize> {
+        let is_between = |pair: &usize| {
+            let proxies = self.pairs.triggers[*pair].proxies;
+            proxies == [one, other] || proxies == [other, one]
+        };
+        let both = self.pairs.pairs_of(one).zip(self.pairs.pairs_of(other));
+        both.flat_map(|(a, b)| [a, b]).find(is_between)
+    }
+
+    /// Returns the geoms of a pair, the one with the smaller creation number first.
+    pub(crate) fn geoms_of(&self, pair: usize) -> (GeomId, GeomId) {
+        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        if a.creation_number < b.creation_number { (a.geom, b.geom) } else { (b.geom, a.geom) }
+    }
+
+    /// Returns the number of pairs that touch.
+    pub(crate) fn touching_count(&self) -> usize {
+        self.pairs.touching_count
+    }
+
+    /// Returns the number of contact points between two geoms.
+    pub(crate) fn contacts_between(&self, geoms: (GeomId, GeomId)) -> u32 {
+        let pairs = self.pairs_between(geoms);
+        pairs
+            .filter(|&pair| self.pairs.all[pair].is_touching)
+            .map(|pair| self.pairs.manifolds[pair].count)
+            .sum()
+    }
+
+    /// Returns the pairs that touch and have a handler, and the pairs of `events` that begin to touch: sort key and pair index,
+    /// in the order of the keys.
+    ///
+    /// The caller must give the list back by [`return_touching_buffer`](Self::return_touching_buffer).
+    pub(crate) fn touching_pairs(&mut self, events: &[((GeomId, GeomId), bool)]) -> Vec<(u128, u32)> {
+        let mut touching = std::mem::take(&mut self.touching_scratch);
+        touching.clear();
+        let with_numbers = |pair: usize| Some((self.touching_pair_key(pair)?, pair as u32));
+        let is_reported = |pair: &usize| self.pairs.all[*pair].is_reported;
+        let count = if self.pairs.reported_count > 0 { self.pairs.len() } else { 0 };
+        touching.extend((0..count).filter(is_reported).filter_map(with_numbers));
+        for &(geoms, _) in events.iter().filter(|(_, begins)| *begins) {
+            let unreported = self.pairs_between(geoms).filter(|pair| !is_reported(pair));
+            touching.extend(unreported.filter_map(with_numbers));
+        }
+        sort_numbered(&mut touching);
+        touching
+    }
+
+    /// Takes back the list that [`touching_pairs`](Self::touching_pairs) returned, so that its memory is reused.
+    pub(crate) fn return_touching_buffer(&mut self, touching: Vec<(u128, u32)>) {
+        self.touching_scratch = touching;
+    }
+
+    /// Disables all contacts of a pair for this step, because a handler has rejected them: the contact constraint of the pair
+    /// is removed.
+    pub(crate) fn disable_contact(&mut self, pair: usize) {
+        self.has_handler_changes = true;
+        if self.pairs.all[pair].constraint.is_some() {
+            self.wake_pair_bodies(pair);
+        }
+        self.pairs.all[pair].is_vetoed = true;
+        self.narrow_phase().remove_constraint(pair);
+        self.narrow_phase().revoke_landing(pair);
+        // In three axes a disabled pair does not count as touching.
+        if self.depth.is_some() && self.pairs.all[pair].is_touching {
+            self.narrow_phase().emit_touch_event(pair, false);
+        }
+        // Without a constraint the solver does not update the pair, so the narrow phase must.
+        self.pairs.triggers[pair].motion_tolerance = 0;
+    }
+
+    /// Retains only the contact points of a pair that a handler has left in `contacts`. All other points of the pair exert no
+    /// impulses in this step.
+    pub(crate) fn retain_contacts(&mut self, pair: usize, contacts: &[Contact]) {
+        let Some(touching) = self.arbiter_of_pair(pair) else { return };
+        let is_kept = |contact: &Contact| contacts.iter().any(|kept| kept == contact);
+        if touching.contacts().all(|contact| is_kept(&contact)) {
+            return;
+        }
+        let state = self.pairs.all[pair];
+        let Some(handle) = state.constraint else { return };
+        self.wake_pair_bodies(pair);
+        let mut constraint = self.constraints.get(state.kind, handle);
+        for (point, contact) in constraint.points.iter_mut().zip(touching.contacts()) {
+            if !is_kept(&contact) {
+                (point.normal_mass, point.normal_impulse, point.rest_impulse) = (0.0, 0.0, 0.0);
+            }
+        }
+        self.constraints.set(state.kind, handle, &constraint);
+        self.has_handler_changes = true;
+        self.pairs.all[pair].is_vetoed = true;
+    }
+
+    /// Overrides friction, restitution and tangent speed of a pair for this step, as a handler has set them. A sleeping pair
+    /// wakes if these values differ from those with which it fell asleep.
+    pub(crate) fn override_surface(&mut self, pair: usize, surface: SurfaceOverride) {
+        let state = self.pairs.all[pair];
+        let is_asleep = pair >= self.pairs.awake_count;
+        let Some(handle) = state.constraint.filter(|_| is_asleep || surface != SurfaceOverride::default())
+        else {
+            if is_asleep && state.responds {
+                self.wake_pair_bodies(pair);
+            }
+            return;
+        };
+        let mut constraint = self.constraints.get(state.kind, handle);
+        let before = [constraint.friction, constraint.restitution, constraint.tangent_speed];
+        let [friction, restitution, speed] =
+            if is_asleep { self.narrow_phase().surface_parameters(pair) } else { before };
+        constraint.friction = surface.friction.unwrap_or(friction);
+        constraint.restitution = surface.restitution.unwrap_or(restitution);
+        // The sum of two finite speeds may overflow.
+        constraint.tangent_speed =
+            surface.tangent_speed.map_or(speed, |set| (speed + set).clamp(f32::MIN, f32::MAX));
+        if is_asleep && before == [constraint.friction, constraint.restitution, constraint.tangent_speed] {
+            return;
+        }
+        self.wake_pair_bodies(pair);
+        self.has_restitution |= constraint.restitution > 0.0;
+        self.constraints.set(state.kind, handle, &constraint);
+        self.has_handler_changes = true;
+        self.pairs.all[pair].has_surface_override = true;
+    }
+}

@@ -1,0 +1,193 @@
+//! Contact queries and begin and end events in three axes, for the engine above (`twohalf`).
+//!
+//! Reads cached manifolds (anchors, separations, features) and accumulated impulses of constraints; changes neither.
+
+use super::interface::{self, DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget};
+use crate::geom::GeomId;
+use crate::math::Vector2;
+use crate::math::plane::{sum, translation};
+use crate::math::scalar::nearest_finite;
+use crate::precise::Precise;
+use crate::precise::broad_phase::hash_grid::overlap;
+use crate::precise::broad_phase::pairs::CachedManifold;
+
+impl Precise {
+    /// Returns whether the cached contacts are valid. Between loading a snapshot and the next update they are not.
+    pub(crate) fn depth_contacts_are_valid(&self) -> bool {
+        self.loaded.is_none()
+    }
+
+    /// Returns and clears the begin and end events since the last call, ordered by creation numbers. Two geoms have one event,
+    /// whatever the number of their convex pieces. A contact that a callback has vetoed does not begin.
+    pub(crate) fn drain_depth_contact_events(&mut self) -> Vec<DepthContactEvent> {
+        let changes = self.drain_touch_events();
+        changes.into_iter().filter_map(|(geoms, begins)| self.depth_contact_event(geoms, begins)).collect()
+    }
+
+    /// Returns the contact event of two geoms, with the manifold of deepest penetration if the contact begins. `None` if the
+    /// contact begins without a manifold.
+    fn depth_contact_event(
+        &self,
+        (older, younger): (GeomId, GeomId),
+        begins: bool,
+    ) -> Option<DepthContactEvent> {
+        let touch = begins.then(|| self.deepest_contact_between((older, younger))).flatten();
+        if begins && touch.is_none() {
+            return None;
+        }
+        let (this, partner) = if interface::is_geom(younger) { (younger, older) } else { (older, younger) };
+        Some(DepthContactEvent { this, target: interface::contact_target_of(partner), contact: touch })
+    }
+
+    /// Returns the manifold of deepest penetration among the touching convex pieces of two geoms; `None` if no pieces touch.
+    fn deepest_contact_between(&self, geoms: (GeomId, GeomId)) -> Option<DepthContact> {
+        let touching = self.pairs_between(geoms).filter(|&pair| self.pairs.all[pair].is_touching);
+        let touches =
+            touching.filter_map(|pair| Some((self.pairs.triggers[pair].proxies, self.depth_contact(pair)?)));
+        // Ties: by pieces. Loading a snapshot reorders pairs, but not pieces.
+        let order = |(pieces, touch): &([u32; 2], DepthContact),
+                     (others, other): &([u32; 2], DepthContact)| {
+            touch.penetration().total_cmp(&other.penetration()).then_with(|| others.cmp(pieces))
+        };
+        touches.max_by(order).map(|(_, touch)| touch)
+    }
+
+    /// Iterates over the contact manifolds of a body. Shapes that are only within the contact margin have one, too.
+    pub(crate) fn depth_contacts_of(&self, body_index: usize) -> impl Iterator<Item = DepthContact> + '_ {
+        self.pairs.pairs_of_body(&self.proxies, body_index).filter_map(|pair| self.depth_contact(pair))
+    }
+
+    /// Iterates over the geoms that form a broad-phase pair with a body, touching or not. Pairs with a sensor or a vetoed
+    /// contact are left out. A geom occurs once for each pair of convex pieces.
+    pub(crate) fn depth_neighbours_of(&self, body_index: usize) -> impl Iterator<Item = GeomId> + '_ {
+        let others = self.proxies.proxies_of(body_index).flat_map(move |proxy| {
+            self.pairs.pairs_of(proxy).filter(|&pair| self.exerts_impulses(pair)).map(move |pair| {
+                let [a, b] = self.pairs.triggers[pair].proxies;
+                if a == proxy { b } else { a }
+            })
+        });
+        others.map(|other| self.proxies.all[other as usize].geom).filter(|&geom| interface::is_geom(geom))
+    }
+
+    /// Iterates over the contacts of a body that a callback vetoed in the last step. Each item is the geom of the body and the
+    /// contact target.
+    pub(crate) fn vetoed_depth_contacts_of(
+        &self,
+        body_index: usize,
+    ) -> impl Iterator<Item = (GeomId, DepthContactTarget)> + '_ {
+        let refused = self
+            .pairs
+            .pairs_of_body(&self.proxies, body_index)
+            .filter(|&pair| self.pairs.all[pair].is_vetoed);
+        refused.map(move |pair| {
+            let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+            let (this, other) = if a.body as usize == body_index { (a, b) } else { (b, a) };
+            (this.geom, interface::contact_target_of(other.geom))
+        })
+    }
+
+    /// Calls `find` for the geoms whose fat AABB and z interval overlap a box. `low` and `high` are the least and the greatest
+    /// corner of the box: x, y (down) and z in world coordinates, length units. The order is not defined; some geoms come
+    /// twice.
+    pub(crate) fn for_each_geom_in(&self, low: [f32; 3], high: [f32; 3], mut find: impl FnMut(GeomId)) {
+        let Some(space) = &self.depth else { return };
+        let (bounds, depths) =
+            ([low[0], low[1], high[0], high[1]], interface::DepthInterval::new(low[2], high[2]));
+        self.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
+            let (at, geom) = (at as usize, self.proxies.all[at as usize].geom);
+            let is_near =
+                overlap(&bounds, &self.proxies.fat_aabbs[at]) && space.interval(at).overlaps(depths);
+            if is_near && interface::is_geom(geom) {
+                find(geom);
+            }
+        });
+    }
+
+    /// Returns whether the contacts of a pair exert impulses: neither geom is a sensor and no callback has vetoed the pair.
+    fn exerts_impulses(&self, pair: usize) -> bool {
+        let state = &self.pairs.all[pair];
+        state.responds && !state.is_vetoed
+    }
+
+    /// Returns the number of proxies that touch the ground.
+    pub(crate) fn ground_contact_count(&self) -> usize {
+        self.pairs.touching_ground_count
+    }
+
+    /// Iterates over touching pairs with an event listener. Each item is the index of the pair and its contact manifold.
+    pub(crate) fn depth_contacts_with_listener(&self) -> impl Iterator<Item = (usize, DepthContact)> + '_ {
+        let count = if self.pairs.reported_count > 0 { self.pairs.len() } else { 0 };
+        let is_heard = |pair: &usize| self.pairs.all[*pair].is_touching && self.pairs.all[*pair].is_reported;
+        (0..count).filter(is_heard).filter_map(|pair| Some((pair, self.depth_contact(pair)?)))
+    }
+
+    /// Returns the contact manifold of the pair with this index. `None` if the shapes are beyond the contact margin or a
+    /// callback vetoed the pair. The manifold is reported for the younger geom, or for the only geom if the target is a world
+    /// box or the ground.
+    pub(crate) fn depth_contact(&self, pair: usize) -> Option<DepthContact> {
+        let state = self.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
+        let space = self.depth.as_ref()?;
+        let proxies = self.pairs.triggers[pair].proxies;
+        let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        // Normals point from A to B.
+        let is_b = !interface::is_geom(a.geom) || a.creation_number < b.creation_number;
+        let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };
+        let (z, partner_body) = if interface::is_geom(partner.geom) {
+            (space.overlap_middle_z(proxies, [a.body, b.body]), self.bodies.ids[partner.body as usize])
+        } else {
+            (space.z_positions[this.body as usize], None)
+        };
+        let CachedManifold { normal: [x, y], count, anchors, separations, features, depth: frozen, .. } =
+            &self.pairs.manifolds[pair];
+        if *count == 0 {
+            return None;
+        }
+        let lane = state.constraint.map(|home| self.constraints.get(state.kind, home));
+        // The surfaces as they are now: a constraint takes an edit over only in the next step.
+        let surface = lane.map(|_| space.combined_surface(proxies, [a, b], self.friction));
+        let [friction, restitution] = surface.unwrap_or_default();
+        let origin = translation(self.bodies.poses[a.body as usize]);
+        let mut points = [DepthContactPoint::default(); 2];
+        for (at, point) in points.iter_mut().enumerate().take(*count as usize) {
+            let [ax, ay, ..] = anchors[at];
+            let [px, py] = sum(origin, [ax, ay]);
+            let (impulse, friction_impulse, separation) =
+                lane.map_or((0.0, [0.0; 2], separations[at]), |lane| {
+                    let [.., along, across] = lane.depth.totals;
+                    let shared = [along, across].map(|total| total / *count as f32);
+                    (lane.depth.totals[at], shared, lane.points[at].separation)
+                });
+            *point = DepthContactPoint {
+                position: Vector2::new(nearest_finite(px), nearest_finite(py)),
+                separation: nearest_finite(separation),
+                feature: features[at],
+                impulse,
+                friction_impulse,
+            };
+        }
+        Some(DepthContact {
+            this: this.geom,
+            body: self.bodies.ids[this.body as usize]?,
+            target: interface::contact_target_of(partner.geom),
+            pieces: [this.piece, partner.piece],
+            target_body: partner_body,
+            normal: [sign * x, sign * y, sign * frozen.normal_z],
+            z,
+            count: *count as usize,
+            points,
+            friction,
+            restitution,
+            responds: state.responds,
+            is_touching: state.is_touching,
+        })
+    }
+}
+
+impl DepthContact {
+    /// Returns the greatest penetration among the contact points in length units, negative for separated shapes.
+    fn penetration(&self) -> f32 {
+        self.points[..self.count]
+            .iter()
+            .fold(f32::NEG_INFINITY, |deepest, point| deepest.max(-point.separation))
+    }
+}

@@ -1,0 +1,98 @@
+//! Bodies with a vertical shape have a fixed rotation: neither contacts nor torques rotate them.
+//!
+//! Their inverse moment of inertia is 0 and the narrow phase uses the angle 0, even if the game has rotated such a body by
+//! hand.
+
+use super::DepthState;
+use super::interface::is_geom;
+use crate::body::Body;
+use crate::precise::Precise;
+use crate::precise::bodies::inverse_mass_inertia_of;
+use crate::precise::broad_phase::proxies::Proxy;
+
+impl DepthState {
+    /// Returns whether a body has a vertical shape and so a fixed rotation.
+    pub(in crate::precise) fn is_rotation_fixed(&self, body_index: usize) -> bool {
+        self.any_fixed_rotation && super::entry(&self.has_fixed_rotation, body_index)
+    }
+}
+
+impl Precise {
+    /// Returns the inverse mass (1/mass units) and the inverse moment of inertia about z (1/(mass units * length units^2)) of a
+    /// dynamic body. The inverse moment of inertia is 0 if the rotation of the body is fixed.
+    pub(in crate::precise) fn inverse_mass_and_inertia(&self, body_index: usize, body: &Body) -> [f32; 2] {
+        let [mass, inertia] = inverse_mass_inertia_of(body);
+        let is_steady = self.depth.as_ref().is_some_and(|space| space.is_rotation_fixed(body_index));
+        [mass, if is_steady { 0.0 } else { inertia }]
+    }
+
+    /// Fixes the rotation of a proxy's body if the shape of the proxy is vertical. Called when the proxy is added to `Proxies`.
+    pub(in crate::precise) fn fix_rotation_of_proxy(&mut self, proxy: u32) {
+        let Precise { depth: Some(space), proxies, .. } = self else { return };
+        let Proxy { geom, body, .. } = proxies.all[proxy as usize];
+        if space.is_vertical(proxy) && is_geom(geom) {
+            let number = body as usize;
+            (*super::entry_mut(&mut space.has_fixed_rotation, number), space.any_fixed_rotation) =
+                (true, true);
+            self.fix_rotation(number);
+        }
+    }
+
+    /// Fixes the rotation of the bodies of all vertical proxies.
+    pub(in crate::precise) fn fix_rotation_of_all(&mut self) {
+        (0..self.proxies.all.len()).for_each(|proxy| self.fix_rotation_of_proxy(proxy as u32));
+    }
+
+    /// Fixes the rotation of an imported body if it has a vertical shape.
+    pub(in crate::precise) fn fix_rotation_if_vertical(&mut self, body_index: usize) {
+        if self.depth.as_ref().is_some_and(|space| space.is_rotation_fixed(body_index)) {
+            self.fix_rotation(body_index);
+        }
+    }
+
+    /// Sets the inverse moment of inertia, the angle and the angular velocity about z of a body to 0.
+    fn fix_rotation(&mut self, body_index: usize) {
+        self.bodies.inverse_mass_inertia[body_index][1] = 0.0;
+        let [x, y, ..] = self.bodies.poses[body_index];
+        self.bodies.poses[body_index] = [x, y, 1.0, 0.0];
+        if let Some(hot) = self.bodies.states.get_mut(body_index) {
+            hot.velocity[2] = 0.0;
+        }
+    }
+
+    /// Start of a step: sets the angular velocity of awake bodies with a fixed rotation to 0, and also the changes of angular
+    /// velocity and angle by torques.
+    pub(in crate::precise) fn clear_fixed_rotation_velocities(&mut self) {
+        let Precise { depth: Some(space), bodies, sleep, .. } = self else { return };
+        if !space.any_fixed_rotation {
+            return;
+        }
+        for number in
+            sleep.awake_bodies(bodies.last_movable).filter(|&number| space.has_fixed_rotation[number])
+        {
+            for turning in [
+                &mut bodies.states[number].velocity[2],
+                &mut bodies.initial_velocity[number][2],
+                &mut bodies.force_delta[number][2],
+                &mut bodies.force_position_delta[number][2],
+            ] {
+                *turning = 0.0;
+            }
+        }
+    }
+
+    /// End of a step: sets angle and angular velocity of bodies with a fixed rotation to 0. The narrow phase then reads angular
+    /// velocity 0, as for a body that a snapshot has restored.
+    pub(in crate::precise) fn reset_fixed_rotation_poses(&mut self) {
+        let Precise { depth: Some(space), bodies, sleep, .. } = self else { return };
+        if space.any_fixed_rotation {
+            // The runs of awake bodies may contain sleeping ones, whose poses were computed as well.
+            let renewed = sleep.awake_body_runs.iter().cloned().flatten();
+            for number in renewed.filter(|&number| super::entry(&space.has_fixed_rotation, number)) {
+                let [x, y, ..] = bodies.poses[number];
+                bodies.poses[number] = [x, y, 1.0, 0.0];
+                bodies.states[number].velocity[2] = 0.0;
+            }
+        }
+    }
+}

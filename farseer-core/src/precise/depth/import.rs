@@ -1,0 +1,171 @@
+//! Import of depth states of bodies, depth shapes of geoms and forces along z, which the engine above sets, and output of the
+//! depth states of moved bodies.
+
+use super::interface::{self, DepthBodyState, DepthContactTarget, DepthShape, is_geom};
+use super::{BallSpin, DepthState, FeatureGate};
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::objects::Objects;
+use crate::precise::Precise;
+
+/// Input of depth states, shapes and forces, and output of depth states, between updates.
+impl Precise {
+    /// Returns whether the engine has a depth axis.
+    pub(crate) fn has_depth(&self) -> bool {
+        self.depth.is_some()
+    }
+
+    /// Adds an empty depth state to the engine. No call removes it.
+    pub(crate) fn enable_depth(&mut self) {
+        self.depth = FeatureGate::new();
+    }
+
+    /// Sets the depth state of a body. This is an edit: the body wakes.
+    pub(crate) fn set_depth_body(&mut self, id: BodyId, state: DepthBodyState) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        *space.body_mut(id) = state;
+        self.edited_bodies.push(id);
+    }
+
+    /// Adds the acceleration `along_depth` by a force, in length units/s^2, to the depth state of a body. The body is also
+    /// listed as forced, so that the next step checks whether it wakes. Static bodies ignore the call.
+    pub(crate) fn record_force(&mut self, id: BodyId, along_depth: f32) {
+        let Some(number) = self.movable_index_of(id) else { return };
+        if let Some(space) = self.depth.as_deref_mut() {
+            space.add_acceleration(id, along_depth);
+        }
+        self.record_forced_body(number);
+    }
+
+    /// Returns the acceleration of a body along z by the forces applied for the coming step, in length units/s^2; 0 without a
+    /// depth axis.
+    pub(crate) fn depth_acceleration(&self, id: BodyId) -> f32 {
+        self.depth.as_ref().map_or(0.0, |space| space.acceleration(id))
+    }
+
+    /// Returns the body index of a dynamic or kinematic body; `None` for static and absent ones.
+    fn movable_index_of(&self, id: BodyId) -> Option<usize> {
+        self.body_index(id).filter(|&number| number < self.bodies.first_static())
+    }
+
+    /// Returns, for each of two bodies, its id and its acceleration along z by forces (length units/s^2) if updates do not move
+    /// it. The entry of a dynamic or kinematic body of the simulation is `None`.
+    pub(crate) fn inactive_depth_accelerations(
+        &self,
+        ids: [Option<BodyId>; 2],
+    ) -> [Option<(BodyId, f32)>; 2] {
+        ids.map(|id| {
+            let (id, space) = (id?, self.depth.as_ref()?);
+            self.movable_index_of(id).is_none().then(|| (id, space.acceleration(id)))
+        })
+    }
+
+    /// Sets the depth shape of a geom. If the shape changes, all lists of bodies and proxies are rebuilt before the next step.
+    pub(crate) fn set_depth_shape(&mut self, id: GeomId, shape: DepthShape) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        let known = space.shape_mut(id);
+        if *known != shape {
+            *known = shape;
+            self.needs_rebuild |= self.proxy_of(id, 0).is_some();
+        }
+    }
+
+    /// Iterates over the bodies that were awake in the last update, with id and depth state.
+    pub(crate) fn moved_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
+        let space = self.depth.as_ref();
+        self.sleep.awake_bodies(self.bodies.last_movable).filter_map(move |number| {
+            let id = self.bodies.ids[number]?;
+            Some((id, space?.body(id)))
+        })
+    }
+
+    /// Iterates over the bodies that fell asleep in the last update, with id and depth state.
+    pub(crate) fn newly_asleep_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
+        self.depth.iter().flat_map(|space| space.newly_asleep.iter().map(|&id| (id, space.body(id))))
+    }
+}
+
+impl DepthState {
+    /// Returns whether a body has no velocity and no acceleration along z and, if it is a sphere, no angular velocity about x
+    /// and y.
+    fn is_at_rest(&self, number: Option<usize>, id: BodyId) -> bool {
+        let DepthBodyState { velocity, acceleration, angular_velocity, .. } = self.body(id);
+        let is_ball = number.is_some_and(|number| self.is_ball[number]);
+        velocity == 0.0 && acceleration == 0.0 && (angular_velocity == [0.0; 2] || !is_ball)
+    }
+}
+
+/// Import of edits at the start of a step.
+impl Precise {
+    /// Returns whether the game has moved a body along z since the last step.
+    pub(in crate::precise) fn was_moved_along_z(&self, body_index: usize, id: BodyId) -> bool {
+        self.depth.as_ref().is_some_and(|space| space.z_positions[body_index] != space.body(id).z)
+    }
+
+    /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y.
+    pub(in crate::precise) fn rests_along_z(&self, id: BodyId) -> bool {
+        self.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id))
+    }
+
+    /// Copies z, velocity along z and ball spin of an edited body to the solver.
+    pub(in crate::precise) fn import_body_z(&mut self, body_index: usize, id: BodyId) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        let state = space.body(id);
+        space.z_positions[body_index] = state.z;
+        if let Some(hot) = self.bodies.states.get_mut(body_index) {
+            hot.velocity[3] = state.velocity;
+            let [x, y] = state.angular_velocity;
+            space.ball_spins[body_index] = BallSpin { velocity: [x, y, 0.0, 0.0], ..BallSpin::default() };
+        }
+    }
+
+    /// Adds a new body to the lists by body index and copies its depth state to the solver.
+    pub(in crate::precise) fn add_body_z(&mut self, body_index: usize, id: BodyId) {
+        if let Some(space) = self.depth.as_deref_mut() {
+            space.add_body(body_index, id);
+        }
+        self.import_body_z(body_index, id);
+    }
+
+    /// Returns the proxy index of the ground or of a world box; `None` for a geom or an unknown box.
+    pub(in crate::precise) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
+        let space = self.depth.as_ref()?;
+        match interface::contact_target_of(id) {
+            DepthContactTarget::Ground => Some(space.ground_proxy as usize),
+            DepthContactTarget::WorldBox(id) => {
+                let (place, _) = space.world_box_by_id(id)?;
+                space.box_proxies.get(place).map(|&proxy| proxy as usize)
+            }
+            DepthContactTarget::Geom(_) => None,
+        }
+    }
+
+    /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
+    pub(in crate::precise) fn may_meet_ground(&self, proxies: [u32; 2]) -> bool {
+        self.depth.as_ref().is_none_or(|space| {
+            let [a, b] = proxies;
+            (a != space.ground_proxy || space.has_ground(b))
+                && (b != space.ground_proxy || space.has_ground(a))
+        })
+    }
+
+    /// Returns whether a geom may collide with a world box or with the ground, by the collision filters and by whether its body
+    /// is enabled; `None` for two geoms.
+    pub(crate) fn may_meet_world_geom(&self, (a, b): (GeomId, GeomId), objects: &Objects) -> Option<bool> {
+        let (geom, other) = match (is_geom(a), is_geom(b)) {
+            (true, true) => return None,
+            (true, false) => (a, b),
+            (false, _) => (b, a),
+        };
+        let (Some(space), Some(entry)) = (&self.depth, objects.geoms.get(geom)) else { return Some(false) };
+        let is_enabled = objects.bodies.get(entry.body).is_some_and(|body| body.body.enabled());
+        let meets = match interface::contact_target_of(other) {
+            DepthContactTarget::Ground => entry.geom.collision_enabled(),
+            DepthContactTarget::WorldBox(id) => space
+                .world_box_by_id(id)
+                .is_some_and(|(_, world_box)| entry.geom.filter().may_meet(&world_box.filter)),
+            DepthContactTarget::Geom(_) => false,
+        };
+        Some(is_enabled && meets && !objects.geoms.is_disposed(geom))
+    }
+}

@@ -1,0 +1,470 @@
+//! World boxes and the ground: colliders without a geom. World boxes are static, kinematic or hinged.
+//!
+//! Moving boxes have the first body indices, as kinematic bodies without an id. The ground and static boxes have the last body
+//! indices, after all bodies. Proxies are in the same order. This file imports boxes, moves kinematic ones and gives the narrow
+//! phase their velocities.
+
+use super::DepthState;
+use super::interface::{
+    WorldBox, WorldBoxHinge, WorldBoxMotion, creation_number_of, ground_geom_id, is_geom, world_box_geom_id,
+};
+use super::prism_collision::PosedSolid;
+use super::vertical_shapes::{VerticalSolid, clamp_any};
+use crate::geom::GeomId;
+use crate::geom::surface::SurfaceCoefficients;
+use crate::math::Vector3;
+use crate::math::plane::{Pose, length};
+use crate::math::scalar;
+use crate::precise::Precise;
+use crate::precise::bodies::{BodySet, MotionState};
+use crate::precise::broad_phase::proxies::{BodyType, Proxy, world_box_filter};
+use crate::precise::fingerprint::Fingerprint;
+use crate::precise::parameters::depth::WORLD_BOX_MAX_SWEEP;
+use crate::precise::scaled_parameters::Parameters;
+use crate::precise::shape::Shape;
+use crate::shape::SlantedBox;
+
+/// `Proxy::list_index` of the ground: an index beyond all world boxes, because the ground is none.
+const NO_WORLD_BOX: u32 = u32::MAX;
+
+/// Returns the velocity of a box as the solver stores it: x, y (length units/s), yaw rate (rad/s), z (length units/s). In
+/// contact constraints with a moving box the arms are those about the vertical axis, as the yaw rate needs.
+fn solver_velocity(motion: &WorldBoxMotion) -> [f32; 4] {
+    let [x, y, z] = motion.velocity;
+    [x, y, motion.yaw_rate, z]
+}
+
+/// Returns an upper bound, in length units, of the distance in x and z between points of a box and the point about which its
+/// yaw rotates it (centre or hinge). The bound holds at any yaw.
+pub(super) fn yaw_extent(world_box: &WorldBox) -> f32 {
+    let [x, _, z] = world_box.shape.half;
+    let [out_x, out_z] = world_box.hinge().map_or([0.0; 2], |hinge| hinge.box_offset);
+    length([x + out_x.abs(), z + out_z.abs()])
+}
+
+/// Returns the point about which the yaw rotates a box, in world coordinates x, y (down), z, length units: a point on the
+/// hinge, or the centre of a box without a hinge.
+pub(super) fn origin_of(world_box: &WorldBox) -> Vector3 {
+    let centre = world_box.shape.centre;
+    world_box.hinge().map_or(centre, |WorldBoxHinge { pivot: [x, z], .. }| Vector3::new(*x, centre.y, *z))
+}
+
+/// Returns a level box as a vertical shape, relative to the point about which its yaw rotates the box (hinge or centre).
+pub(super) fn vertical_of(world_box: &WorldBox) -> VerticalSolid {
+    let (shape, mut corners) = (&world_box.shape, world_box.shape.footprint());
+    if world_box.hinge().is_some() {
+        let out = shape.centre - origin_of(world_box);
+        corners = corners.map(|[x, z]| [x + out.x, z + out.z]);
+    }
+    VerticalSolid::level_box(corners, shape.half[1])
+}
+
+/// Returns the equivalent of an angle in 0..2 pi, in radians.
+fn wrap_angle(angle: f32) -> f32 {
+    let turn = 2.0 * std::f32::consts::PI;
+    let rest = angle % turn;
+    if rest < 0.0 { rest + turn } else { rest }
+}
+
+/// Returns the world pose of a box in the plane: x and y (length units) of its centre or hinge, cosine and sine of its tilt.
+fn pose_of(world_box: &WorldBox) -> Pose {
+    let (shape, place) = (&world_box.shape, origin_of(world_box));
+    [place.x, place.y, shape.cos, shape.sin]
+}
+
+impl WorldBoxMotion {
+    /// Start of a step: sets velocity and yaw rate to those that reach the targets of position and yaw. `centre` is the world
+    /// position of the box in length units, `yaw` is in radians, `dt` is the step in seconds.
+    fn begin_step(&mut self, centre: Vector3, yaw: f32, dt: f32) {
+        self.begin_yaw(yaw, dt);
+        let Some((target, is_reached)) = self.target else { return };
+        self.velocity =
+            if is_reached { [0.0; 3] } else { [0, 1, 2].map(|axis| (target[axis] - centre[axis]) / dt) };
+        if !self.velocity.iter().all(|velocity| velocity.is_finite()) {
+            self.velocity = [0.0; 3];
+        }
+        let stays = !is_reached && self.velocity != [0.0; 3];
+        self.target = self.target.filter(|_| stays);
+    }
+
+    /// Start of a step: sets the yaw rate to that which reaches the target yaw. `yaw` is the present yaw in radians, `dt` the
+    /// step in seconds.
+    fn begin_yaw(&mut self, yaw: f32, dt: f32) {
+        let Some((target, is_reached)) = self.yaw_target else { return };
+        self.yaw_rate = if is_reached { 0.0 } else { (target - yaw) / dt };
+        if !self.yaw_rate.is_finite() {
+            self.yaw_rate = 0.0;
+        }
+        let stays = !is_reached && self.yaw_rate != 0.0;
+        self.yaw_target = self.yaw_target.filter(|_| stays);
+    }
+
+    /// End of a step: returns the new yaw of the box in radians. `yaw` is the yaw before the step, `turned` the rotation in the
+    /// step, both in radians.
+    fn end_yaw(&mut self, yaw: f32, turned: f32) -> f32 {
+        match self.yaw_target.as_mut() {
+            Some((target, is_reached)) => {
+                *is_reached = true;
+                *target
+            }
+            None if turned == 0.0 => yaw,
+            None => self
+                .hinge()
+                .map_or_else(|| wrap_angle(yaw + turned), |hinge| hinge.clamp_to_stops(yaw + turned)),
+        }
+    }
+
+    /// End of a step: returns the new centre of the box in world coordinates, length units. A box whose position would have
+    /// overflowed was put back in the step (`displacement` 0); it stops.
+    fn end_step(&mut self, centre: Vector3, displacement: [f32; 3]) -> Vector3 {
+        let is_put_back = displacement == [0.0; 3] && self.velocity != [0.0; 3];
+        self.displacement = displacement;
+        if is_put_back {
+            (self.velocity, self.target) = ([0.0; 3], None);
+        }
+        match self.target.as_mut() {
+            Some((target, is_reached)) => {
+                *is_reached = true;
+                Vector3::from(*target)
+            }
+            None => centre + Vector3::from(displacement),
+        }
+    }
+
+    /// Returns whether the next step moves the box.
+    fn is_moving(&self) -> bool {
+        let turns = self.yaw_target.map_or(self.yaw_rate != 0.0, |(_, is_reached)| !is_reached);
+        turns || self.target.map_or(self.velocity != [0.0; 3], |(_, is_reached)| !is_reached)
+    }
+}
+
+/// Changes and queries of world boxes between updates.
+impl Precise {
+    /// Sets all world boxes. All lists of bodies and proxies are rebuilt before the next step.
+    pub(crate) fn set_world_boxes(&mut self, world_boxes: impl Iterator<Item = WorldBox>) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        space.world_boxes.clear();
+        space.world_boxes.extend(world_boxes);
+        space.has_one_way = space.world_boxes.iter().any(|world_box| world_box.is_one_way);
+        let moving_boxes = (0..).zip(&space.world_boxes).filter(|(_, world_box)| world_box.motion.is_some());
+        space.moving_boxes.clear();
+        space.moving_boxes.extend(moving_boxes.map(|(place, _)| place));
+        self.needs_rebuild = true;
+    }
+
+    /// Sets the motion of the moving box with this id; an unknown id is ignored. A hinged box wakes if its motion or its hinge
+    /// changes.
+    pub(crate) fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        let Some((place, _)) = space.world_box_by_id(id) else { return };
+        let known = space.world_boxes[place].motion.replace(motion);
+        let body_index = space.moving_boxes.binary_search(&(place as u32)).map_or(0, |at| at + 1);
+        if let Some(hot) =
+            self.bodies.states.get_mut(body_index).filter(|_| body_index > 0 && !self.needs_rebuild)
+        {
+            hot.velocity = solver_velocity(&motion);
+            if motion.hinge().is_some() && known != Some(motion) {
+                self.sleep.request_wake(body_index);
+            }
+        }
+    }
+
+    /// Iterates over the moving boxes: id, centre (world coordinates, length units), yaw (radians; `None` if the box never
+    /// rotates) and motion.
+    pub(crate) fn moving_world_boxes(
+        &self,
+    ) -> impl Iterator<Item = (u32, Vector3, Option<f32>, WorldBoxMotion)> + '_ {
+        self.depth.iter().flat_map(|space| {
+            let moving = space.moving_boxes.iter().map(|&place| &space.world_boxes[place as usize]);
+            moving.filter_map(|world_box| {
+                Some((world_box.id, world_box.shape.centre, world_box.yaw, world_box.motion?))
+            })
+        })
+    }
+}
+
+/// Queries of world boxes: poses, velocities and displacements in the step.
+impl DepthState {
+    /// Iterates over the moving boxes: world pose in the plane, and tilt in radians.
+    pub(in crate::precise) fn moving_poses(&self) -> impl Iterator<Item = (Pose, f32)> + '_ {
+        let moving = self.moving_boxes.iter().map(|&place| &self.world_boxes[place as usize]);
+        moving.map(|world_box| (pose_of(world_box), world_box.rotation))
+    }
+
+    /// Returns the world box of a proxy; `None` for geoms and the ground.
+    pub(super) fn world_box_of(&self, proxy: &Proxy) -> Option<&WorldBox> {
+        if is_geom(proxy.geom) { None } else { self.world_boxes.get(proxy.list_index as usize) }
+    }
+
+    /// Returns whether a proxy is a world box that can rotate about the vertical axis.
+    pub(in crate::precise) fn turns_about_y(&self, proxy: &Proxy) -> bool {
+        self.world_box_of(proxy)
+            .is_some_and(|world_box| world_box.yaw.is_some() && world_box.motion.is_some())
+    }
+
+    /// Returns `solid` with the predicted displacement of the point of the box nearest to `other`. The yaw rate of a world box
+    /// moves each of its points by another displacement. Other solids stay unchanged. `dt` is the step in seconds.
+    pub(in crate::precise) fn with_yaw_displacement<'a>(
+        &self,
+        mut solid: PosedSolid<'a>,
+        proxy: &Proxy,
+        other: &PosedSolid<'_>,
+        (bodies, dt): (&BodySet, f32),
+    ) -> PosedSolid<'a> {
+        let Some(world_box) = self.world_box_of(proxy).filter(|_| self.turns_about_y(proxy)) else {
+            return solid;
+        };
+        let SlantedBox { half: [half, ..], turn: [cos, sin], .. } = world_box.shape;
+        let (x, z) = (other.shape_centre()[0] - solid.pose[0], other.z - solid.z);
+        let middle = world_box.hinge().map_or(0.0, |hinge| hinge.box_offset[0]);
+        let along = clamp_any(cos * x + sin * z, middle - half, middle + half)
+            * bodies.states[proxy.body as usize].velocity[2]
+            * dt;
+        solid.predicted_displacement[0] -= along * sin;
+        solid.predicted_displacement[2] += along * cos;
+        solid
+    }
+
+    /// Returns the velocity of a moving box at the point `at` (world coordinates x and z): x, y, 0 in place of rotation, and z,
+    /// in length units/s. All components are 0 for other proxies.
+    pub(in crate::precise) fn velocity_at(&self, proxy: &Proxy, at: [f32; 2], bodies: &BodySet) -> [f32; 4] {
+        let body = proxy.body as usize;
+        let Some(motion) = self.world_box_of(proxy).and_then(|world_box| world_box.motion) else {
+            return [0.0; 4];
+        };
+        let out = [at[0] - bodies.poses[body][0], at[1] - self.z_positions[body]];
+        let [x, y, z] = motion.velocity;
+        [x - motion.yaw_rate * out[1], y, 0.0, z + motion.yaw_rate * out[0]]
+    }
+
+    /// Returns an upper bound of the displacement of a moving box in this step, in length units. It is 0 if the bound is at
+    /// most the speculative distance, and also for a teleport: a displacement above `WORLD_BOX_MAX_SWEEP`. `dt` is the step in
+    /// seconds.
+    pub(in crate::precise) fn sweep_distance(
+        &self,
+        proxy: &Proxy,
+        bodies: &BodySet,
+        tuning: &Parameters,
+        dt: f32,
+    ) -> f32 {
+        let Some(world_box) = self.world_box_of(proxy).filter(|world_box| world_box.motion.is_some()) else {
+            return 0.0;
+        };
+        let [x, y, angular_velocity, z] = bodies.states[proxy.body as usize].velocity;
+        let displacement =
+            (length([length([x, y]), z]) + angular_velocity.abs() * yaw_extent(world_box)) * dt;
+        let sweeps = displacement > tuning.speculative_distance
+            && displacement <= WORLD_BOX_MAX_SWEEP * tuning.length_unit;
+        if sweeps { displacement } else { 0.0 }
+    }
+
+    /// Returns whether the next step moves the world box with this body index.
+    pub(in crate::precise) fn is_world_box_moving(&self, body_index: usize) -> bool {
+        let place = body_index.checked_sub(1).and_then(|at| self.moving_boxes.get(at));
+        let motion = place.and_then(|&place| self.world_boxes[place as usize].motion);
+        motion.is_some_and(|motion| motion.is_moving())
+    }
+}
+
+impl Precise {
+    /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of
+    /// moving boxes. Then rebuilds the depth data by body index.
+    pub(in crate::precise) fn rebuild_world_boxes(&mut self) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        self.bodies.add_world_box([0.0, 0.0, 1.0, 0.0], 0.0);
+        let mut moving = 0;
+        space.box_bodies.clear();
+        for world_box in &space.world_boxes {
+            let body_index = if let Some(motion) = world_box.motion {
+                moving += 1;
+                self.bodies.states[moving].velocity = solver_velocity(&motion);
+                if let Some(hinge) = motion.hinge() {
+                    self.bodies.inverse_mass_inertia[moving] = [0.0, hinge.inverse_inertia()];
+                    self.bodies.kinematic.retain(|&body_index| body_index as usize != moving);
+                }
+                moving
+            } else {
+                self.bodies.add_world_box(pose_of(world_box), world_box.rotation);
+                self.bodies.ids.len() - 1
+            };
+            space.box_bodies.push(body_index as u32);
+        }
+        space.rebuild_bodies(&self.bodies);
+        for body_index in 1..=self.bodies.last_movable {
+            if let Some(id) = self.bodies.ids[body_index] {
+                self.import_body_z(body_index, id);
+            }
+        }
+    }
+
+    /// Adds the moving boxes to the awake bodies. Only hinged boxes can fall asleep.
+    pub(in crate::precise) fn keep_moving_boxes_awake(&mut self) {
+        let count = self.depth.as_ref().map_or(0, |space| space.moving_boxes.len());
+        (1..=count).for_each(|body_index| self.sleep.add_body(body_index));
+    }
+
+    /// Adds the proxies of moving boxes, before those of geoms.
+    pub(in crate::precise) fn add_moving_box_proxies(&mut self) {
+        self.add_box_proxies(true);
+    }
+
+    /// Adds the proxies of the ground and of static boxes, after those of geoms.
+    pub(in crate::precise) fn add_ground_and_static_proxies(&mut self) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        let still = space.world_boxes.len() - space.moving_boxes.len();
+        space.ground_proxy = self.proxies.all.len() as u32;
+        let ground = Proxy {
+            list_index: NO_WORLD_BOX,
+            ..world_proxy(ground_geom_id(), self.bodies.ids.len() - still - 1)
+        };
+        self.proxies.push(ground);
+        self.add_box_proxies(false);
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        space.rebuild_proxies(&self.proxies);
+        self.has_restitution |= space.any_ground_bounces();
+    }
+
+    /// Adds the proxies of the moving world boxes if `moving`, else those of the static ones.
+    fn add_box_proxies(&mut self, moving: bool) {
+        let Precise { depth: Some(space), proxies, has_restitution: bounces, .. } = self else { return };
+        let space = &mut **space;
+        space.box_proxies.resize(space.world_boxes.len(), 0);
+        for (place, (world_box, &body_index)) in space.world_boxes.iter().zip(&space.box_bodies).enumerate() {
+            let WorldBox { shape, filter, surface, surface_velocity: [vx, vy, vz], motion, .. } = world_box;
+            if motion.is_some() != moving {
+                continue;
+            }
+            let mobility = match motion {
+                None => BodyType::Fixed,
+                Some(motion) if motion.hinge().is_some() => BodyType::Hinged,
+                Some(_) => BodyType::Kinematic,
+            };
+            let [x, y, depth] = shape.half;
+            let x = if world_box.yaw.is_some() { yaw_extent(world_box) } else { x };
+            // A sheared box gets the AABB of its full depth.
+            let lean = (shape.shear * depth).abs() + (shape.climb * depth).abs();
+            let shape = proxies.vertices.add_box([x, y]).expanded(lean);
+            let SurfaceCoefficients { friction, restitution } = *surface;
+            *bounces |= restitution > 0.0;
+            space.box_proxies[place] = proxies.all.len() as u32;
+            proxies.push(Proxy {
+                list_index: place as u32,
+                body_type: mobility,
+                shape,
+                fingerprint: Fingerprint::of_world_box(world_box),
+                friction,
+                restitution,
+                responds: filter.responds,
+                filter: world_box_filter(filter),
+                surface_velocity: [*vx, *vy, 0.0, *vz],
+                ..world_proxy(world_box_geom_id(world_box), body_index as usize)
+            });
+        }
+    }
+
+    /// Returns the number of proxies of the ground and of world boxes.
+    pub(in crate::precise) fn world_proxy_count(&self) -> usize {
+        self.depth.as_ref().map_or(0, |space| space.world_boxes.len() + 1)
+    }
+}
+
+/// Stages of the step that concern world boxes.
+impl Precise {
+    /// Start of a step: sets the velocities of moving boxes in `BodySet::states`, so that the broad phase uses the velocities
+    /// of this step. `dt` is the step in seconds.
+    pub(in crate::precise) fn begin_world_boxes(&mut self, dt: f32) {
+        let Precise { depth: Some(space), bodies, .. } = self else { return };
+        let space = &mut **space;
+        for (body_index, &place) in (1..).zip(&space.moving_boxes) {
+            let world_box = &mut space.world_boxes[place as usize];
+            let WorldBox { shape, yaw, motion: Some(motion), .. } = world_box else { continue };
+            motion.begin_step(shape.centre, yaw.unwrap_or_default(), dt);
+            if let Some(hinge) = motion.hinge_mut() {
+                hinge.is_edited = false;
+            }
+            bodies.states[body_index].velocity = solver_velocity(motion);
+        }
+        (0..space.moving_boxes.len()).for_each(|at| self.pair_sweeping_box(at, dt));
+    }
+
+    /// Pairs a box that moves farther than the speculative distance in this step with all proxies in its swept AABB. The narrow
+    /// phase tests existing pairs without contacts again. `at` is an index into `moving_boxes`, `dt` is the step in seconds.
+    fn pair_sweeping_box(&mut self, at: usize, dt: f32) {
+        let Some(space) = &self.depth else { return };
+        let proxy = space.box_proxies[space.moving_boxes[at] as usize];
+        let one = &self.proxies.all[proxy as usize];
+        if space.sweep_distance(one, &self.bodies, &self.parameters, dt) == 0.0 {
+            return;
+        }
+        let [x, y, _, z] = self.bodies.states[one.body as usize].velocity.map(|velocity| velocity * dt);
+        if !self.contains_sweep(proxy, &self.swept_aabb(proxy, [x, y, 0.0, z]), z) {
+            self.insert_proxy(proxy);
+        }
+        let Precise { pairs, pair_scratch: lost, .. } = self;
+        lost.extend(
+            pairs.pairs_of(proxy).filter(|&pair| pairs.manifolds[pair].count == 0).map(|pair| pair as u32),
+        );
+        lost.drain(..).for_each(|pair| pairs.triggers[pair as usize].motion_tolerance = 0);
+    }
+
+    /// Start of solving: sets the velocities of moving boxes in the solver; forces do not change these velocities.
+    pub(in crate::precise) fn begin_world_box_velocities(&mut self) {
+        let Precise { depth: Some(space), bodies, .. } = self else { return };
+        let space = &mut **space;
+        for (body_index, &place) in (1..).zip(&space.moving_boxes) {
+            let Some(motion) = &space.world_boxes[place as usize].motion else { continue };
+            let velocity = solver_velocity(motion);
+            bodies.states[body_index] = MotionState { velocity, ..MotionState::default() };
+            bodies.initial_velocity[body_index] = velocity;
+            (bodies.force_delta[body_index], bodies.force_position_delta[body_index]) = ([0.0; 4], [0.0; 4]);
+        }
+    }
+
+    /// End of a step: stores centre, yaw and velocity of each moving box in `world_boxes`, and its pose in `BodySet` and
+    /// `z_positions`.
+    pub(in crate::precise) fn store_world_boxes(&mut self) {
+        let Precise { depth: Some(space), bodies, proxies, .. } = self else { return };
+        let space = &mut **space;
+        for (body_index, &place) in (1..).zip(&space.moving_boxes) {
+            let world_box = &mut space.world_boxes[place as usize];
+            let Some(motion) = &mut world_box.motion else { continue };
+            let [x, y, turned, z] = bodies.delta_pose[body_index];
+            world_box.shape.centre = motion.end_step(world_box.shape.centre, [x, y, z]);
+            let turned_to = world_box.yaw.map(|yaw| motion.end_yaw(yaw, turned));
+            if motion.hinge().is_none() {
+                bodies.states[body_index].velocity = solver_velocity(motion);
+            }
+            if let Some(yaw) = turned_to {
+                world_box.yaw = Some(yaw);
+                let (sine, cosine) = scalar::sin_cos_of_any(yaw);
+                world_box.shape.turn = [cosine, sine];
+                if let Some(hinge) = motion.hinge() {
+                    world_box.shape.centre = hinge.box_centre(world_box.shape.turn, world_box.shape.centre.y);
+                    motion.yaw_rate = bodies.states[body_index].velocity[2];
+                }
+                let proxy = space.box_proxies[place as usize] as usize;
+                let vertical = vertical_of(world_box);
+                proxies.all[proxy].fingerprint = Fingerprint::of_world_box(world_box);
+                if let Some(known) = space.extents[proxy].vertical.checked_sub(1) {
+                    space.vertical_solids[known as usize] = vertical;
+                }
+            }
+            let world_box = &space.world_boxes[place as usize];
+            bodies.poses[body_index] = pose_of(world_box);
+            space.z_positions[body_index] = origin_of(world_box).z;
+        }
+    }
+}
+
+/// Returns a static proxy without a shape, for the ground or a world box with this id and this body index.
+fn world_proxy(id: GeomId, body: usize) -> Proxy {
+    Proxy {
+        geom: id,
+        creation_number: creation_number_of(id),
+        body: body as u32,
+        body_type: BodyType::Fixed,
+        shape: Shape::default(),
+        responds: true,
+        ..Proxy::empty()
+    }
+}

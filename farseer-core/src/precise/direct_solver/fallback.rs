@@ -1,0 +1,70 @@
+//! Fallback of the direct solver: islands without an acceptable solution go to the iterative solver within the same update.
+//!
+//! In a wedge normal impulses and friction may raise each other without end, so that no round of the augmented Lagrangian
+//! method converges. The contact constraints of such an island move back to the graph colours. One factor scales their
+//! warm-start impulses down so far that they do not add energy. Unscaled impulses would throw apart bodies that just leave a
+//! jam. Contact cycles with a [budget](super::cost_model) are an exception. They stay in the direct solver with the result of
+//! Gauss-Seidel sweeps, until the budget is spent.
+
+use super::DirectSolver;
+use super::island_newton::{IslandBody, IslandSystem};
+use super::mat3::Vec3;
+use crate::precise::Precise;
+use crate::precise::scaled_parameters::LoadAdaptation;
+
+impl Precise {
+    /// Moves the contact constraints of all released islands to the graph colours, where the iterative solver solves them in
+    /// this update. `learning` scales their rest impulses.
+    pub(super) fn release_unsolved(&mut self, learning: &LoadAdaptation) {
+        let DirectSolver { islands, count, history, is_listed, .. } = &mut self.direct_solver;
+        if !islands[..*count].iter().any(|island| island.is_released) {
+            return;
+        }
+        let mut solved = 0;
+        for at in 0..*count {
+            if islands[at].is_released {
+                let members = &islands[at].system.members;
+                members.iter().for_each(|member| history[member.body as usize].is_direct = false);
+            } else {
+                islands.swap(at, solved);
+                solved += 1;
+            }
+        }
+        // Constraints move, so the handles of the other islands are listed again.
+        (*count, *is_listed) = (solved, false);
+        self.move_constraints(learning);
+    }
+}
+
+impl IslandSystem {
+    /// Multiplies the initial impulses of all contacts by one factor, 0..=1, with which they remove as much kinetic energy as
+    /// possible. The products become the impulses of the contacts.
+    ///
+    /// Let l be the initial impulses of all rows, u the relative velocities of the rows without these impulses, and du the
+    /// change of u by all of l. The kinetic energy is least at the factor p with l . (u + p du) = 0. `free` returns the
+    /// velocity of a body without contact impulses (length units/s, length units/s, radians/s).
+    pub(super) fn scale_down_impulses(&mut self, free: impl Fn(u32) -> Vec3) {
+        let IslandSystem { members, contacts, lateral_frictions, negative_gradient, direction, .. } = self;
+        negative_gradient.clear();
+        direction.clear();
+        for &IslandBody { body: number, velocity, best_velocity_change: best, .. } in members.iter() {
+            negative_gradient.push(free(number));
+            direction.push(std::array::from_fn(|i| velocity[i] - best[i]));
+        }
+        let (mut work, mut doubled_energy) = (0.0, 0.0);
+        for contact in contacts.iter() {
+            let [before, after] = [&*negative_gradient, &*direction]
+                .map(|velocities| contact.relative_velocities_in(velocities));
+            for (row, impulse) in contact.initial_impulses.into_iter().enumerate() {
+                work -= impulse * (before[row] + contact.prescribed_velocity[row]);
+                doubled_energy += impulse * (after[row] - before[row]);
+            }
+        }
+        // NaN gives 0.
+        let factor = if work > 0.0 && doubled_energy > 0.0 { (work / doubled_energy).min(1.0) } else { 0.0 };
+        for contact in contacts {
+            contact.impulses = contact.initial_impulses.map(|impulse| factor * impulse);
+        }
+        lateral_frictions.iter_mut().for_each(|friction| friction.impulse *= factor);
+    }
+}

@@ -1,0 +1,172 @@
+//! A joint as a constraint of one step: locked degrees of freedom, anchors at the poses of the step, limits, motor and force.
+//!
+//! [`joint_import`](super::joint_import) fills the constraints from the joints of the simulator. The solvers of this folder and
+//! the direct solver read them and write their forces.
+
+use super::super::bodies::BodySet;
+use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot};
+use crate::body::BodyId;
+use crate::joints::{JointId, MotorAndLimits};
+use crate::math::Vector2;
+
+/// One side of a joint: a body or the world, with the anchor on it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct JointAnchor {
+    /// Index of the dynamic body into the arrays of `BodySet`; 0 for the world and for static, kinematic and sleeping bodies.
+    pub(super) body: u32,
+    /// Index of the body whose pose the anchor follows, whatever its body type; 0 for the world and for bodies that are not in
+    /// the simulation.
+    pub(super) pose_body: u32,
+    /// Anchor in local coordinates of the body, relative to its centre of mass. Unit: length units.
+    pub(super) local_anchor: Vec2,
+    /// Position of the body's centre of mass in the world; 0 for the world. Unit: length units.
+    pub(super) position: Vec2,
+    /// Velocity of a body that is not dynamic: x and y in length units/s, angular in radians/s; 0 for dynamic bodies.
+    pub(super) velocity: [f64; 3],
+    /// Arm: vector from the centre of mass to the anchor, in world coordinates; for the world the position of the anchor. Unit:
+    /// length units.
+    pub(super) arm: Vec2,
+}
+
+impl JointAnchor {
+    /// Sets `position`, `arm` and `velocity` to the present ones of the body; the world stays as it is.
+    #[inline(always)]
+    pub(super) fn update(&mut self, bodies: &BodySet) {
+        if self.pose_body == 0 {
+            return;
+        }
+        let [x, y, c, s] = bodies.poses[self.pose_body as usize].map(f64::from);
+        self.position = [x, y];
+        self.arm = [
+            c * self.local_anchor[0] - s * self.local_anchor[1],
+            s * self.local_anchor[0] + c * self.local_anchor[1],
+        ];
+        if self.body == 0
+            && let Some(hot) = bodies.states.get(self.pose_body as usize)
+        {
+            let [x, y, spin, _] = hot.velocity.map(f64::from);
+            self.velocity = [x, y, spin];
+        }
+    }
+
+    /// Returns the position of the anchor in the world. Unit: length units.
+    pub(super) fn anchor_position(&self) -> Vec2 {
+        add_scaled(self.position, self.arm, 1.0)
+    }
+}
+
+/// Converts a vector to the vector type of the public API.
+pub(super) fn to_vector2([x, y]: Vec2) -> Vector2 {
+    Vector2::new(x as f32, y as f32)
+}
+
+/// An edge of the joint graph, of which the spanning forest is built.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct JointEdge {
+    /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
+    pub(super) bodies: [u32; 2],
+    /// Whether the joint is bounded: it has a range of positions or a greatest impulse.
+    pub(super) is_bounded: bool,
+}
+
+/// A joint as a constraint in one step. Fields that every step reads and writes come first, so that long chains need few cache
+/// lines.
+#[derive(Debug, Clone, Copy)]
+#[repr(C)]
+pub(in crate::precise) struct JointConstraint {
+    /// Id of the joint in the simulator.
+    pub(super) joint: JointId,
+    /// Force on the second body along x and y (mass units * length units/s^2), and torque (mass units * length units^2/s^2).
+    pub(super) force: [f64; 3],
+    /// Force on the second body along the depth axis for joints of groups in three axes; else 0. Unit: mass units * length
+    /// units/s^2.
+    pub(super) force_along_depth: f32,
+    /// Mean force on the second body over the update along x and y (mass units * length units/s^2), and mean torque (mass
+    /// units * length units^2/s^2). `None` if `force` itself is the mean, not the force of the last substep.
+    pub(super) mean_force: Option<[f64; 3]>,
+    /// Position error of the joint when the step begins. Unit: length units; radians for a joint that locks an angle alone.
+    pub(super) error: f32,
+    /// Vector from the first body's centre of mass to the anchor when the step begins, in world coordinates, for the public
+    /// API. Unit: length units.
+    pub(super) first_arm: Vector2,
+    /// Both bodies of the joint; the first is `None` for the world.
+    pub(super) bodies: (Option<BodyId>, BodyId),
+    /// Degrees of freedom that the joint locks between both bodies.
+    pub(super) locked: LockedDofs,
+    /// Both sides of the joint: first body, second body.
+    pub(super) anchors: [JointAnchor; 2],
+    /// Angle of the second body minus that of the first, in radians. Updated only if the joint locks or drives an angle.
+    pub(super) angle: f64,
+    /// Axis of a prismatic joint in local coordinates of the first body, a unit vector. Unused in other joints.
+    pub(super) local_axis: Vec2,
+    /// Axis of a prismatic joint in world coordinates, a unit vector. Unused in other joints.
+    pub(super) axis: Vec2,
+    /// Motor and limits of the degree of freedom that the joint leaves free; `None` if the joint has neither.
+    pub(super) drive: Option<MotorAndLimits>,
+    /// Least and greatest allowed value of the joint's angle (radians) or distance (length units). Both are equal if the joint
+    /// locks the angle or distance.
+    pub(super) range: [f64; 2],
+    /// Violation of the range that is not corrected, >= 0. Unit: length units for a distance, radians for an angle.
+    pub(super) slop: f64,
+    /// Greatest impulse of a substep, >= 0. Unit: mass units * length units/s; mass units * length units^2/s for a joint that
+    /// locks an angle.
+    pub(super) max_impulse: f64,
+    /// Compliance: velocity per impulse of an update, 0 for a rigid joint. Unit: 1/(mass units).
+    pub(super) softness: f64,
+    /// Fraction of the position error that a compliant joint corrects per update, 0..=1.
+    pub(super) bias_factor: f64,
+    /// Distance along the depth axis from the first body to the second, of a distance joint in three axes; else 0. Unit: length
+    /// units.
+    pub(super) depth_offset: f64,
+    /// Whether anchors, angle, axis or motor have changed from the last step to this one.
+    pub(super) has_moved: bool,
+}
+
+impl JointConstraint {
+    /// Returns the joint as an edge of the joint graph.
+    pub(super) fn edge(&self) -> JointEdge {
+        let [low, high] = self.range;
+        JointEdge {
+            bodies: self.anchors.map(|anchor| anchor.body),
+            is_bounded: low < high || self.max_impulse < f64::from(f32::MAX),
+        }
+    }
+
+    /// Returns whether anchors, angle, axis or motor have changed from the last step to this one.
+    pub(in crate::precise) fn has_moved(&self) -> bool {
+        self.has_moved
+    }
+
+    /// Returns whether the joint locks or drives an angle.
+    pub(super) fn has_angle(&self) -> bool {
+        matches!(self.locked, LockedDofs::Angle | LockedDofs::Weld | LockedDofs::Line) || self.drive.is_some()
+    }
+
+    /// Returns the position error of the joint: length units; radians for a joint that locks an angle alone.
+    pub(super) fn compute_error(&self) -> f64 {
+        let offset = add_scaled(self.anchors[1].anchor_position(), self.anchors[0].anchor_position(), -1.0);
+        let distance = dot(offset, offset).sqrt();
+        match self.locked {
+            LockedDofs::Distance => {
+                self.range_error((dot(offset, offset) + self.depth_offset * self.depth_offset).sqrt())
+            }
+            LockedDofs::Angle => self.range_error(self.angle),
+            LockedDofs::Line => cross(self.axis, offset).abs(),
+            _ => distance,
+        }
+    }
+
+    /// Returns the violation of `range` by `value`, signed: negative below the range, 0 inside of the range or within `slop` of
+    /// it. Unit: length units for a distance, radians for an angle.
+    pub(super) fn range_error(&self, value: f64) -> f64 {
+        let [low, high] = self.range;
+        let slop = if low < high { self.slop } else { 0.0 };
+        if value > high {
+            if value < high + slop { 0.0 } else { value - high }
+        } else if value < low && value <= low - slop {
+            value - low
+        } else {
+            0.0
+        }
+    }
+}
