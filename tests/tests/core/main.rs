@@ -50,6 +50,7 @@ mod precise_bridges;
 mod precise_capsules;
 mod precise_driven;
 mod precise_drives;
+mod precise_edited_links;
 mod precise_edits;
 mod precise_events;
 mod precise_fast;

@@ -227,11 +227,21 @@ impl Precise {
     fn wake_unless_unchanged(&mut self, objects: &Objects, may_stay: impl Fn(&SleepingJoint) -> bool) {
         let known = std::mem::take(&mut self.sleep.joints);
         for joint in &known {
-            if !(may_stay(joint) && self.is_joint_unchanged(joint, objects)) {
+            if !(may_stay(joint) && self.is_joint_unchanged(joint, objects)) || self.has_awake_body(joint) {
                 self.wake_joint_bodies(joint);
             }
         }
         self.sleep.joints = known;
+    }
+
+    /// Returns whether a dynamic body of a joint of sleeping bodies is awake. Such a body was static, kinematic or disabled
+    /// when the other one fell asleep.
+    fn has_awake_body(&self, joint: &SleepingJoint) -> bool {
+        joint.bodies().filter_map(|body| self.body_index(body)).any(|number| {
+            number < self.bodies.first_static()
+                && self.bodies.inverse_mass_inertia[number] != [0.0; 2]
+                && !self.sleep.is_asleep(number)
+        })
     }
 
     /// Returns whether a joint has not changed since its bodies fell asleep, and does not exceed its load limits.

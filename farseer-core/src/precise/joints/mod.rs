@@ -204,6 +204,8 @@ impl JointSystem {
                     .map(u64::from);
             let word =
                 constraint.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
+            let first = constraint.bodies.0.map_or(u64::MAX, BodyId::to_bits);
+            let word = word ^ first.rotate_left(17) ^ constraint.bodies.1.to_bits().rotate_left(41);
             (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
         })
     }

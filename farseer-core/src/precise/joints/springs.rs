@@ -52,6 +52,8 @@ reusing_clone! { SpringRows { constrained, constraints, is_body_attached } }
 #[derive(Debug, Clone, Copy)]
 pub(in crate::precise) struct SpringConstraint {
     spring: SpringId,
+    /// Bodies A and B of the spring, `None` for the world.
+    bodies: [Option<BodyId>; 2],
     /// Anchors on the bodies A and B, or on the world.
     ends: [JointAnchor; 2],
     /// Whether the row is along the line between the anchors; else it is angular.
@@ -121,14 +123,16 @@ impl SpringRows {
         self.is_body_attached.get(body) == Some(&true)
     }
 
-    /// Returns a hash of the springs and of which of these bodies are dynamic; 0 without springs
+    /// Returns a hash of the springs, of their bodies, and of which of these bodies are dynamic; 0 without springs
     /// (multiplicative hashing).
     ///
     /// It does not depend on body indices, since restoring a snapshot changes these.
     pub(in crate::precise) fn signature(&self) -> u64 {
         self.constraints.iter().fold(0, |sum: u64, hold| {
             let [a, b] = hold.ends.map(|end| u64::from(end.body != 0));
+            let bodies = hold.bodies.map(|body| body.map_or(u64::MAX, BodyId::to_bits));
             let word = hold.spring.to_bits().rotate_left(2) ^ (a << 1 | b);
+            let word = word ^ bodies[0].rotate_left(17) ^ bodies[1].rotate_left(41);
             (sum.rotate_left(5) ^ word).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15)
         })
     }
@@ -304,6 +308,7 @@ impl Precise {
             .map(|constant| f64::from(multiplier.abs()) * f64::from(constant));
         let mut constraint = SpringConstraint {
             spring: id,
+            bodies: spring.ends(),
             ends,
             is_linear,
             stiffness,
