@@ -14,8 +14,9 @@ use conformance::fixtures::plane::{
 };
 use farseer_core::{
     BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, Dispatch, EventHandler,
-    FluidContainerRef, FluidDragController, GravityController, InactivityController, JointFactory, JointId,
-    Methods, PhysicsSimulator, ScalingController, SpringFactory, SpringId, WaveController,
+    FluidContainerRef, FluidDragController, GravityController, InactivityController, IslandSolver,
+    JointFactory, JointId, Methods, PhysicsSimulator, ScalingController, SolverChoice, SpringFactory,
+    SpringId, WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.
@@ -207,6 +208,59 @@ fn a_bridge_with_the_precise_set_allocates_nothing() {
     joints.into_iter().for_each(|joint| simulator.add(joint.unwrap()).unwrap());
     (0..100).for_each(|_| simulator.update(0.01));
     assert_eq!((0..100).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+}
+
+/// A chain of this many links of 16 length units from a point of the world, level at first. Its bodies have no geoms.
+fn add_chain(simulator: &mut PhysicsSimulator, links: usize) -> Vec<JointId> {
+    let mut last = None;
+    (0..links)
+        .map(|at| {
+            let left = 16.0 * at as f32;
+            let mut link = farseer_core::Body::new();
+            link.set_position(v(left + 8.0, 0.0));
+            let link = simulator.create_body(link);
+            simulator.add(link).unwrap();
+            let joint = match last.replace(link) {
+                None => JointFactory::create_fixed_revolute_joint_in(simulator, link, v(left, 0.0)),
+                Some(last) => JointFactory::create_revolute_joint_in(simulator, last, link, v(left, 0.0)),
+            };
+            joint.unwrap()
+        })
+        .collect()
+}
+
+/// Calls of the allocator in the last of three seconds, in which one island is solved by this solver throughout.
+fn calls_with_solver(mut simulator: PhysicsSimulator, solver: IslandSolver) -> usize {
+    simulator.set_sleep_enabled(false);
+    let mut sum = 0;
+    for step in 0..180 {
+        let calls = calls(|| simulator.update(1.0 / 60.0));
+        if step >= 120 {
+            assert!(
+                simulator.islands().iter().any(|island| island.method == solver && island.cost.joints > 0)
+            );
+            sum += calls;
+        }
+    }
+    sum
+}
+
+#[test]
+fn a_swinging_articulation_allocates_nothing() {
+    let mut simulator = plane::precise(300.0);
+    add_chain(&mut simulator, 10);
+    assert_eq!(calls_with_solver(simulator, IslandSolver::Articulated), 0);
+}
+
+#[test]
+fn joints_of_the_iterative_solver_allocate_nothing() {
+    let mut simulator = plane::precise(300.0);
+    simulator.set_solver_choice(SolverChoice::Iterative);
+    plane::add_level_floor(&mut simulator);
+    for joint in add_chain(&mut simulator, 10) {
+        simulator.joint_mut(joint).unwrap().set_softness(0.1).unwrap();
+    }
+    assert_eq!(calls_with_solver(simulator, IslandSolver::Iterative), 0);
 }
 
 #[test]

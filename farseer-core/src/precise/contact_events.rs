@@ -84,7 +84,8 @@ impl Precise {
                     constraint.map_or(0.0, |lane| lane.tangent_impulse) / manifold.count as f32,
                 )
             });
-            *contact = Contact::new(position, normal, separation, id).with_impulses(impulses.0, impulses.1);
+            *contact = Contact::new(position, normal, separation, id)
+                .with_impulses(nearest_finite(impulses.0), nearest_finite(impulses.1));
         }
         let geoms = (first.geom, second.geom);
         let friction = self.friction.mix(a.friction, b.friction);

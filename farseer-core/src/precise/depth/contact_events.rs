@@ -161,8 +161,8 @@ impl Precise {
                 position: Vector2::new(nearest_finite(px), nearest_finite(py)),
                 separation: nearest_finite(separation),
                 feature: features[at],
-                impulse,
-                friction_impulse,
+                impulse: nearest_finite(impulse),
+                friction_impulse: friction_impulse.map(nearest_finite),
             };
         }
         Some(DepthContact {
