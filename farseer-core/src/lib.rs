@@ -86,8 +86,8 @@
 //!
 //! [`Methods::Faithful`], the default, is the original to the bit: for games that were balanced with it.
 //! [`Methods::Precise`] takes the same bodies, geoms, joints, springs, controllers and handlers, and is faster and more
-//! accurate: for all other games. Its table lists the meaning of every setting. The set can be changed between updates, at any
-//! time; [a page](guide::choosing) compares the two.
+//! accurate: for all other games. [`settings`](guide::settings) lists the effect of every setting on it. The set can be changed
+//! between updates, at any time; [a page](guide::choosing) compares the two.
 //!
 //! ```
 //! use farseer_core::{BodyFactory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, math::Vector2};

@@ -266,7 +266,7 @@ impl CollisionCategory {
     }
 }
 
-/// The categories by name, `CAT1 | CAT3`; `NO_ENTRY` and `ALL`. The bit that is no category is shown as `0x80000000`.
+/// The categories by name, `CAT1 | CAT3`; `NONE` and `ALL`. The bit that is no category is shown as `0x80000000`.
 ///
 /// ```
 /// use farseer_core::CollisionCategory;

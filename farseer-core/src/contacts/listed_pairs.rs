@@ -6,7 +6,7 @@ use crate::storage::reusing_clone::reusing_clone;
 use crate::storage::stamped_set::StampedSet;
 
 /// Both geoms of an arbiter, A first.
-type Pair = (GeomId, GeomId);
+type GeomPair = (GeomId, GeomId);
 
 /// Number of list entries of each pair, and of each arbiter. The list may hold an arbiter twice, and the pool may hold
 /// one that is in the list: when that one is set up for another pair, all of its entries change.
@@ -20,7 +20,7 @@ pub(crate) struct ListedPairs {
 
 reusing_clone! { ListedPairs { pairs, entries } }
 
-fn key((a, b): Pair) -> i64 {
+fn key((a, b): GeomPair) -> i64 {
     PairId::get_hash(a.slot() as i32, b.slot() as i32)
 }
 
@@ -32,7 +32,7 @@ impl ListedPairs {
     }
 
     /// Counts a new entry of the list.
-    pub(crate) fn add(&mut self, handle: u32, pair: Pair) {
+    pub(crate) fn add(&mut self, handle: u32, pair: GeomPair) {
         *self.pairs.count_mut(key(pair)) += 1;
         if handle as usize >= self.entries.len() {
             self.entries.resize(handle as usize + 1, 0);
@@ -41,7 +41,7 @@ impl ListedPairs {
     }
 
     /// Moves the entries of an arbiter that is set up for another pair.
-    pub(crate) fn reassign(&mut self, handle: u32, before: Option<Pair>, pair: Pair) {
+    pub(crate) fn reassign(&mut self, handle: u32, before: Option<GeomPair>, pair: GeomPair) {
         let entries = self.entries.get(handle as usize).copied().unwrap_or(0);
         if let Some(before) = before
             && entries > 0
@@ -52,7 +52,7 @@ impl ListedPairs {
     }
 
     /// Whether the list has an arbiter of these geoms, as A and B.
-    pub(crate) fn contains(&self, pair: Pair) -> bool {
+    pub(crate) fn contains(&self, pair: GeomPair) -> bool {
         self.pairs.count(key(pair)) > 0
     }
 }

@@ -14,7 +14,7 @@ use crate::math::plane::Vector;
 /// The time grows with the square of the number of corners.
 const MAX_CORNERS: usize = 1000;
 
-type Triangle = [usize; 3];
+type TriangleIndices = [usize; 3];
 
 /// The parts as lists of corner indices, ordered as the outline, which must have a positive area. `None` if the outline
 /// crosses itself, has no area, or has too many corners.
@@ -36,7 +36,7 @@ fn orientation([a, b, c]: [Vector; 3]) -> f64 {
     difference(b, 0) * difference(c, 1) - difference(b, 1) * difference(c, 0)
 }
 
-fn triangles(outline: &[Vector]) -> Option<Vec<Triangle>> {
+fn triangles(outline: &[Vector]) -> Option<Vec<TriangleIndices>> {
     let mut left: Vec<usize> = (0..outline.len()).collect();
     let mut triangles = Vec::with_capacity(outline.len());
     let mut at = 0;
@@ -60,7 +60,7 @@ fn triangles(outline: &[Vector]) -> Option<Vec<Triangle>> {
 }
 
 /// Whether a corner is convex, and no other corner lies in the triangle with its neighbours or on the sides of it.
-fn is_ear(triangle: Triangle, left: &[usize], outline: &[Vector]) -> bool {
+fn is_ear(triangle: TriangleIndices, left: &[usize], outline: &[Vector]) -> bool {
     let [a, b, c] = triangle.map(|corner| outline[corner]);
     let is_in = |&corner: &usize| {
         let point = outline[corner];
@@ -74,7 +74,11 @@ fn is_ear(triangle: Triangle, left: &[usize], outline: &[Vector]) -> bool {
 }
 
 /// Merges a part with all triangles that leave it convex.
-fn grow_convex_part(mut part: Vec<usize>, triangles: &mut Vec<Triangle>, outline: &[Vector]) -> Vec<usize> {
+fn grow_convex_part(
+    mut part: Vec<usize>,
+    triangles: &mut Vec<TriangleIndices>,
+    outline: &[Vector],
+) -> Vec<usize> {
     let mut at = 0;
     while at < triangles.len() {
         if let Some(larger) = merged_with(&part, triangles[at], outline) {
@@ -89,7 +93,7 @@ fn grow_convex_part(mut part: Vec<usize>, triangles: &mut Vec<Triangle>, outline
 }
 
 /// The part merged with a triangle at their shared side, if that leaves it convex.
-fn merged_with(part: &[usize], triangle: Triangle, outline: &[Vector]) -> Option<Vec<usize>> {
+fn merged_with(part: &[usize], triangle: TriangleIndices, outline: &[Vector]) -> Option<Vec<usize>> {
     let count = part.len();
     let corner = |at: usize| part[at % count];
     let tip_at = |at: usize| {

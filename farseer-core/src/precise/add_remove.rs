@@ -7,7 +7,7 @@
 
 use super::Precise;
 use super::depth::interface::is_geom;
-use super::import::{NO_ENTRY, set_entry};
+use super::import::{NOT_LISTED, set_entry};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
@@ -82,7 +82,7 @@ impl Precise {
                 (self.proxies.all[proxy as usize].geom, self.proxies.all[proxy as usize].body as usize);
             self.grid.remove(proxy);
             self.proxies.remove(proxy);
-            self.first_proxies[geom.slot()] = NO_ENTRY;
+            self.first_proxies[geom.slot()] = NOT_LISTED;
             // A static body without geoms is not listed.
             if body >= self.bodies.first_static() && self.proxies.proxies_of(body).next().is_none() {
                 self.remove_body(body);
@@ -94,7 +94,7 @@ impl Precise {
     /// Removes the body at `index` from `bodies`, the direct solver and the graph colours.
     fn remove_body(&mut self, index: usize) {
         if let Some(id) = self.bodies.ids[index] {
-            self.body_indices[id.slot()] = NO_ENTRY;
+            self.body_indices[id.slot()] = NOT_LISTED;
         }
         if index < self.bodies.first_static() {
             self.direct_solver.forget_body(index);

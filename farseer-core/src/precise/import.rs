@@ -22,19 +22,19 @@ use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy, geom_filter};
 
 /// Entry of a table that stands for no body or proxy; all other entries are indices.
-pub(super) const NO_ENTRY: u32 = u32::MAX;
+pub(super) const NOT_LISTED: u32 = u32::MAX;
 
-/// Sets the entry `slot` of a table to `value`. Lengthens the table with [`NO_ENTRY`] as needed.
+/// Sets the entry `slot` of a table to `value`. Lengthens the table with [`NOT_LISTED`] as needed.
 pub(super) fn set_entry(table: &mut Vec<u32>, slot: usize, value: u32) {
     if table.len() <= slot {
-        table.resize(slot + 1, NO_ENTRY);
+        table.resize(slot + 1, NOT_LISTED);
     }
     table[slot] = value;
 }
 
-/// Returns the entry `slot` of a table; `None` if it is [`NO_ENTRY`] or beyond the end of the table.
+/// Returns the entry `slot` of a table; `None` if it is [`NOT_LISTED`] or beyond the end of the table.
 pub(super) fn entry_of(table: &[u32], slot: usize) -> Option<usize> {
-    table.get(slot).copied().filter(|&number| number != NO_ENTRY).map(|number| number as usize)
+    table.get(slot).copied().filter(|&number| number != NOT_LISTED).map(|number| number as usize)
 }
 
 impl Precise {
@@ -48,7 +48,8 @@ impl Precise {
         self.needs_rebuild = true;
     }
 
-    /// Requests that the next import compares the lists, because bodies or geoms were added or removed.
+    /// Requests that the next import compares the engine's lists of bodies and geoms with those of the simulator, because some were
+    /// added or removed.
     pub(crate) fn mark_membership_changed(&mut self) {
         self.has_membership_changes = true;
     }

@@ -116,9 +116,9 @@ pub(crate) struct Precise {
     direct_solver: DirectSolver,
     /// State of the depth axis; `None` in plain 2D.
     depth: Option<FeatureGate<Box<DepthState>>>,
-    /// Index into `bodies` of each body, by the slot of its id; `NO_ENTRY` if the body is not listed.
+    /// Index into `bodies` of each body, by the slot of its id; `NOT_LISTED` if the body is not listed.
     body_indices: Vec<u32>,
-    /// Index of the first proxy of each geom, by the slot of its id; `NO_ENTRY` if the geom has no proxy.
+    /// Index of the first proxy of each geom, by the slot of its id; `NOT_LISTED` if the geom has no proxy.
     first_proxies: Vec<u32>,
     /// Geoms that every AABB query tests without the hash grid, in the order of the simulator's list of geoms.
     always_tested: Vec<AlwaysTested>,

@@ -14,7 +14,7 @@ const MAX_PIECES: usize = 50;
 const MAX_PIECE_VERTICES: usize = 32;
 
 /// Angle in radians, one degree: corners that turn by less are removed from a piece.
-const PARALLEL_TOLERANCE: f32 = calculator::RADIANS_TO_DEGREES_RATIO;
+const MIN_TURN_ANGLE: f32 = calculator::RADIANS_TO_DEGREES_RATIO;
 
 impl Vertices {
     /// Convex pieces of an outline that does not cross itself, at most `max_polys_to_find` of them: the remainder of
@@ -154,7 +154,7 @@ fn merge_parallel(piece: Vertices) -> Vertices {
         }
         let a = Vector2::new(incoming.x / length_in, incoming.y / length_in);
         let b = Vector2::new(outgoing.x / length_out, outgoing.y / length_out);
-        let turns = vector2::cross(a, b).abs() < PARALLEL_TOLERANCE;
+        let turns = vector2::cross(a, b).abs() < MIN_TURN_ANGLE;
         if turns && vector2::dot(a, b) > 0.0 && left > 3 {
             *keep = false;
             left -= 1;

@@ -65,7 +65,7 @@ pub(crate) struct BoxPoint {
 
 const NO_POINT: BoxPoint = BoxPoint { position: Vector3::new(0.0, 0.0, 0.0), separation: 0.0, feature: 0 };
 
-/// The manifold of a prism and a box, with the axis that persists. `pieces` are the convex pieces of the outline. `motion` is
+/// Returns the manifold of a prism and a box, and the contact axis to store for the next step (see last-entered axis). `pieces` are the convex pieces of the outline. `motion` is
 /// the displacement of the prism relative to the box in the last step, px; `slop` is the allowed penetration, px. `None` if the
 /// shapes do not overlap.
 #[expect(clippy::too_many_arguments, reason = "two shapes, how they move, and what is remembered of them")]

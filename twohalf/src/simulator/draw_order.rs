@@ -149,8 +149,9 @@ impl ScreenStrips {
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct DrawOrder {
-    /// Items of this frame and of the last one, as they are listed.
+    /// Items of the present frame, in the order in which the simulator lists bodies and platforms.
     listed: Vec<DrawItem>,
+    /// Items of the last frame, in the same order.
     before: Vec<DrawItem>,
     /// Index in the present list, by index in the list of the last frame.
     now_at: Vec<u32>,

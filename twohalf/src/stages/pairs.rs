@@ -57,7 +57,7 @@ pub(super) fn impulse_of(arbiter: ArbiterRef<'_>) -> f32 {
     nearest_finite(arbiter.contacts().map(|contact| contact.normal_impulse()).sum())
 }
 
-/// Owner of the contact of a pair whose AABBs overlap in all three axes.
+/// Engine that finds and solves the contact of a pair whose AABBs overlap in all three axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ContactOwner {
     /// The core finds and solves the contact, in X and Y.

@@ -251,8 +251,8 @@ impl Precise {
         now.and_then(|now| self.sleeping_joint(now, &objects.bodies)) == Some(*joint)
     }
 
-    /// Makes the solvers import all joints anew if a joint connects an edited body outside of the solver. `edited` are the
-    /// edited bodies.
+    /// Requests a new import of all joints if one of the `edited` bodies has a joint. The `edited` bodies are not in the engine's list
+    /// of bodies.
     pub(in crate::precise) fn reread_joints_of_unlisted(&mut self, edited: &[BodyId]) {
         let is_of = |(first, second): (Option<BodyId>, BodyId)| {
             edited.contains(&second) || first.is_some_and(|first| edited.contains(&first))

@@ -1,4 +1,5 @@
-//! Narrow phase: two convex shapes with their relative poses, for capsules and linked polygons.
+//! Narrow phase: two convex shapes with their relative poses, for capsules and linked
+//! polygons (convex pieces that know the adjacent edges of their outline).
 //!
 //! The functions find the closest features of two cores (polygons or segments without radii) and build manifolds of edges and
 //! vertices with the radii added.

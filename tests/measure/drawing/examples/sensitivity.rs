@@ -44,7 +44,8 @@ const COPIED: [&str; 10] = [
 const FACTORS: [f64; 2] = [0.5, 2.0];
 /// Factors of a parameter's value that are measured in addition if a verdict flips. Dimensionless.
 const NEAR_FACTORS: [f64; 2] = [1.0 / 1.2, 1.2];
-/// Names of parameters from all parts of the method. A slight change of each shows which rows change by chance.
+/// Names of parameters of all stages of the precise set. Each is changed by a ten-thousandth of its value: rows of the table that
+/// change with that are chaotic.
 const NUDGED: [&str; 12] = [
     "CONTACT_FREQUENCY",
     "CONTACT_DAMPING_RATIO",

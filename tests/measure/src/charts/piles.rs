@@ -7,8 +7,8 @@ use crate::scenes::movable;
 use conformance::scene::{BodyShape, GeomShape, Scene};
 use conformance::scenes::{circles_in_a_pit, vary};
 
-/// Duration and condition of failure of a pit: every position inside of the pit is accepted. The tallest pile collapses in less
-/// than 2 s.
+/// Runs of piles in a pit (a floor between two walls) last 6 s and fail if a body leaves the pit. Every position inside of the pit
+/// is accepted. 6 s are enough: the tallest pile collapses in less than 2 s.
 const PIT: Rest = Rest { seconds: 6.0, ruin: lost };
 /// Index of the left wall among the bodies of a pit. The upper side of the pit's floor is at y = 0.
 const LEFT_WALL: usize = 1;

@@ -5,7 +5,8 @@
 
 use crate::world::BodyState;
 
-/// Distance in px that replaces the distance to the farthest point in speeds of bodies without a shape.
+/// Reach r of a body without a shape, in px. The speed of a body is |v| + |angular velocity| r; for other bodies r is the distance
+/// to the farthest point of the shape.
 const POINT_REACH: f32 = 8.0;
 /// Width and height in px of the static floor, whose surface is y = 0: wider than any run reaches, thicker than any fall in
 /// one update.

@@ -32,7 +32,8 @@ pub struct Figures {
     pub random: usize,
     /// Number of joint scenes whose count of Newton steps changed.
     pub newton: usize,
-    /// Number of rows, of all kinds, whose verdict changed; chaotic rows are not counted.
+    /// Number of results (rows of the table) whose verdict changed from success to failure or back. Chaotic rows, which also change
+    /// with tiny changes of any parameter, are not counted.
     pub flips: usize,
     /// Name of the row that changed most; a row whose verdict changed ranks before all others.
     pub worst_row: String,

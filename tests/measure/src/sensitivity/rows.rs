@@ -40,7 +40,7 @@ pub struct Row {
     pub name: String,
     /// Measured error or count; `None` if the row has a verdict alone, or if the run failed.
     pub value: Option<f64>,
-    /// Values below this one count as equal; in the unit of the row's value, a number or a length.
+    /// Values below this one count as equal. Unit: that of the row's value, such as px, px/s or dimensionless.
     pub floor: f64,
     /// Verdict in a few words, such as how the run ended or the first size at which a family fails; empty if the row has a
     /// value alone.

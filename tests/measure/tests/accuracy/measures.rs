@@ -239,7 +239,8 @@ fn creep_is_the_slide_after_the_first_second() {
 }
 
 /// Returns a function whose calls give the angle of a pendulum, in radians, after each further millisecond. It integrates by
-/// the classical Runge-Kutta method.
+/// the classical Runge-Kutta method. `rate_squared` is the squared angular frequency of small oscillations, 1/s^2; `amplitude` is
+/// the initial angle in radians, at which the pendulum is at rest.
 fn swinging(rate_squared: f64, amplitude: f64) -> impl FnMut() -> f64 {
     let (mut angle, mut velocity) = (amplitude, 0.0);
     let dt = 1e-3;

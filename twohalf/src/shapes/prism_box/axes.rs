@@ -139,8 +139,8 @@ impl<'a, I: Iterator<Item = &'a [Vector2]> + Clone> PrismBoxPair<'_, I> {
         EntryAxis { penetration, closing: -self.motion.dot(&normal) }
     }
 
-    /// Returns the axis that the piece entered last. Of several such axes it is the one with the least closing motion. `None`
-    /// if no axis is flush or was entered recently.
+    /// Returns the axis that the piece entered last. Of several axes that are entered at the same time it is the one along which
+    /// piece and box approached least in the last step. `None` if no axis is flush and none was entered within the last step.
     fn entered_last(&self, piece: u32, vertices: &[Vector2], survey: &AxisSurvey) -> Option<AxisCandidate> {
         let along = |candidate: &AxisCandidate| self.along(candidate.penetration, candidate.normal3d);
         let tied =

@@ -289,7 +289,7 @@ fn degenerate_and_infinite_input_gives_finite_points_or_none() {
     }
 }
 
-/// A prism near a box, and whether samples of the prism are inside the box.
+/// Returns a random prism near the box: the outline, px, and the interval along Z, px.
 fn random_prism(numbers: &mut Random, shape: &SlantedBox) -> (Vec<Vector2>, [f32; 2]) {
     let middle = shape.centre.xy() + numbers.point(70.0);
     let count = 3 + (numbers.number(0.0, 5.0) as usize);

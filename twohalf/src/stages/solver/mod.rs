@@ -68,9 +68,9 @@ struct ContactGroup {
     body_b: u32,
     /// Index of the contact in the list.
     touch: u32,
-    /// Index of the first constraint.
+    /// Index, in the solver's list of constraints, of the first contact point of the contact.
     first_row: u32,
-    /// Number of constraints.
+    /// Number of constraints of the contact, one per point.
     row_count: u32,
     /// Friction coefficient, dimensionless.
     friction: f32,

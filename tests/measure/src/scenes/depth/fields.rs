@@ -11,7 +11,7 @@ const ROOM_TO_FLY: f32 = 80.0;
 /// lane to the next. Figures in neighbouring lanes pass each other 4 px apart.
 const STRIDE: f32 = 60.0;
 const LANE: f32 = 20.0;
-/// Speed of gliding figures along X, px/s.
+/// Speed along X of the figures (upright bodies) that glide through the field, px/s.
 const PACE: f32 = 60.0;
 /// Number of figures in one lane (a row along X) of a deep field.
 const FEW: usize = 10;

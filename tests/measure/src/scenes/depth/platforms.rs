@@ -86,7 +86,7 @@ pub fn box_on_sliding_box() -> DepthScene {
         .with(load.with_surface(rough))
 }
 
-/// A tilted box falls on an edge of the box and comes to rest on a side.
+/// A tilted box falls to the ground, lands on one of its own edges and comes to rest on a side.
 pub fn tilted_drop() -> DepthScene {
     let surface = Surface { friction: 0.6, restitution: 0.0 };
     let crate_box = DepthObject::new_box([60.0, 40.0, 30.0], [0.0, 60.0, 0.0]).with_rotation(0.3);
