@@ -129,6 +129,12 @@ impl JointCandidate {
     }
 }
 
+/// Returns a hash of the ids of the bodies A and B of a joint or spring; `None` is the world. Ids do not change with a restore.
+fn bodies_hash(bodies: [Option<BodyId>; 2]) -> u64 {
+    let [a, b] = bodies.map(|body| body.map_or(u64::MAX, BodyId::to_bits));
+    a.rotate_left(17) ^ b.rotate_left(41)
+}
+
 impl JointSystem {
     /// Returns whether no joint needs the iterative solver: all articulations are free or solved by the direct solver.
     pub(super) fn are_all_contact_free(&self) -> bool {
@@ -204,8 +210,7 @@ impl JointSystem {
                     .map(u64::from);
             let word =
                 constraint.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
-            let first = constraint.bodies.0.map_or(u64::MAX, BodyId::to_bits);
-            let word = word ^ first.rotate_left(17) ^ constraint.bodies.1.to_bits().rotate_left(41);
+            let word = word ^ bodies_hash([constraint.bodies.0, Some(constraint.bodies.1)]);
             (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
         })
     }

@@ -24,10 +24,10 @@ use super::super::Precise;
 use super::super::direct_solver::constraint::{BodyIndices, FIXED};
 use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
 use super::super::scaled_parameters::StepContext;
-use super::JointCandidate;
 use super::articulated_body::LockedDofs;
 use super::frame::JointFrame;
 use super::joint_constraint::JointAnchor;
+use super::{JointCandidate, bodies_hash};
 use crate::body::BodyId;
 use crate::math::Vector2;
 use crate::objects::Objects;
@@ -130,9 +130,8 @@ impl SpringRows {
     pub(in crate::precise) fn signature(&self) -> u64 {
         self.constraints.iter().fold(0, |sum: u64, hold| {
             let [a, b] = hold.ends.map(|end| u64::from(end.body != 0));
-            let bodies = hold.bodies.map(|body| body.map_or(u64::MAX, BodyId::to_bits));
             let word = hold.spring.to_bits().rotate_left(2) ^ (a << 1 | b);
-            let word = word ^ bodies[0].rotate_left(17) ^ bodies[1].rotate_left(41);
+            let word = word ^ bodies_hash(hold.bodies);
             (sum.rotate_left(5) ^ word).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15)
         })
     }
