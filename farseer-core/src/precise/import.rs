@@ -271,6 +271,18 @@ impl Precise {
     /// If a body or geom has changed its type or filter, everything is rebuilt from the state before all edits, as after
     /// loading a snapshot.
     pub(crate) fn import_edits(&mut self, objects: &Objects) {
+        let has_edits = !(self.edited_bodies.is_empty() && self.edited_geoms.is_empty());
+        if has_edits || self.needs_rebuild || self.has_membership_changes {
+            return self.apply_edits(objects);
+        }
+        debug_assert!(!self.has_unmarked_change(objects), "what comes, goes and changes is noted");
+        self.wake_requested_by_game();
+        self.wake_for_changed_joints(objects);
+        self.wake_up();
+    }
+
+    /// Applies edits, additions and removals of bodies and geoms to the lists: see [`import_edits`](Self::import_edits).
+    fn apply_edits(&mut self, objects: &Objects) {
         let (mut bodies, mut geoms) =
             (std::mem::take(&mut self.edited_bodies), std::mem::take(&mut self.edited_geoms));
         self.needs_rebuild = self.needs_rebuild

@@ -80,6 +80,9 @@ pub(crate) struct Precise {
     impulse_substep: f32,
     /// Length of the last step, seconds, >= 0. Fat AABBs reach ahead by the motion of a few steps of this length.
     dt: f32,
+    /// Parameters of the last step, which the next one keeps if it has the same length and number of substeps; `None` before
+    /// the first step.
+    step_context: Option<StepContext>,
     /// Velocity change by gravity in the current step: x, y in length units/s.
     gravity_delta: crate::math::plane::Vector,
     /// State of a loaded snapshot until the next rebuild restores it; else `None`.
@@ -166,7 +169,7 @@ pub(crate) struct Precise {
 
 reusing_clone! {
     Precise {
-        parameters, impulse_substep, dt, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
+        parameters, impulse_substep, dt, step_context, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
         grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, body_indices, first_proxies, always_tested, disabled_bodies,
         edited_bodies, edited_geoms, wake_requests, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
         pair_scratch, new_pairs,
@@ -187,6 +190,7 @@ impl Precise {
             parameters: Parameters::new(length_unit),
             impulse_substep: 0.0,
             dt: 0.0,
+            step_context: None,
             gravity_delta: [0.0; 2],
             loaded: None,
             needs_rebuild: true,

@@ -18,6 +18,7 @@ use wide::f32x4;
 
 use super::Precise;
 use super::bodies::{BodyForces, BodySet, read_body};
+use super::constraint_graph::ConstraintGraph;
 use super::integration::{
     apply_midpoint_correction, apply_warm_start, find_escaped_proxies, integrate_free_flight,
     integrate_poses, integrate_positions, resolve_bounce,
@@ -28,8 +29,8 @@ pub(crate) use super::scaled_parameters::StepContext;
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::contact_solver::soft_step::{
-    accumulate_warm_start, apply_restitution, record_active_points, record_approach_velocity, relax,
-    solve_with_bias, solve_with_joint_softness, update_circle_contact, update_circle_contacts,
+    ContactSubstep, accumulate_warm_start, apply_restitution, relax, solve_with_bias,
+    solve_with_joint_softness, update_circle_contact, update_circle_contacts,
 };
 use crate::report::{Event, Report};
 
@@ -168,7 +169,8 @@ impl Precise {
         self.depth.iter_mut().for_each(|space| space.newly_asleep.clear());
         (self.dt, self.gravity_delta) = (dt, [gravity.x * dt, gravity.y * dt]);
         self.begin_world_boxes(dt);
-        StepContext::new(dt, substeps, &self.parameters)
+        let kept = self.step_context.filter(|last| last.dt == dt && last.substeps == substeps);
+        *self.step_context.insert(kept.unwrap_or_else(|| StepContext::new(dt, substeps, &self.parameters)))
     }
 
     /// Sixth stage of a step: writes the new poses and velocities to the [`Body`](crate::Body) objects and adds an event for
@@ -352,34 +354,46 @@ impl Precise {
 
     /// Runs the iterative solver: substeps, then the midpoint correction of the displacements, then restitution.
     fn solve_substeps(&mut self, step: &StepContext) {
-        let may_bounce = self.has_restitution && self.record_approach_velocities();
-        self.accumulate_warm_start(step);
+        let may_bounce = self.accumulate_warm_start(step);
+        let contact_substep = ContactSubstep {
+            inverse_h: 1.0 / step.h,
+            max_bias_speed: self.parameters.recovery_speed,
+            records_active_points: may_bounce,
+        };
         self.warm_start_hinges();
         self.prepare_rolling_contacts(step);
+        let (has_rolling_contacts, has_joints) =
+            (!self.rolling_contacts.is_empty(), self.joints.act_in_substeps());
         for substep in 0..step.substeps {
             self.apply_hinge_springs(step.h, substep == 0);
-            self.update_rolling_contacts(step, substep == 0);
+            if has_rolling_contacts {
+                self.update_rolling_contacts(step, substep == 0);
+            }
             apply_warm_start(&mut self.bodies, &self.sleep.awake_body_runs, substep == 0);
             self.apply_spin_warm_start(substep == 0);
-            self.joints.solve_with_bias(&mut self.bodies, step.h);
-            self.solve_hinge_stops(step.h);
-            self.solve_with_bias(step);
-            self.solve_hinge_stops(step.h);
-            if may_bounce {
-                self.record_active_points();
+            if has_joints {
+                self.joints.solve_with_bias(&mut self.bodies, step.h);
             }
-            self.joints.equalize_z_velocity(&mut self.bodies);
-            self.joints.limit_speeds(&mut self.bodies, step.h);
+            self.solve_hinge_stops(step.h);
+            self.solve_with_bias(step, contact_substep);
+            self.solve_hinge_stops(step.h);
+            if has_joints {
+                self.joints.equalize_z_velocity(&mut self.bodies);
+                self.joints.limit_speeds(&mut self.bodies, step.h);
+            }
             integrate_positions(&mut self.bodies, &self.sleep.awake_body_runs, step.h, substep == 0);
             self.update_hinge_angles();
-            self.set_relax_separations();
-            self.joints.update_anchors(&mut self.bodies, step.h);
-            self.joints.relax(&mut self.bodies, step.h);
-            self.relax(step);
+            if has_rolling_contacts {
+                self.set_relax_separations();
+            }
+            if has_joints {
+                self.joints.update_anchors(&mut self.bodies, step.h);
+                self.joints.relax(&mut self.bodies, step.h);
+            }
+            self.relax(contact_substep);
             self.solve_hinge_stops(step.h);
-            self.joints.equalize_z_velocity(&mut self.bodies);
-            if may_bounce {
-                self.record_active_points();
+            if has_joints {
+                self.joints.equalize_z_velocity(&mut self.bodies);
             }
         }
         self.save_rolling_delta_poses();
@@ -406,164 +420,76 @@ impl Precise {
         self.for_each_impulse(|impulse| *impulse = zero_unless_finite(*impulse * factor));
     }
 
-    /// Stores approach velocities and separations in the contact constraints with restitution, for
-    /// [`apply_restitution`](Self::apply_restitution). Returns whether an approach speed exceeds the restitution threshold.
-    fn record_approach_velocities(&mut self) -> bool {
-        if self.depth.is_some() {
-            return self.record_approach_velocities_3d();
-        }
-        let (states, threshold) = (&self.bodies.states, self.parameters.restitution_threshold);
-        record_approach_velocity::<false, 2, _>(&mut self.constraints.two_points, states, threshold)
-            | record_approach_velocity::<false, 1, _>(&mut self.constraints.one_point, states, threshold)
-            | record_approach_velocity::<true, 2, _>(
-                &mut self.constraints.two_points_static,
-                states,
-                threshold,
-            )
-            | record_approach_velocity::<true, 1, _>(
-                &mut self.constraints.one_point_static,
-                states,
-                threshold,
-            )
-    }
-
-    /// Sets `was_active` of each contact point that has a normal impulse now: restitution applies to such points alone.
-    fn record_active_points(&mut self) {
-        if self.depth.is_some() {
-            return self.record_active_points_3d();
-        }
-        record_active_points(&mut self.constraints.two_points);
-        record_active_points(&mut self.constraints.one_point);
-        record_active_points(&mut self.constraints.two_points_static);
-        record_active_points(&mut self.constraints.one_point_static);
-    }
-
     /// Warm start: sums into `bodies.warm_start` the velocity changes by the accumulated impulses of all contacts and joints of
-    /// each body. Load adaptation of the contacts runs in this loop, too.
-    fn accumulate_warm_start(&mut self, step: &StepContext) {
+    /// each body. Load adaptation of the contacts runs in this loop, too, and constraints with restitution store their approach
+    /// velocities. Returns whether an approach speed exceeds the restitution threshold.
+    fn accumulate_warm_start(&mut self, step: &StepContext) -> bool {
         self.joints.begin_iterative(&self.springs, &self.bodies, step);
         let (warm_start, states) = (&mut self.bodies.warm_start, &self.bodies.states);
         self.sleep.awake_body_runs.iter().for_each(|run| warm_start[run.clone()].fill([0.0; 4]));
-        if self.depth.is_some() {
-            self.accumulate_warm_start_3d(step);
+        let may_bounce = if self.depth.is_some() {
+            self.accumulate_warm_start_3d(step)
         } else {
-            let masks = self.joints.iterative_body_masks();
-            accumulate_warm_start::<false, 2>(
-                &mut self.constraints.two_points,
-                warm_start,
-                states,
-                &step.load_adaptation,
-                masks,
-            );
-            accumulate_warm_start::<false, 1>(
-                &mut self.constraints.one_point,
-                warm_start,
-                states,
-                &step.load_adaptation,
-                masks,
-            );
-            accumulate_warm_start::<true, 2>(
-                &mut self.constraints.two_points_static,
-                warm_start,
-                states,
-                &step.load_adaptation,
-                masks,
-            );
-            accumulate_warm_start::<true, 1>(
-                &mut self.constraints.one_point_static,
-                warm_start,
-                states,
-                &step.load_adaptation,
-                masks,
-            );
-        }
+            let adaptation = (&step.load_adaptation, self.joints.iterative_body_masks());
+            let threshold = self.has_restitution.then_some(self.parameters.restitution_threshold);
+            let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } =
+                &mut self.constraints;
+            accumulate_warm_start::<false, 2>(two_points, warm_start, states, adaptation, threshold)
+                | accumulate_warm_start::<false, 1>(one_point, warm_start, states, adaptation, threshold)
+                | accumulate_warm_start::<true, 2>(
+                    two_points_static,
+                    warm_start,
+                    states,
+                    adaptation,
+                    threshold,
+                )
+                | accumulate_warm_start::<true, 1>(
+                    one_point_static,
+                    warm_start,
+                    states,
+                    adaptation,
+                    threshold,
+                )
+        };
         self.joints.add_warm_start(&mut self.bodies);
+        may_bounce
     }
 
     /// Solves all contacts of the iterative solver as soft constraints, with a bias velocity that resolves penetration.
-    fn solve_with_bias(&mut self, step: &StepContext) {
+    fn solve_with_bias(&mut self, step: &StepContext, substep: ContactSubstep) {
         if self.depth.is_some() {
-            return self.solve_with_bias_3d(step);
+            return self.solve_with_bias_3d(step, substep);
         }
-        let (states, inverse, max_bias_speed) =
-            (&mut self.bodies.states, 1.0 / step.h, self.parameters.recovery_speed);
+        let states = &mut self.bodies.states;
+        let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } =
+            &mut self.constraints;
         if let Some(masks) = self.joints.iterative_body_masks() {
             let (soft, fixed) = (step.softness_with_joints(false), step.softness_with_joints(true));
-            let constraints = &mut self.constraints;
-            solve_with_joint_softness::<false, 2, _>(
-                &mut constraints.two_points,
-                states,
-                inverse,
-                soft,
-                max_bias_speed,
-                masks,
-            );
-            solve_with_joint_softness::<false, 1, _>(
-                &mut constraints.one_point,
-                states,
-                inverse,
-                soft,
-                max_bias_speed,
-                masks,
-            );
-            solve_with_joint_softness::<true, 2, _>(
-                &mut constraints.two_points_static,
-                states,
-                inverse,
-                fixed,
-                max_bias_speed,
-                masks,
-            );
-            solve_with_joint_softness::<true, 1, _>(
-                &mut constraints.one_point_static,
-                states,
-                inverse,
-                fixed,
-                max_bias_speed,
-                masks,
-            );
+            solve_with_joint_softness::<false, 2, _>(two_points, states, substep, soft, masks);
+            solve_with_joint_softness::<false, 1, _>(one_point, states, substep, soft, masks);
+            solve_with_joint_softness::<true, 2, _>(two_points_static, states, substep, fixed, masks);
+            solve_with_joint_softness::<true, 1, _>(one_point_static, states, substep, fixed, masks);
             return;
         }
-        solve_with_bias::<false, 2, _>(
-            &mut self.constraints.two_points,
-            states,
-            inverse,
-            step.contact_softness,
-            max_bias_speed,
-        );
-        solve_with_bias::<false, 1, _>(
-            &mut self.constraints.one_point,
-            states,
-            inverse,
-            step.contact_softness,
-            max_bias_speed,
-        );
-        solve_with_bias::<true, 2, _>(
-            &mut self.constraints.two_points_static,
-            states,
-            inverse,
-            step.static_softness,
-            max_bias_speed,
-        );
-        solve_with_bias::<true, 1, _>(
-            &mut self.constraints.one_point_static,
-            states,
-            inverse,
-            step.static_softness,
-            max_bias_speed,
-        );
+        let (soft, fixed) = (step.contact_softness, step.static_softness);
+        solve_with_bias::<false, 2, _>(two_points, states, substep, soft);
+        solve_with_bias::<false, 1, _>(one_point, states, substep, soft);
+        solve_with_bias::<true, 2, _>(two_points_static, states, substep, fixed);
+        solve_with_bias::<true, 1, _>(one_point_static, states, substep, fixed);
     }
 
     /// Relaxation: solves all contacts of the iterative solver as rigid constraints without bias, friction included.
-    fn relax(&mut self, step: &StepContext) {
+    fn relax(&mut self, substep: ContactSubstep) {
         if self.depth.is_some() {
-            return self.relax_3d(step);
+            return self.relax_3d(substep);
         }
-        let (states, inverse) = (&mut self.bodies.states, 1.0 / step.h);
-        relax::<false, 2>(&mut self.constraints.two_points, states, inverse);
-        relax::<false, 1>(&mut self.constraints.one_point, states, inverse);
-        relax::<true, 2>(&mut self.constraints.two_points_static, states, inverse);
-        relax::<true, 1>(&mut self.constraints.one_point_static, states, inverse);
+        let states = &mut self.bodies.states;
+        let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } =
+            &mut self.constraints;
+        relax::<false, 2>(two_points, states, substep);
+        relax::<false, 1>(one_point, states, substep);
+        relax::<true, 2>(two_points_static, states, substep);
+        relax::<true, 1>(one_point_static, states, substep);
     }
 
     /// Applies restitution after the substeps.

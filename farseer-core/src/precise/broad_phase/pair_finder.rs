@@ -23,6 +23,12 @@ impl Precise {
     /// [`candidate_geoms`](Self::candidate_geoms) returns the geoms of each candidate; candidates are sorted by creation
     /// numbers.
     pub(crate) fn find_pairs(&mut self) -> usize {
+        if self.proxies.refitted.is_empty() {
+            self.new_pairs.clear();
+            self.searched_static_proxies.clear();
+            self.store_penetration();
+            return 0;
+        }
         let mut refitted = std::mem::take(&mut self.proxies.refitted);
         self.remove_separated_pairs(&refitted);
         let found = self.find_new_pairs(&refitted);

@@ -75,6 +75,16 @@ pub(in crate::precise) struct ContactConstraintSimd<const P: usize> {
     pub(in crate::precise) points: [ContactPointSimd; P],
 }
 
+impl<const P: usize> ContactConstraintSimd<P> {
+    /// Sets `was_active` of each point that has a normal impulse.
+    #[inline(always)]
+    pub(in crate::precise) fn record_active_points(&mut self) {
+        for (was_active, point) in self.was_active.iter_mut().zip(&self.points) {
+            *was_active |= point.normal_impulse.simd_gt(f32x4::ZERO);
+        }
+    }
+}
+
 impl<const P: usize> Default for ContactConstraintSimd<P> {
     fn default() -> Self {
         ContactConstraintSimd {

@@ -35,6 +35,18 @@ use crate::precise::scaled_parameters::{LoadAdaptation, Softness};
 
 const ZERO: f32x4 = f32x4::ZERO;
 
+/// Parameters of the contact constraints that all substeps of a step share.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::precise) struct ContactSubstep {
+    /// Reciprocal of the substep length, 1/s, > 0.
+    pub(in crate::precise) inverse_h: f32,
+    /// Greatest bias velocity that resolves penetration, length units/s, > 0.
+    pub(in crate::precise) max_bias_speed: f32,
+    /// Whether each solve sets [`was_active`](ContactConstraintSimd::was_active) of the points that have a normal impulse then:
+    /// after the step the impulse of a point that has separated the bodies may be 0 again. [`apply_restitution`] reads it.
+    pub(in crate::precise) records_active_points: bool,
+}
+
 /// Velocities, or displacements, of the bodies A and B of four constraints: x, y, rotation and z, one lane per constraint.
 /// Velocities: length units/s and radians/s. Displacements: length units and radians.
 pub(in crate::precise) struct PairVelocities {
@@ -325,16 +337,23 @@ pub(in crate::precise) fn adapt_load_with_joints<const FIXED: bool, const P: usi
 /// Warm start: adds to `warm_start` of each body the velocity change per substep by the accumulated impulses of its contacts:
 /// x, y (length units/s), angular velocity (radians/s), 0. Runs load adaptation before it. `masks`: for each body all bits set
 /// if it has joints in the iterative solver, else 0; `None` if no body has.
+///
+/// With a `restitution_threshold` (length units/s) the constraints with restitution also store their approach velocities and
+/// separations. Returns whether a point of them approaches faster than the threshold.
 #[inline(always)]
 pub(in crate::precise) fn accumulate_warm_start<const FIXED: bool, const P: usize>(
     constraints: &mut ColorSet<ContactConstraintSimd<P>>,
     warm_start: &mut [[f32; 4]],
     states: &[MotionState],
-    adaptation: &LoadAdaptation,
-    masks: Option<&[u32]>,
-) {
+    (adaptation, masks): (&LoadAdaptation, Option<&[u32]>),
+    restitution_threshold: Option<f32>,
+) -> bool {
+    let mut may_bounce = false;
     constraints.for_each(|constraint| {
         let pair_velocities = load_velocities::<FIXED, P>(constraint, states);
+        if let Some(threshold) = restitution_threshold {
+            may_bounce |= record_approach_velocity::<FIXED, P, _>(constraint, &pair_velocities, threshold);
+        }
         let slip = pair_velocities.relative_tangent_velocity::<FIXED, P>(constraint)
             + pair_velocities
                 .relative_angular_velocity::<FIXED>(constraint.tangent_arm_a, constraint.tangent_arm_b);
@@ -375,21 +394,20 @@ pub(in crate::precise) fn accumulate_warm_start<const FIXED: bool, const P: usiz
             ],
         );
     });
+    may_bounce
 }
 
 /// Solves all normal rows as soft constraints. Points with positive separation s are rigid rows u >= -s / h instead: they may
-/// close the gap in this substep, and no more (speculative contacts). `max_bias_speed`: greatest bias velocity, length units/s.
-/// `inverse_h`: 1 / h, 1/s.
+/// close the gap in this substep, and no more (speculative contacts).
 #[inline(always)]
 pub(in crate::precise) fn solve_with_bias<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     constraints: &mut ColorSet<R>,
     states: &mut [MotionState],
-    inverse_h: f32,
+    substep: ContactSubstep,
     softness: Softness,
-    max_bias_speed: f32,
 ) {
     let softness = softness.splat();
-    solve_soft_constraints::<FIXED, P, R>(constraints, states, inverse_h, max_bias_speed, |_| softness);
+    solve_soft_constraints::<FIXED, P, R>(constraints, states, substep, |_| softness);
 }
 
 /// Runs [`solve_with_bias`] with the second entry of `softness` for contacts of bodies with joints in the iterative solver,
@@ -398,13 +416,12 @@ pub(in crate::precise) fn solve_with_bias<const FIXED: bool, const P: usize, R: 
 pub(in crate::precise) fn solve_with_joint_softness<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     constraints: &mut ColorSet<R>,
     states: &mut [MotionState],
-    inverse_h: f32,
+    substep: ContactSubstep,
     softness: [Softness; 2],
-    max_bias_speed: f32,
     masks: &[u32],
 ) {
     let [other, jointed] = softness.map(|softness| softness.splat());
-    solve_soft_constraints::<FIXED, P, R>(constraints, states, inverse_h, max_bias_speed, |constraint| {
+    solve_soft_constraints::<FIXED, P, R>(constraints, states, substep, |constraint| {
         let mask = body_mask::<FIXED, P>(constraint, masks);
         std::array::from_fn(|at| select(mask, jointed[at], other[at]))
     });
@@ -416,11 +433,14 @@ pub(in crate::precise) fn solve_with_joint_softness<const FIXED: bool, const P: 
 fn solve_soft_constraints<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     constraints: &mut ColorSet<R>,
     states: &mut [MotionState],
-    inverse_h: f32,
-    max_bias_speed: f32,
+    substep: ContactSubstep,
     softness: impl Fn(&ContactConstraintSimd<P>) -> [f32x4; 3],
 ) {
+    if constraints.used_colors == 0 {
+        return;
+    }
     let one = f32x4::splat(1.0);
+    let ContactSubstep { inverse_h, max_bias_speed, records_active_points } = substep;
     let (inverse_h, fastest) = (f32x4::splat(inverse_h), f32x4::splat(-max_bias_speed));
     constraints.for_each(|contacts| {
         let [rate, mass, leak_fraction] = softness(contacts.constraint());
@@ -454,6 +474,9 @@ fn solve_soft_constraints<const FIXED: bool, const P: usize, R: SimdContacts<P>>
             constraint.points[at].normal_impulse = impulse;
             sum += changes[at];
             velocity[P - 1] += coupling * changes[at];
+        }
+        if records_active_points {
+            constraint.record_active_points();
         }
         pair_velocities
             .apply_angular_impulses::<FIXED, P>(constraint, angular_impulses(constraint, &changes));
@@ -518,14 +541,14 @@ pub(in crate::precise) struct RelaxResult<const P: usize> {
 }
 
 /// Relaxation of the normal rows of four constraints: solves them as rigid rows, after updating the separations by the
-/// displacements in the substep. `inverse_h`: reciprocal of the substep length, 1/s. The function does not write velocities to
-/// `states`; its callers do so after friction.
+/// displacements in the substep. The function does not write velocities to `states`; its callers do so after friction.
 #[inline(always)]
 pub(in crate::precise) fn relax_normals<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     contacts: &mut R,
     states: &[MotionState],
-    inverse_h: f32x4,
+    substep: ContactSubstep,
 ) -> RelaxResult<P> {
+    let inverse_h = f32x4::splat(substep.inverse_h);
     let moved = normal_velocities::<FIXED, P, R>(
         contacts,
         &load_displacements::<FIXED, P>(contacts.constraint(), states),
@@ -562,6 +585,9 @@ pub(in crate::precise) fn relax_normals<const FIXED: bool, const P: usize, R: Si
         sum += changes[at];
         load += impulses[at];
     }
+    if substep.records_active_points {
+        constraint.record_active_points();
+    }
     RelaxResult {
         velocities: pair_velocities,
         impulse_change: sum,
@@ -577,16 +603,15 @@ pub(in crate::precise) fn relax_normals<const FIXED: bool, const P: usize, R: Si
 pub(in crate::precise) fn relax<const FIXED: bool, const P: usize>(
     constraints: &mut ColorSet<ContactConstraintSimd<P>>,
     states: &mut [MotionState],
-    inverse_h: f32,
+    substep: ContactSubstep,
 ) {
-    let inverse_h = f32x4::splat(inverse_h);
     constraints.for_each(|constraint| {
         let RelaxResult {
             velocities: mut pair_velocities,
             impulse_change: sum,
             point_changes: changes,
             normal_impulse: load,
-        } = relax_normals::<FIXED, P, _>(constraint, states, inverse_h);
+        } = relax_normals::<FIXED, P, _>(constraint, states, substep);
         let tangent_arms = [constraint.tangent_arm_a, constraint.tangent_arm_b];
         let mut slip = pair_velocities.relative_tangent_velocity::<FIXED, P>(constraint)
             + pair_velocities.relative_angular_velocity::<FIXED>(tangent_arms[0], tangent_arms[1]);
@@ -609,43 +634,27 @@ pub(in crate::precise) fn relax<const FIXED: bool, const P: usize>(
     });
 }
 
-/// Stores the normal velocities and separations at the beginning of the step in each constraint with restitution, for
+/// Stores the normal velocities and separations at the beginning of the step in a block of constraints with restitution, for
 /// [`apply_restitution`]. Returns whether a point approaches faster than the restitution `threshold`, length units/s.
 #[inline(always)]
 pub(in crate::precise) fn record_approach_velocity<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
-    constraints: &mut ColorSet<R>,
-    states: &[MotionState],
+    contacts: &mut R,
+    pair_velocities: &PairVelocities,
     threshold: f32,
 ) -> bool {
-    let (threshold, mut may_bounce) = (f32x4::splat(-threshold), ZERO);
-    constraints.for_each(|contacts| {
-        let bounces = contacts.constraint().restitution.simd_gt(ZERO);
-        if bounces.to_bitmask() == 0 {
-            return;
-        }
-        let pair_velocities = load_velocities::<FIXED, P>(contacts.constraint(), states);
-        let approach = normal_velocities::<FIXED, P, R>(contacts, &pair_velocities);
-        let constraint = contacts.constraint_mut();
-        constraint.approach_velocity = approach;
-        (constraint.initial_separation, constraint.was_active) =
-            (constraint.points.map(|point| point.separation), [ZERO; P]);
-        approach.into_iter().for_each(|approach| may_bounce |= threshold.simd_gt(approach) & bounces);
-    });
+    let bounces = contacts.constraint().restitution.simd_gt(ZERO);
+    if bounces.to_bitmask() == 0 {
+        return false;
+    }
+    let approach = normal_velocities::<FIXED, P, R>(contacts, pair_velocities);
+    let constraint = contacts.constraint_mut();
+    constraint.approach_velocity = approach;
+    (constraint.initial_separation, constraint.was_active) =
+        (constraint.points.map(|point| point.separation), [ZERO; P]);
+    let threshold = f32x4::splat(-threshold);
+    let may_bounce =
+        approach.into_iter().fold(ZERO, |any, approach| any | (threshold.simd_gt(approach) & bounces));
     may_bounce.to_bitmask() != 0
-}
-
-/// Sets `was_active` of each point that has a normal impulse now. [`apply_restitution`] reads it: after the step the impulse of
-/// a point that has separated the bodies may be 0 again.
-#[inline(always)]
-pub(in crate::precise) fn record_active_points<const P: usize, R: SimdContacts<P>>(
-    constraints: &mut ColorSet<R>,
-) {
-    constraints.for_each(|contacts| {
-        let constraint = contacts.constraint_mut();
-        for at in 0..P {
-            constraint.was_active[at] |= constraint.points[at].normal_impulse.simd_gt(ZERO);
-        }
-    });
 }
 
 /// Applies restitution after the step: points that approached faster than `threshold` (length units/s) and have had an impulse

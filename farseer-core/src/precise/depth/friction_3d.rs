@@ -15,8 +15,8 @@ use crate::math::lanes::{greater, select, smaller};
 use crate::precise::bodies::MotionState;
 use crate::precise::constraint_graph::{ColorSet, ContactConstraintSimd, ContactPointSimd};
 use crate::precise::contact_solver::soft_step::{
-    PairVelocities, RelaxResult, adapt_load, adapt_load_with_joints, angular_coupling, angular_impulses,
-    load_velocities, relax_normals,
+    ContactSubstep, PairVelocities, RelaxResult, adapt_load, adapt_load_with_joints, angular_coupling,
+    angular_impulses, load_velocities, record_approach_velocity, relax_normals,
 };
 use crate::precise::scaled_parameters::LoadAdaptation;
 
@@ -160,16 +160,15 @@ pub(in crate::precise) fn relax_3d<const FIXED: bool, const P: usize>(
     rows: &mut ColorSet<ContactConstraint3Simd<P>>,
     hot: &mut [MotionState],
     spins: &mut [BallSpin],
-    inverse_h: f32,
+    substep: ContactSubstep,
 ) {
-    let inverse_h = f32x4::splat(inverse_h);
     rows.for_each(|contacts| {
         let RelaxResult {
             velocities: mut sides,
             impulse_change: sum,
             point_changes: changes,
             normal_impulse: load,
-        } = relax_normals::<FIXED, P, _>(contacts, hot, inverse_h);
+        } = relax_normals::<FIXED, P, _>(contacts, hot, substep);
         let [mut along, mut across] = tangent_velocities::<FIXED, P>(contacts, &sides, spins);
         let row = &contacts.planar;
         let arms = [row.tangent_arm_a, row.tangent_arm_b];
@@ -239,7 +238,7 @@ fn solve_twist_friction<const FIXED: bool, const P: usize>(
 }
 
 /// Adds the velocity changes by the accumulated impulses of all constraints to `warm` (by body: x, y, rotation, z) and to
-/// `BallSpin::warm_start`. Also performs load adaptation and sets `step_impulses` to 0. See
+/// `BallSpin::warm_start`. Also performs load adaptation, stores approach velocities, and sets `step_impulses` to 0. See
 /// [`accumulate_warm_start`](crate::precise::contact_solver::soft_step::accumulate_warm_start).
 #[inline(always)]
 pub(in crate::precise) fn accumulate_warm_start_3d<const FIXED: bool, const P: usize>(
@@ -248,9 +247,14 @@ pub(in crate::precise) fn accumulate_warm_start_3d<const FIXED: bool, const P: u
     hot: &[MotionState],
     spins: &mut [BallSpin],
     (learning, masks): (&LoadAdaptation, Option<&[u32]>),
-) {
+    restitution_threshold: Option<f32>,
+) -> bool {
+    let mut may_bounce = false;
     rows.for_each(|contacts| {
         let sides = load_velocities::<FIXED, P>(&contacts.planar, hot);
+        if let Some(threshold) = restitution_threshold {
+            may_bounce |= record_approach_velocity::<FIXED, P, _>(contacts, &sides, threshold);
+        }
         let [along, across] = tangent_velocities::<FIXED, P>(contacts, &sides, spins);
         let slip = [along - contacts.planar.tangent_speed, across - contacts.second_surface_speed];
         let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
@@ -294,6 +298,7 @@ pub(in crate::precise) fn accumulate_warm_start_3d<const FIXED: bool, const P: u
             apply_spins::<FIXED, P>(contacts, spins, tangential, |spin| &mut spin.warm_start);
         }
     });
+    may_bounce
 }
 
 /// Start of a substep: applies the warm start to ball spins. From the second substep on (`is_first` is false) the warm start

@@ -14,8 +14,7 @@ use crate::precise::Precise;
 use crate::precise::bodies::BodyForces;
 use crate::precise::constraint_graph::ConstraintGraph3;
 use crate::precise::contact_solver::soft_step::{
-    apply_restitution, record_active_points, record_approach_velocity, solve_with_bias,
-    solve_with_joint_softness,
+    ContactSubstep, apply_restitution, solve_with_bias, solve_with_joint_softness,
 };
 use crate::precise::integration::resolve_bounce;
 use crate::precise::parameters::depth::RESTITUTION_GRAVITY_STEPS;
@@ -129,43 +128,24 @@ fn quadratic_drag(body: &Body, [x, y, _, z]: [f32; 4]) -> f32 {
 
 /// Stages of the contact solver for constraints in three axes.
 impl Precise {
-    /// Stores the normal velocities and separations at the start of the step in the contact constraints, for restitution after
-    /// the substeps. Returns whether any contact approaches faster than the restitution threshold.
-    pub(in crate::precise) fn record_approach_velocities_3d(&mut self) -> bool {
-        let threshold = self.restitution_threshold_3d();
-        let (hot, ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed }) =
-            (&self.bodies.states, &mut self.constraints.depth);
-        record_approach_velocity::<false, 2, _>(prisms, hot, threshold)
-            | record_approach_velocity::<false, 1, _>(balls, hot, threshold)
-            | record_approach_velocity::<true, 2, _>(prisms_fixed, hot, threshold)
-            | record_approach_velocity::<true, 1, _>(balls_fixed, hot, threshold)
-    }
-
-    /// Marks the contact points that exert an impulse now, in `ContactConstraintSimd::was_active`. `apply_restitution_3d` reads
-    /// the marks after the substeps.
-    pub(in crate::precise) fn record_active_points_3d(&mut self) {
-        let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
-            &mut self.constraints.depth;
-        record_active_points(prisms);
-        record_active_points(balls);
-        record_active_points(prisms_fixed);
-        record_active_points(balls_fixed);
-    }
-
     /// Adds the velocity changes by the accumulated impulses of all constraints to `BodySet::warm_start` and to the ball spins.
-    /// Also performs load adaptation.
-    pub(in crate::precise) fn accumulate_warm_start_3d(&mut self, step: &StepContext) {
-        let Precise { bodies, constraints: rows, joints, depth: Some(space), .. } = self else { return };
-        let masks = joints.iterative_body_masks();
+    /// Also performs load adaptation, and stores the approach velocities of constraints with restitution. Returns whether an
+    /// approach speed exceeds the restitution threshold.
+    pub(in crate::precise) fn accumulate_warm_start_3d(&mut self, step: &StepContext) -> bool {
+        let threshold = self.has_restitution.then(|| self.restitution_threshold_3d());
+        let Precise { bodies, constraints: rows, joints, depth: Some(space), .. } = self else {
+            return false;
+        };
+        let learning = (&step.load_adaptation, joints.iterative_body_masks());
         let (warm, hot) = (&mut bodies.warm_start, &bodies.states);
-        let (spins, learning) = (&mut space.ball_spins[..], &step.load_adaptation);
+        let spins = &mut space.ball_spins[..];
         spins.iter_mut().for_each(|spin| spin.warm_start = [0.0; 4]);
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut rows.depth;
-        accumulate_warm_start_3d::<false, 2>(prisms, warm, hot, spins, (learning, masks));
-        accumulate_warm_start_3d::<false, 1>(balls, warm, hot, spins, (learning, masks));
-        accumulate_warm_start_3d::<true, 2>(prisms_fixed, warm, hot, spins, (learning, masks));
-        accumulate_warm_start_3d::<true, 1>(balls_fixed, warm, hot, spins, (learning, masks));
+        accumulate_warm_start_3d::<false, 2>(prisms, warm, hot, spins, learning, threshold)
+            | accumulate_warm_start_3d::<false, 1>(balls, warm, hot, spins, learning, threshold)
+            | accumulate_warm_start_3d::<true, 2>(prisms_fixed, warm, hot, spins, learning, threshold)
+            | accumulate_warm_start_3d::<true, 1>(balls_fixed, warm, hot, spins, learning, threshold)
     }
 
     /// Start of a substep: adds the warm start of each sphere to its angular velocity about x and y. `is_first` is true in the
@@ -177,34 +157,34 @@ impl Precise {
     }
 
     /// Solves the normal rows of all constraints as soft constraints with bias velocity, once per substep.
-    pub(in crate::precise) fn solve_with_bias_3d(&mut self, step: &StepContext) {
-        let (hot, inverse, push) = (&mut self.bodies.states, 1.0 / step.h, self.parameters.recovery_speed);
+    pub(in crate::precise) fn solve_with_bias_3d(&mut self, step: &StepContext, substep: ContactSubstep) {
+        let hot = &mut self.bodies.states;
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut self.constraints.depth;
         if let Some(masks) = self.joints.iterative_body_masks() {
             let (soft, fixed) = (step.softness_with_joints(false), step.softness_with_joints(true));
-            solve_with_joint_softness::<false, 2, _>(prisms, hot, inverse, soft, push, masks);
-            solve_with_joint_softness::<false, 1, _>(balls, hot, inverse, soft, push, masks);
-            solve_with_joint_softness::<true, 2, _>(prisms_fixed, hot, inverse, fixed, push, masks);
-            solve_with_joint_softness::<true, 1, _>(balls_fixed, hot, inverse, fixed, push, masks);
+            solve_with_joint_softness::<false, 2, _>(prisms, hot, substep, soft, masks);
+            solve_with_joint_softness::<false, 1, _>(balls, hot, substep, soft, masks);
+            solve_with_joint_softness::<true, 2, _>(prisms_fixed, hot, substep, fixed, masks);
+            solve_with_joint_softness::<true, 1, _>(balls_fixed, hot, substep, fixed, masks);
             return;
         }
-        solve_with_bias::<false, 2, _>(prisms, hot, inverse, step.contact_softness, push);
-        solve_with_bias::<false, 1, _>(balls, hot, inverse, step.contact_softness, push);
-        solve_with_bias::<true, 2, _>(prisms_fixed, hot, inverse, step.static_softness, push);
-        solve_with_bias::<true, 1, _>(balls_fixed, hot, inverse, step.static_softness, push);
+        solve_with_bias::<false, 2, _>(prisms, hot, substep, step.contact_softness);
+        solve_with_bias::<false, 1, _>(balls, hot, substep, step.contact_softness);
+        solve_with_bias::<true, 2, _>(prisms_fixed, hot, substep, step.static_softness);
+        solve_with_bias::<true, 1, _>(balls_fixed, hot, substep, step.static_softness);
     }
 
     /// Relaxation: solves the normal rows of all constraints without bias, and friction along both tangents.
-    pub(in crate::precise) fn relax_3d(&mut self, step: &StepContext) {
+    pub(in crate::precise) fn relax_3d(&mut self, substep: ContactSubstep) {
         let Precise { bodies, constraints: rows, depth: Some(space), .. } = self else { return };
-        let (hot, spins, inverse) = (&mut bodies.states, &mut space.ball_spins, 1.0 / step.h);
+        let (hot, spins) = (&mut bodies.states, &mut space.ball_spins);
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut rows.depth;
-        relax_3d::<false, 2>(prisms, hot, spins, inverse);
-        relax_3d::<false, 1>(balls, hot, spins, inverse);
-        relax_3d::<true, 2>(prisms_fixed, hot, spins, inverse);
-        relax_3d::<true, 1>(balls_fixed, hot, spins, inverse);
+        relax_3d::<false, 2>(prisms, hot, spins, substep);
+        relax_3d::<false, 1>(balls, hot, spins, substep);
+        relax_3d::<true, 2>(prisms_fixed, hot, spins, substep);
+        relax_3d::<true, 1>(balls_fixed, hot, spins, substep);
     }
 
     /// Returns the approach speed in length units/s below which there is no restitution. A resting body approaches no faster

@@ -197,10 +197,15 @@ impl Precise {
     }
 
     /// Requests that bodies wake whose joints have been added, removed or edited since the bodies fell asleep.
+    #[inline]
     pub(in crate::precise) fn wake_for_changed_joints(&mut self, objects: &Objects) {
-        if self.sleep.count == 0 || self.joints.are_imported() {
-            return;
+        if self.sleep.count > 0 && !self.joints.are_imported() {
+            self.wake_unless_joints_are_known(objects);
         }
+    }
+
+    /// Requests that bodies wake whose joints are in one list only: in that of sleeping joints or in that of `objects`.
+    fn wake_unless_joints_are_known(&mut self, objects: &Objects) {
         let mut is_listed = vec![false; objects.joints.slot_count()];
         objects.joints.list().iter().for_each(|joint| is_listed[joint.slot()] = true);
         self.wake_unless_unchanged(objects, |joint| is_listed.get(joint.joint.slot()) == Some(&true));
@@ -264,6 +269,7 @@ impl Precise {
     }
 
     /// Wakes all sleeping bodies.
+    #[inline]
     pub(in crate::precise) fn wake_all(&mut self) {
         if self.sleep.count > 0 {
             (1..=self.bodies.last_movable).for_each(|body| self.sleep.request_wake(body));
@@ -283,16 +289,23 @@ impl Precise {
     /// Wakes the bodies whose waking the game has requested, one after the other and before the bodies that edits wake.
     ///
     /// The order of pairs depends on the order of waking.
+    #[inline]
     pub(in crate::precise) fn wake_requested_by_game(&mut self) {
-        if self.wake_requests.is_empty() {
-            return;
+        if !self.wake_requests.is_empty() {
+            self.process_wake_requests_of_game();
         }
+    }
+
+    fn process_wake_requests_of_game(&mut self) {
         let others = std::mem::take(&mut self.sleep.wake_requests);
         let mut has_woken = false;
         for body in std::mem::take(&mut self.wake_requests) {
             if let Some(number) = self.body_index(body) {
                 self.sleep.request_wake(number);
-                has_woken |= self.process_wake_requests();
+                if self.has_wake_requests() {
+                    self.process_wake_requests();
+                    has_woken = true;
+                }
             }
         }
         if has_woken {
@@ -312,24 +325,25 @@ impl Precise {
     }
 
     /// Wakes the bodies in `wake_requests`, each with all bodies that fell asleep with it.
+    #[inline]
     pub(in crate::precise) fn wake_up(&mut self) {
-        if self.process_wake_requests() {
+        if self.has_wake_requests() {
+            self.process_wake_requests();
             self.drop_woken_from_lists();
         }
     }
 
-    /// Makes the bodies in `wake_requests` awake, with the bodies that fell asleep with them and all pairs. Returns whether
-    /// there was a request.
-    fn process_wake_requests(&mut self) -> bool {
-        if self.sleep.wake_requests.is_empty() {
-            return false;
-        }
+    fn has_wake_requests(&self) -> bool {
+        !self.sleep.wake_requests.is_empty()
+    }
+
+    /// Makes the bodies in `wake_requests` awake, with the bodies that fell asleep with them and all pairs.
+    fn process_wake_requests(&mut self) {
         let mut requests = std::mem::take(&mut self.sleep.wake_requests);
         let mut woken = Vec::new();
         requests.drain(..).for_each(|body| self.sleep.wake_ring(body as usize, |body| woken.push(body)));
         self.sleep.wake_requests = requests;
         self.wake_pairs(&woken);
-        true
     }
 
     /// Removes woken bodies from the lists of sleeping joints and loaded bodies, and computes the index ranges of awake bodies

@@ -421,6 +421,11 @@ impl JointSystem {
         }
     }
 
+    /// Returns whether joints or springs act in the substeps of the iterative solver in this update.
+    pub(super) fn act_in_substeps(&self) -> bool {
+        !(self.soft.is_empty() && self.z_groups.is_empty() && self.spatial.is_empty())
+    }
+
     /// Adds the velocity changes by accumulated impulses of joints and springs to the warm-start sums of the bodies, which the
     /// next substep applies.
     pub(super) fn add_warm_start(&self, bodies: &mut BodySet) {

@@ -68,7 +68,14 @@ impl NarrowPhase<'_> {
 impl Precise {
     /// Stores the penetrations of ended static contacts in their bodies, as residual penetrations, since a body may return to
     /// the face. Sleeping bodies keep their stored value, because they have not moved.
+    #[inline]
     pub(in crate::precise) fn store_penetration(&mut self) {
+        if !self.ended_static_contacts.is_empty() {
+            self.store_penetration_of_ended_contacts();
+        }
+    }
+
+    fn store_penetration_of_ended_contacts(&mut self) {
         let mut parted = std::mem::take(&mut self.ended_static_contacts);
         parted.retain(|&(body, _)| self.body_index(body).is_some_and(|number| !self.sleep.is_asleep(number)));
         if let Some(space) = &mut self.depth {
