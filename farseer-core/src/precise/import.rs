@@ -547,10 +547,13 @@ impl Precise {
     /// Inserts a proxy into the broad phase with a saved fat AABB (`bounds`) and fat interval along z (`depths`), length units.
     pub(super) fn insert_proxy_with_aabb(&mut self, proxy: u32, bounds: PackedAabb, depths: DepthInterval) {
         self.proxies.fat_aabbs[proxy as usize] = bounds;
-        let Some(space) = self.depth.as_deref_mut() else { return self.grid.insert_or_move(proxy, &bounds) };
+        let may_stop = self.proxies.all[proxy as usize].may_stop();
+        let Some(space) = self.depth.as_deref_mut() else {
+            return self.grid.insert_or_move(proxy, &bounds, may_stop);
+        };
         space.set_interval(proxy, depths);
         if space.is_in_grid(proxy) {
-            self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds));
+            self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds), may_stop);
         }
     }
 }

@@ -574,7 +574,10 @@ impl Precise {
     fn enlarge_aabb_by(&mut self, proxy: u32, margin: AabbMargin) {
         let bounds = self.proxies.fat_aabb(proxy as usize, &self.bodies, &self.parameters, margin, self.dt);
         self.proxies.fat_aabbs[proxy as usize] = bounds;
-        let Some(depth) = &mut self.depth else { return self.grid.insert_or_move(proxy, &bounds) };
+        let may_stop = self.proxies.all[proxy as usize].may_stop();
+        let Some(depth) = &mut self.depth else {
+            return self.grid.insert_or_move(proxy, &bounds, may_stop);
+        };
         if proxy == depth.ground_proxy {
             self.proxies.fat_aabbs[proxy as usize] = GROUND_BOUNDS;
         }
@@ -582,7 +585,7 @@ impl Precise {
         let speed = self.bodies.states.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
         depth.set_fat_interval(proxy, body, speed * self.dt, margin, self.parameters.speculative_distance);
         if depth.is_in_grid(proxy) {
-            self.grid.insert_or_move(proxy, &depth.grid_bounds(proxy, &bounds));
+            self.grid.insert_or_move(proxy, &depth.grid_bounds(proxy, &bounds), may_stop);
         }
     }
 }

@@ -70,11 +70,13 @@ impl Default for GridEntry {
     }
 }
 
-/// Cell in which an entry of the grid lies, and the index of the previous entry of the same bucket, or [`NO_ENTRY`].
+/// Cell in which an entry of the grid lies, the index of the previous entry of the same bucket, or [`NO_ENTRY`], and whether
+/// the entry counts in [`GridLevel::stopper_count`].
 #[derive(Debug, Clone, Copy)]
 struct BucketLink {
     cell: GridCell,
     previous: u32,
+    may_stop: bool,
 }
 
 /// One level of the grid: number of its AABBs, their bounds and largest sizes. A query reads it to skip the level or to choose
@@ -82,6 +84,8 @@ struct BucketLink {
 #[derive(Debug, Clone, Copy, Default)]
 struct GridLevel {
     count: u32,
+    /// Number of entries that may stop fast bodies: see [`HashGrid::stopper_levels`].
+    stopper_count: u32,
     /// Bounds of all AABBs that were added to the level since it was last empty. The bounds grow only, until the level is empty
     /// again.
     bounds: NegatedAabb,
@@ -104,9 +108,11 @@ pub(in crate::precise) struct HashGrid {
     levels: Vec<GridLevel>,
     /// Bit mask of the levels that have entries: bit i for level i.
     used_levels: u64,
+    /// Bit mask of the levels that have entries which may stop fast bodies: bit i for level i.
+    stopper_levels: u64,
 }
 
-reusing_clone! { HashGrid { entries, links, bucket_heads, levels, used_levels } }
+reusing_clone! { HashGrid { entries, links, bucket_heads, levels, used_levels, stopper_levels } }
 
 /// Returns the index of the level for an AABB. The cell size of the level, 2^(level + `GRID_MIN_CELL_EXPONENT`), is more than
 /// twice the larger side of the AABB.
@@ -162,7 +168,7 @@ impl HashGrid {
         self.bucket_heads.resize((2 * capacity).next_power_of_two().max(16), NO_ENTRY);
         self.levels.clear();
         self.levels.resize(GRID_LEVELS as usize, GridLevel::default());
-        self.used_levels = 0;
+        (self.used_levels, self.stopper_levels) = (0, 0);
     }
 
     /// Returns whether the grid has at least one bucket for each of `capacity` entries.
@@ -189,7 +195,9 @@ impl HashGrid {
     }
 
     /// Adds the entry `index` with the AABB `bounds`, or moves it to the cell of this AABB if it is in the grid already.
-    pub(in crate::precise) fn insert_or_move(&mut self, index: u32, bounds: &PackedAabb) {
+    /// `may_stop`: whether the entry may stop fast bodies, see [`stopper_levels`](Self::stopper_levels); it must not change while
+    /// the entry is in the grid.
+    pub(in crate::precise) fn insert_or_move(&mut self, index: u32, bounds: &PackedAabb, may_stop: bool) {
         let level = grid_level_of(bounds);
         let middle = |axis: usize| 0.5 * bounds[axis] + 0.5 * bounds[axis + 2];
         let [x, y, ..] = cell_indices(f32x4::new([middle(0), middle(1), 0.0, 0.0]), inverse_cell_size(level));
@@ -203,10 +211,12 @@ impl HashGrid {
         let bucket = self.bucket(cell);
         let next = std::mem::replace(&mut self.bucket_heads[bucket], index);
         self.entries[index as usize].next = next;
-        self.links[index as usize] = Some(BucketLink { cell, previous: NO_ENTRY });
+        self.links[index as usize] = Some(BucketLink { cell, previous: NO_ENTRY, may_stop });
         self.set_previous(next, index);
         self.levels[level as usize].count += 1;
+        self.levels[level as usize].stopper_count += u32::from(may_stop);
         self.used_levels |= 1 << level;
+        self.stopper_levels |= u64::from(may_stop) << level;
     }
 
     /// Stores `previous` as the previous entry in the bucket list of entry `index`, if there is such an entry.
@@ -218,7 +228,7 @@ impl HashGrid {
 
     /// Removes the entry `index` from the grid, if it is in the grid.
     pub(in crate::precise) fn remove(&mut self, index: u32) {
-        let Some(BucketLink { cell, previous }) = self.links[index as usize].take() else { return };
+        let Some(BucketLink { cell, previous, may_stop }) = self.links[index as usize].take() else { return };
         let next = self.entries[index as usize].next;
         if previous == NO_ENTRY {
             let bucket = self.bucket(cell);
@@ -229,16 +239,37 @@ impl HashGrid {
         self.set_previous(next, previous);
         let level = &mut self.levels[cell.level as usize];
         level.count -= 1;
+        level.stopper_count -= u32::from(may_stop);
         if level.count == 0 {
             self.used_levels &= !(1 << cell.level);
         }
+        if level.stopper_count == 0 {
+            self.stopper_levels &= !(1 << cell.level);
+        }
+    }
+
+    /// Returns the mask of the levels that have entries which may stop fast bodies: bit i for level i. Continuous collision
+    /// queries these levels alone where no dynamic body is an obstacle (Box2D 3 queries its static tree alone).
+    pub(in crate::precise) fn stopper_levels(&self) -> u64 {
+        self.stopper_levels
     }
 
     /// Calls `found` with the index of each entry whose AABB overlaps the query AABB `bounds`, in no particular order. An index
     /// may come twice, since two cells may have one bucket. An entry with the AABB `bounds` itself is found, too.
     #[inline(always)]
-    pub(in crate::precise) fn for_each_overlap(&self, bounds: &PackedAabb, mut found: impl FnMut(u32)) {
-        let (mut used, limits) = (self.used_levels, query_limits(bounds));
+    pub(in crate::precise) fn for_each_overlap(&self, bounds: &PackedAabb, found: impl FnMut(u32)) {
+        self.for_each_overlap_in_levels(!0, bounds, found);
+    }
+
+    /// Runs [`for_each_overlap`](Self::for_each_overlap) on the levels of the mask `levels`: bit i for level i.
+    #[inline(always)]
+    pub(in crate::precise) fn for_each_overlap_in_levels(
+        &self,
+        levels: u64,
+        bounds: &PackedAabb,
+        mut found: impl FnMut(u32),
+    ) {
+        let (mut used, limits) = (self.used_levels & levels, query_limits(bounds));
         let corners = f32x4::new(*bounds);
         // Rounding of coordinates far from the origin may move an AABB to a neighbouring cell.
         let rounding = corners.abs() * f32x4::splat(4.0 * f32::EPSILON);
@@ -327,7 +358,7 @@ mod tests {
     }
 
     fn enter(grid: &mut HashGrid, aabbs: &[PackedAabb]) {
-        aabbs.iter().enumerate().for_each(|(i, bounds)| grid.insert_or_move(i as u32, bounds));
+        aabbs.iter().enumerate().for_each(|(i, bounds)| grid.insert_or_move(i as u32, bounds, i % 7 == 0));
     }
 
     fn check(grid: &HashGrid, aabbs: &[PackedAabb]) {
@@ -363,6 +394,23 @@ mod tests {
         }
         enter(&mut grid, &aabbs);
         check(&grid, &aabbs);
+    }
+
+    #[test]
+    fn levels_of_stoppers_hold_all_stoppers_and_no_other_level() {
+        let mut aabbs = boxes();
+        let mut grid = HashGrid::default();
+        grid.reset(aabbs.len());
+        enter(&mut grid, &aabbs);
+        aabbs.iter_mut().for_each(|bounds| *bounds = bounds.map(|x| 3.0 * x));
+        enter(&mut grid, &aabbs);
+        let levels = |step: usize| {
+            aabbs.iter().step_by(step).fold(0, |mask, bounds| mask | 1_u64 << grid_level_of(bounds))
+        };
+        assert_eq!(grid.stopper_levels(), levels(7));
+        assert_ne!(levels(7), levels(1), "some level has no stopper");
+        (0..aabbs.len() as u32).for_each(|entry| grid.remove(entry));
+        assert_eq!(grid.stopper_levels(), 0);
     }
 
     #[test]

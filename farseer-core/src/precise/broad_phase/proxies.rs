@@ -120,6 +120,11 @@ impl Proxy {
             && (categories & other_collides_with != 0 || other_categories & collides_with != 0)
     }
 
+    /// Returns whether the proxy may stop a fast body, or is a sensor that reports it, though its body is awake and no bullet.
+    pub(in crate::precise) fn may_stop(&self) -> bool {
+        self.body_type != BodyType::Dynamic || !self.responds
+    }
+
     /// Returns the index of the body if the proxy is a box about the origin of its body; else `None`.
     fn box_body(&self) -> Option<u32> {
         self.shape.is_box.then_some(self.body)

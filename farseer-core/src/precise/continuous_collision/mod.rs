@@ -186,10 +186,14 @@ impl Precise {
         let mut found = std::mem::take(&mut self.new_pairs);
         let mut is_known = std::mem::take(&mut self.proxy_flags);
         found.clear();
+        let stoppers = self.stopper_levels();
         for fast_body in &self.fast_bodies {
             let displacement = self.bodies.delta_pose[fast_body.body as usize];
             for proxy in self.proxies.proxies_of(fast_body.body as usize) {
-                self.query_sweep(proxy, displacement, &mut is_known, &mut found);
+                let levels = if self.proxies.all[proxy as usize].responds { stoppers } else { !0 };
+                if levels != 0 {
+                    self.query_sweep(proxy, displacement, levels, (&mut is_known, &mut found));
+                }
             }
         }
         self.proxy_flags = is_known;
@@ -199,23 +203,31 @@ impl Precise {
         self.new_pairs.len()
     }
 
+    /// Returns the mask of the grid's levels that may contain obstacles of fast bodies: all levels if a body sleeps or is a
+    /// bullet, since dynamic bodies then are obstacles, too.
+    fn stopper_levels(&self) -> u64 {
+        let are_dynamic_obstacles = self.sleep.count > 0 || self.bodies.are_bullets.contains(&true);
+        if are_dynamic_obstacles { !0 } else { self.grid.stopper_levels() }
+    }
+
     /// Appends to `pairs` the new pairs of a proxy that collide on its path in this step. `is_known` is a workspace, with an
-    /// entry for each proxy. `displacement`: x, y (length units), rotation (radians), z (length units).
+    /// entry for each proxy. `displacement`: x, y (length units), rotation (radians), z (length units). `levels`: mask of the
+    /// levels of the grid that may contain obstacles.
     ///
     /// A proxy whose fat AABB contains the path has all its pairs already.
     fn query_sweep(
         &self,
         proxy: u32,
         displacement: [f32; 4],
-        is_known: &mut [bool],
-        pairs: &mut Vec<[u32; 2]>,
+        levels: u64,
+        (is_known, pairs): (&mut [bool], &mut Vec<[u32; 2]>),
     ) {
         let swept = self.swept_aabb(proxy, displacement);
         if aabb_contains(&self.proxies.fat_aabbs[proxy as usize], &swept) {
             return;
         }
         self.pairs.partners(proxy).for_each(|partner| is_known[partner as usize] = true);
-        self.grid.for_each_overlap(&swept, |other| {
+        self.grid.for_each_overlap_in_levels(levels, &swept, |other| {
             if is_known[other as usize] || !self.is_ccd_candidate(proxy, other) {
                 return;
             }
@@ -229,12 +241,12 @@ impl Precise {
     fn is_ccd_candidate(&self, proxy: u32, other: u32) -> bool {
         let [one, other] = [proxy, other].map(|proxy| &self.proxies.all[proxy as usize]);
         let is_bullet = |proxy: &Proxy| self.bodies.are_bullets.get(proxy.body as usize) == Some(&true);
-        one.may_meet(other)
-            && (other.body_type != BodyType::Dynamic
-                || self.sleep.is_asleep(other.body as usize)
-                || is_bullet(one)
-                || is_bullet(other)
-                || !(one.responds && other.responds))
+        let may_stop = other.may_stop()
+            || self.sleep.is_asleep(other.body as usize)
+            || is_bullet(one)
+            || is_bullet(other)
+            || !one.responds;
+        may_stop && one.may_meet(other)
     }
 
     /// Enlarges the fat AABBs of all fast bodies to their swept AABBs and finds their new pairs, in worlds with a depth axis.
@@ -269,14 +281,15 @@ impl Precise {
         }
         self.enlarge_aabb(proxy);
         let body = self.proxies.all[proxy as usize].body;
+        let may_stop = self.proxies.all[proxy as usize].may_stop();
         let bounds = aabb_union(&self.proxies.fat_aabbs[proxy as usize], &swept);
         self.proxies.fat_aabbs[proxy as usize] = bounds;
         if let Some(space) = self.depth.as_deref_mut() {
             let depths = space.swept_interval(proxy, body, dz, self.parameters.speculative_distance);
             space.set_interval(proxy, space.interval(proxy as usize).union(depths));
-            self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds));
+            self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds), may_stop);
         } else {
-            self.grid.insert_or_move(proxy, &bounds);
+            self.grid.insert_or_move(proxy, &bounds, may_stop);
         }
         true
     }

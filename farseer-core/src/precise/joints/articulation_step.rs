@@ -483,6 +483,9 @@ fn line_target_velocity(
 /// this formula they lose 6.2, 2.3 and 1.1 %, and none gains energy.
 #[inline(always)]
 pub(in crate::precise) fn momentum_conserving_stiffness(stiffness: f64, stable_stiffness: f64) -> f64 {
+    if stiffness == 0.0 {
+        return 0.0;
+    }
     let ratio = stiffness / (MOMENTUM_SHARE_HALVED_AT * stable_stiffness);
     MOMENTUM_SHARE_OF_STIFFNESS * stiffness / (1.0 + ratio * ratio)
 }
