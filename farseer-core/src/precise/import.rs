@@ -19,6 +19,7 @@ use crate::geom::{Geom, GeomId};
 use crate::math::plane::Vector;
 use crate::objects::Objects;
 use crate::precise::broad_phase::hash_grid::PackedAabb;
+use crate::precise::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
 use crate::precise::broad_phase::proxies::{BodyType, Proxy, geom_filter};
 
 /// Entry of a table that stands for no body or proxy; all other entries are indices.
@@ -229,7 +230,7 @@ impl Precise {
         let mut pairs = std::mem::take(&mut self.pair_scratch);
         pairs.extend(self.pairs.pairs_of(proxy).map(|pair| pair as u32));
         for pair in pairs.drain(..) {
-            let is_reported = self.is_pair_reported(self.pairs.triggers[pair as usize].proxies);
+            let is_reported = is_pair_reported(&self.proxies, self.pairs.triggers[pair as usize].proxies);
             self.pairs.set_reported(pair as usize, is_reported);
         }
         self.pair_scratch = pairs;
@@ -240,7 +241,8 @@ impl Precise {
         let mut pairs = std::mem::take(&mut self.pair_scratch);
         pairs.extend(self.pairs.pairs_of(proxy).map(|pair| pair as u32));
         for pair in pairs.drain(..) {
-            self.pairs.all[pair as usize].one_way_state = self.initial_one_way_state(pair as usize);
+            self.pairs.all[pair as usize].one_way_state =
+                initial_one_way_state(&self.proxies, &self.pairs, pair as usize);
         }
         self.pair_scratch = pairs;
     }

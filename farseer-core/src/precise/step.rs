@@ -1,37 +1,23 @@
-//! The step of the precise engine after the broad phase: narrow phase, solver in substeps, integration, refit of AABBs.
+//! The step of the precise engine after the broad phase: narrow phase, solvers, write to the bodies, refit of AABBs.
 //!
-//! A substep of the iterative solver is Box2D 3's "Soft Step" (E. Catto, "Solver2D", 2024), on the substeps of M. Macklin et
-//! al., "Small Steps in Physics Simulation" (2019):
-//!
-//! 1. apply forces and the warm start ([`apply_warm_start`]);
-//! 2. solve joints, then contacts as soft constraints with bias ([`solve_with_bias`]);
-//! 3. integrate positions ([`integrate_positions`]);
-//! 4. relaxation: solve joints and contacts as rigid constraints without bias ([`relax`]).
-//!
-//! After the last substep restitution is applied ([`apply_restitution`]). Islands in the direct solver and free articulations
-//! have solvers of their own. If the iterative solver has no constraint at all, all bodies move in free flight without substeps
-//! ([`integrate_free_flight`]).
+//! Islands in the direct solver and free articulations have solvers of their own. All other constraints are solved by the
+//! [iterative solver](super::contact_solver::iterative_solver) in substeps. If it has no constraint at all, all bodies move in
+//! free flight without substeps ([`integrate_free_flight`]).
 
 use crate::precise::parameters::broad_phase::COORDINATE_HEADROOM;
-use crate::precise::parameters::contacts::{JOINTED_RESTITUTION_MAX_SWEEPS, JOINTED_RESTITUTION_TOLERANCE};
 use wide::f32x4;
 
 use super::Precise;
 use super::bodies::{BodyForces, BodySet, read_body};
-use super::constraint_graph::ConstraintGraph;
-use super::integration::{
-    apply_midpoint_correction, apply_warm_start, find_escaped_proxies, integrate_free_flight,
-    integrate_poses, integrate_positions, resolve_bounce,
-};
+use super::depth::FeatureGate;
+use super::integration::{find_escaped_proxies, integrate_free_flight, integrate_poses};
 use super::narrow_phase::NarrowPhaseStats;
 use super::scaled_parameters::AabbMargin;
 pub(crate) use super::scaled_parameters::StepContext;
 use crate::math::Vector2;
 use crate::objects::Objects;
-use crate::precise::contact_solver::soft_step::{
-    ContactSubstep, accumulate_warm_start, apply_restitution, relax, solve_with_bias,
-    solve_with_joint_softness, update_circle_contact, update_circle_contacts,
-};
+use crate::precise::contact_solver::iterative_solver::IterativeSolver;
+use crate::precise::contact_solver::soft_step::{update_circle_contact, update_circle_contacts};
 use crate::report::{Event, Report};
 
 /// AABB of the ground of `twohalf` (low x, low y, high x, high y, length units): all points with y >= 0, since y points down.
@@ -345,71 +331,49 @@ impl Precise {
             integrate_free_flight(&mut self.bodies, &self.sleep.awake_body_runs, step);
             self.joints.equalize_z_displacement(&mut self.bodies, step.dt);
         } else {
-            self.solve_substeps(step);
+            let mut solver = self.iterative_solver();
+            solver.solve(step);
+            solver.store_pivots(step);
+            self.store_rolling_contacts();
         }
         self.joints.store(&mut self.bodies, step);
         self.store_direct(step);
         self.finish_hinges(step);
     }
 
-    /// Runs the iterative solver: substeps, then the midpoint correction of the displacements, then restitution.
-    fn solve_substeps(&mut self, step: &StepContext) {
-        let may_bounce = self.accumulate_warm_start(step);
-        let contact_substep = ContactSubstep {
-            inverse_h: 1.0 / step.h,
-            max_bias_speed: self.parameters.recovery_speed,
-            records_active_points: may_bounce,
+    /// Returns the iterative solver, which borrows the parts that it reads and writes.
+    fn iterative_solver(&mut self) -> IterativeSolver<'_> {
+        let restitution_threshold = match &self.depth {
+            Some(_) => self.restitution_threshold_3d(),
+            None => self.parameters.restitution_threshold,
         };
-        self.warm_start_hinges();
-        self.prepare_rolling_contacts(step);
-        let (has_rolling_contacts, has_joints) =
-            (!self.rolling_contacts.is_empty(), self.joints.act_in_substeps());
-        for substep in 0..step.substeps {
-            self.apply_hinge_springs(step.h, substep == 0);
-            if has_rolling_contacts {
-                self.update_rolling_contacts(step, substep == 0);
-            }
-            apply_warm_start(&mut self.bodies, &self.sleep.awake_body_runs, substep == 0);
-            self.apply_spin_warm_start(substep == 0);
-            if has_joints {
-                self.joints.solve_with_bias(&mut self.bodies, step.h);
-            }
-            self.solve_hinge_stops(step.h);
-            self.solve_with_bias(step, contact_substep);
-            self.solve_hinge_stops(step.h);
-            if has_joints {
-                self.joints.equalize_z_velocity(&mut self.bodies);
-                self.joints.limit_speeds(&mut self.bodies, step.h);
-            }
-            integrate_positions(&mut self.bodies, &self.sleep.awake_body_runs, step.h, substep == 0);
-            self.update_hinge_angles();
-            if has_rolling_contacts {
-                self.set_relax_separations();
-            }
-            if has_joints {
-                self.joints.update_anchors(&mut self.bodies, step.h);
-                self.joints.relax(&mut self.bodies, step.h);
-            }
-            self.relax(contact_substep);
-            self.solve_hinge_stops(step.h);
-            if has_joints {
-                self.joints.equalize_z_velocity(&mut self.bodies);
+        IterativeSolver {
+            bodies: &mut self.bodies,
+            constraints: &mut self.constraints,
+            color_usage: &self.color_usage,
+            joints: &mut self.joints,
+            springs: &self.springs,
+            proxies: &self.proxies,
+            pairs: &mut self.pairs,
+            depth: self.depth.as_mut().map(FeatureGate::by_mut),
+            parameters: &self.parameters,
+            awake_body_runs: &self.sleep.awake_body_runs,
+            rolling_contacts: &mut self.rolling_contacts,
+            proxy_flags: &mut self.proxy_flags,
+            has_restitution: self.has_restitution,
+            restitution_threshold,
+        }
+    }
+
+    /// Stores the rolling contacts that the iterative solver has moved, after the last substep, and clears their list.
+    fn store_rolling_contacts(&mut self) {
+        let mut rolling = std::mem::take(&mut self.rolling_contacts);
+        for roll in rolling.drain(..).filter(|roll| roll.pivot.is_none()) {
+            if let Some(handle) = self.pairs.all[roll.pair as usize].constraint {
+                self.narrow_phase().store_rolling_contact(roll, handle);
             }
         }
-        self.save_rolling_delta_poses();
-        let Precise { bodies, sleep, color_usage, joints, parameters, .. } = self;
-        apply_midpoint_correction(
-            bodies,
-            &sleep.awake_body_runs,
-            (color_usage, joints),
-            parameters.speculative_distance,
-            step,
-        );
-        self.restore_rolling_delta_poses();
-        if may_bounce {
-            self.apply_restitution(step);
-        }
-        self.store_rolling_contacts(step);
+        self.rolling_contacts = rolling;
     }
 
     /// Scales the accumulated contact impulses from the substep length of the last step to `h` seconds, since an impulse is
@@ -418,124 +382,6 @@ impl Precise {
         let factor = f32x4::splat(h / self.impulse_substep);
         self.impulse_substep = h;
         self.for_each_impulse(|impulse| *impulse = zero_unless_finite(*impulse * factor));
-    }
-
-    /// Warm start: sums into `bodies.warm_start` the velocity changes by the accumulated impulses of all contacts and joints of
-    /// each body. Load adaptation of the contacts runs in this loop, too, and constraints with restitution store their approach
-    /// velocities. Returns whether an approach speed exceeds the restitution threshold.
-    fn accumulate_warm_start(&mut self, step: &StepContext) -> bool {
-        self.joints.begin_iterative(&self.springs, &self.bodies, step);
-        let (warm_start, states) = (&mut self.bodies.warm_start, &self.bodies.states);
-        self.sleep.awake_body_runs.iter().for_each(|run| warm_start[run.clone()].fill([0.0; 4]));
-        let may_bounce = if self.depth.is_some() {
-            self.accumulate_warm_start_3d(step)
-        } else {
-            let adaptation = (&step.load_adaptation, self.joints.iterative_body_masks());
-            let threshold = self.has_restitution.then_some(self.parameters.restitution_threshold);
-            let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } =
-                &mut self.constraints;
-            accumulate_warm_start::<false, 2>(two_points, warm_start, states, adaptation, threshold)
-                | accumulate_warm_start::<false, 1>(one_point, warm_start, states, adaptation, threshold)
-                | accumulate_warm_start::<true, 2>(
-                    two_points_static,
-                    warm_start,
-                    states,
-                    adaptation,
-                    threshold,
-                )
-                | accumulate_warm_start::<true, 1>(
-                    one_point_static,
-                    warm_start,
-                    states,
-                    adaptation,
-                    threshold,
-                )
-        };
-        self.joints.add_warm_start(&mut self.bodies);
-        may_bounce
-    }
-
-    /// Solves all contacts of the iterative solver as soft constraints, with a bias velocity that resolves penetration.
-    fn solve_with_bias(&mut self, step: &StepContext, substep: ContactSubstep) {
-        if self.depth.is_some() {
-            return self.solve_with_bias_3d(step, substep);
-        }
-        let states = &mut self.bodies.states;
-        let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } =
-            &mut self.constraints;
-        if let Some(masks) = self.joints.iterative_body_masks() {
-            let (soft, fixed) = (step.softness_with_joints(false), step.softness_with_joints(true));
-            solve_with_joint_softness::<false, 2, _>(two_points, states, substep, soft, masks);
-            solve_with_joint_softness::<false, 1, _>(one_point, states, substep, soft, masks);
-            solve_with_joint_softness::<true, 2, _>(two_points_static, states, substep, fixed, masks);
-            solve_with_joint_softness::<true, 1, _>(one_point_static, states, substep, fixed, masks);
-            return;
-        }
-        let (soft, fixed) = (step.contact_softness, step.static_softness);
-        solve_with_bias::<false, 2, _>(two_points, states, substep, soft);
-        solve_with_bias::<false, 1, _>(one_point, states, substep, soft);
-        solve_with_bias::<true, 2, _>(two_points_static, states, substep, fixed);
-        solve_with_bias::<true, 1, _>(one_point_static, states, substep, fixed);
-    }
-
-    /// Relaxation: solves all contacts of the iterative solver as rigid constraints without bias, friction included.
-    fn relax(&mut self, substep: ContactSubstep) {
-        if self.depth.is_some() {
-            return self.relax_3d(substep);
-        }
-        let states = &mut self.bodies.states;
-        let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } =
-            &mut self.constraints;
-        relax::<false, 2>(two_points, states, substep);
-        relax::<false, 1>(one_point, states, substep);
-        relax::<true, 2>(two_points_static, states, substep);
-        relax::<true, 1>(one_point_static, states, substep);
-    }
-
-    /// Applies restitution after the substeps.
-    ///
-    /// An impact on one body of an articulation changes the velocities of all its bodies. Gauss-Seidel sweeps over contacts and
-    /// joints compute these velocities. A last sweep over the contacts then separates the bodies.
-    fn apply_restitution(&mut self, step: &StepContext) {
-        if self.joints.iterative_body_masks().is_some() {
-            for _ in 0..JOINTED_RESTITUTION_MAX_SWEEPS {
-                self.joints.begin_restitution();
-                self.restitution_sweep(step, false);
-                if self.joints.apply_restitution(&mut self.bodies)
-                    <= JOINTED_RESTITUTION_TOLERANCE * self.parameters.restitution_threshold
-                {
-                    break;
-                }
-            }
-        }
-        self.restitution_sweep(step, true);
-    }
-
-    /// Applies restitution once to all contacts of the iterative solver. In the last sweep (`is_last`) two bodies that have no
-    /// other contact or joint bounce in closed form: [`resolve_bounce`].
-    fn restitution_sweep(&mut self, step: &StepContext, is_last: bool) {
-        if self.depth.is_some() {
-            return self.apply_restitution_3d(step, is_last);
-        }
-        let threshold = self.parameters.restitution_threshold;
-        let Precise { constraints, bodies, color_usage, joints, .. } = self;
-        let mut hot = std::mem::take(&mut bodies.states);
-        macro_rules! bounce_all {
-            ($fixed:literal, $points:literal, $rows:expr) => {
-                apply_restitution::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
-                    if is_last {
-                        resolve_bounce(bodies, hot, (color_usage, joints), step, row, lanes)
-                    } else {
-                        joints.record_restitution(row, lanes)
-                    }
-                })
-            };
-        }
-        bounce_all!(false, 2, &mut constraints.two_points);
-        bounce_all!(false, 1, &mut constraints.one_point);
-        bounce_all!(true, 2, &mut constraints.two_points_static);
-        bounce_all!(true, 1, &mut constraints.one_point_static);
-        bodies.states = hot;
     }
 
     /// End of the sixth stage of a step: computes a new fat AABB for each proxy whose tight AABB has left its fat AABB. The

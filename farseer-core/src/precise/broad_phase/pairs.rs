@@ -6,7 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::math::plane::Vector;
-use crate::precise::broad_phase::proxies::Proxies;
+use crate::precise::broad_phase::proxies::{BodyType, Proxies};
 use crate::precise::constraint_graph::{ConstraintHandle, ConstraintKind};
 use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::reusing_clone::reusing_clone;
@@ -169,6 +169,26 @@ impl Pairs {
             let at = (link != NO_PAIR).then_some((link >> 1) as usize)?;
             link = self.links[at].next[(link & 1) as usize];
             Some(at)
+        })
+    }
+
+    /// Lets the next step update the contacts of those pairs of a proxy that have a constraint.
+    pub(in crate::precise) fn recheck_constrained(&mut self, proxy: u32) {
+        let mut link = self.heads[proxy as usize];
+        while link != NO_PAIR {
+            let at = (link >> 1) as usize;
+            link = self.links[at].next[(link & 1) as usize];
+            if self.all[at].constraint.is_some() {
+                self.triggers[at].motion_tolerance = 0;
+            }
+        }
+    }
+
+    /// Returns body index and body type of A and of B of a pair.
+    pub(in crate::precise) fn bodies_of(&self, proxies: &Proxies, pair: usize) -> [(usize, BodyType); 2] {
+        self.triggers[pair].proxies.map(|proxy| {
+            let proxy = &proxies.all[proxy as usize];
+            (proxy.body as usize, proxy.body_type)
         })
     }
 

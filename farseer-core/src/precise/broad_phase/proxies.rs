@@ -16,7 +16,7 @@ use crate::precise::bodies::{BodySet, spare_capacity};
 use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::depth::interface::is_geom;
 use crate::precise::scaled_parameters::{AabbMargin, Parameters};
-use crate::precise::shape::{Shape, VertexPool};
+use crate::precise::shape::{Shape, ShapeRef, VertexPool};
 use crate::storage::arena::Id;
 use crate::storage::order::packed_key;
 use crate::storage::reusing_clone::reusing_clone;
@@ -199,6 +199,11 @@ impl Proxies {
     pub(in crate::precise) fn creation_numbers(&self, proxies: [u32; 2]) -> u128 {
         let [a, b] = proxies.map(|proxy| &self.all[proxy as usize]);
         packed_key([a.creation_number, a.piece, b.creation_number, b.piece])
+    }
+
+    /// Returns the shape of a proxy, in the frame of its body.
+    pub(in crate::precise) fn shape_of(&self, proxy: u32) -> ShapeRef<'_> {
+        self.vertices.shape_ref(self.all[proxy as usize].shape)
     }
 
     /// Removes all proxies.

@@ -8,13 +8,14 @@ use crate::math::plane::{
     Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar;
-use crate::precise::Precise;
 use crate::precise::contact_solver::pivoting::{PivotState, PivotingPolygon};
-use crate::precise::contact_solver::rolling::{RollingContact, StaticPlane, incident_edge, is_over_face};
+use crate::precise::contact_solver::rolling::{
+    RollingContact, RollingSolver, StaticPlane, incident_edge, is_over_face,
+};
 use crate::precise::parameters::contacts::{PIVOT_MAX_PENETRATION, PIVOT_PLANE_TOLERANCE};
 use crate::precise::scaled_parameters::StepContext;
 
-impl Precise {
+impl RollingSolver<'_> {
     /// Finds the polygons that pivot in closed form in this step, and sets `pivot` of one contact of each. The contacts of such
     /// a polygon that come later in `rolling` are removed from it.
     pub(in crate::precise) fn find_pivoting_bodies(
@@ -22,18 +23,16 @@ impl Precise {
         rolling: &mut Vec<RollingContact>,
         step: &StepContext,
     ) {
-        let mut pivots = std::mem::take(&mut self.proxy_flags);
         rolling.retain_mut(|roll| {
-            let pivots = &mut pivots[roll.proxies[1] as usize];
-            if *pivots {
+            let polygon = roll.proxies[1] as usize;
+            if self.proxy_flags[polygon] {
                 return false;
             }
             roll.pivot = self.pivot_through_step(roll, step);
-            *pivots = roll.pivot.is_some();
+            self.proxy_flags[polygon] = roll.pivot.is_some();
             true
         });
-        rolling.iter().for_each(|roll| pivots[roll.proxies[1] as usize] = false);
-        self.proxy_flags = pivots;
+        rolling.iter().for_each(|roll| self.proxy_flags[roll.proxies[1] as usize] = false);
     }
 
     /// Returns the state after the step of the polygon of a rolling contact. `None` if the polygon touches anything but static
@@ -45,7 +44,7 @@ impl Precise {
         let b = self.proxies.all[at_b as usize].body as usize;
         let state = &self.pairs.all[pair];
         let constraint = self.constraints.get(state.kind, state.constraint?);
-        let outline = self.proxy_shape(at_b);
+        let outline = self.proxies.shape_of(at_b);
         let ([x, y, spin, z], force_delta) = (self.bodies.states[b].velocity, self.bodies.force_delta[b]);
         let is_in_plane =
             [z, force_delta[3], constraint.depth.normal_z] == [0.0; 3] && outline.shape.radius == 0.0;
@@ -94,7 +93,7 @@ impl Precise {
     /// origin of `b`.
     fn min_coplanar_friction(&self, b: usize, at_b: u32, plane: &StaticPlane) -> Option<f32> {
         let mut friction = f32::MAX;
-        for pair in self.pairs.pairs_of_body(&self.proxies, b) {
+        for pair in self.pairs.pairs_of_body(self.proxies, b) {
             let state = &self.pairs.all[pair];
             let Some(handle) = state.constraint else { continue };
             let (constraint, [_, other]) =
@@ -129,7 +128,7 @@ impl Precise {
             let is_level = cross(contact_plane.normal, plane.normal).abs() <= PIVOT_PLANE_TOLERANCE;
             return if is_level { above + contact_plane.offset } else { f32::MAX };
         }
-        let (outline, direction) = (self.proxy_shape(at_a), rotate_inverse(rotation(a), plane.normal));
+        let (outline, direction) = (self.proxies.shape_of(at_a), rotate_inverse(rotation(a), plane.normal));
         above + outline.shape.radius + outline.max_projection(direction)
     }
 
@@ -139,7 +138,7 @@ impl Precise {
         let pose = self.bodies.poses[self.proxies.all[at_b as usize].body as usize];
         let (sine, cosine) = scalar::sin_cos(turned);
         let q = rotate([cosine, sine], rotation(pose));
-        let outline = self.proxy_shape(at_b);
+        let outline = self.proxies.shape_of(at_b);
         incident_edge(outline, rotate_inverse(q, plane.normal)).iter().all(|&end| {
             let point = sum(path, rotate(q, outline.vertices[end as usize]));
             self.pairs.pairs_of(at_b).any(|pair| self.supports_point(pair, at_b, plane, point))
@@ -150,8 +149,7 @@ impl Precise {
     /// body B, in world axes, length units.
     fn supports_point(&self, pair: usize, at_b: u32, plane: &StaticPlane, point: Vector) -> bool {
         let (state, [at_a, other]) = (&self.pairs.all[pair], self.pairs.triggers[pair].proxies);
-        // In three axes outlines that overlap in the plane may be separated along Z.
-        let is_met = state.constraint.is_some() || self.depth.is_none();
+        let is_met = state.constraint.is_some() || self.is_planar;
         let is_static_contact = state.kind.is_static && state.responds && !state.is_vetoed;
         let is_level = || {
             self.height_above_plane(pair, plane).abs() <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit
@@ -162,7 +160,7 @@ impl Precise {
         if state.is_on_ground {
             return true;
         }
-        let (face, b) = (self.proxy_shape(at_a), self.proxies.all[at_b as usize].body as usize);
+        let (face, b) = (self.proxies.shape_of(at_a), self.proxies.all[at_b as usize].body as usize);
         let pose_a = self.bodies.poses[self.proxies.all[at_a as usize].body as usize];
         let apart = difference(translation(self.bodies.poses[b]), translation(pose_a));
         let q = rotation(pose_a);
@@ -187,9 +185,7 @@ impl Precise {
         let [x, y] = after.velocity();
         self.bodies.states[b].velocity = [x, y, after.angular_velocity, 0.0];
         let impulse = scaled(after.reaction, step.h / self.bodies.inverse_mass_inertia[b][0]);
-        let mut pairs = std::mem::take(&mut self.pair_scratch);
-        pairs.extend(self.pairs.pairs_of(at_b).map(|pair| pair as u32));
-        for pair in pairs.drain(..).map(|pair| pair as usize) {
+        for pair in self.pairs.pairs_of(at_b) {
             let state = self.pairs.all[pair];
             let Some(handle) = state.constraint else { continue };
             let mut constraint = self.constraints.get(state.kind, handle);
@@ -206,8 +202,7 @@ impl Precise {
             (constraint.depth.totals[2], constraint.depth.totals[3]) =
                 (tangent_impulse * step.substeps as f32, 0.0);
             self.constraints.set(state.kind, handle, &constraint);
-            self.pairs.triggers[pair].motion_tolerance = 0;
         }
-        self.pair_scratch = pairs;
+        self.pairs.recheck_constrained(at_b);
     }
 }

@@ -14,12 +14,15 @@ use crate::math::plane::{
     Rot, Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar;
-use crate::precise::Precise;
-use crate::precise::broad_phase::pairs::CachedManifold;
-use crate::precise::constraint_graph::{ConstraintHandle, ContactConstraint, ContactPoint};
+use crate::precise::bodies::BodySet;
+use crate::precise::broad_phase::pairs::{CachedManifold, Pairs};
+use crate::precise::broad_phase::proxies::Proxies;
+use crate::precise::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactConstraint, ContactPoint};
 use crate::precise::contact_solver::pivoting::PivotState;
+use crate::precise::joints::JointSystem;
+use crate::precise::narrow_phase::NarrowPhase;
 use crate::precise::parameters::contacts::ROLLING_VERTEX_TOLERANCE;
-use crate::precise::scaled_parameters::StepContext;
+use crate::precise::scaled_parameters::{Parameters, StepContext};
 use crate::precise::shape::{ShapeKind, ShapeRef};
 use crate::storage::order::sort_by_number;
 
@@ -28,7 +31,7 @@ use crate::storage::order::sort_by_number;
 pub(in crate::precise) struct RollingContact {
     /// Indices of two proxies: of the static face, then of the polygon.
     pub(in crate::precise) proxies: [u32; 2],
-    /// Index of the pair of both proxies, valid from [`Precise::prepare_rolling_contacts`] to the end of the step.
+    /// Index of the pair of both proxies, valid from [`RollingSolver::prepare`] to the end of the step.
     pub(in crate::precise) pair: u32,
     /// Indices of the polygon's vertices at the two contact points.
     vertices: [u32; 2],
@@ -86,20 +89,32 @@ impl StaticPlane {
     }
 }
 
-impl Precise {
+/// The parts of the engine that the solver of rolling contacts reads and writes.
+pub(in crate::precise) struct RollingSolver<'a> {
+    pub(in crate::precise) bodies: &'a mut BodySet,
+    pub(in crate::precise) proxies: &'a Proxies,
+    pub(in crate::precise) pairs: &'a mut Pairs,
+    pub(in crate::precise) constraints: &'a mut ConstraintGraph,
+    pub(in crate::precise) joints: &'a JointSystem,
+    pub(in crate::precise) parameters: &'a Parameters,
+    /// Whether the bodies move in the plane: in three axes outlines that overlap in the plane may be separated along z.
+    pub(in crate::precise) is_planar: bool,
+    /// Workspace with an entry for each proxy, all false.
+    pub(in crate::precise) proxy_flags: &'a mut [bool],
+}
+
+impl RollingSolver<'_> {
     /// Finds the rolling contacts of this step, before the substeps, and removes all others from `rolling_contacts`. A rolling
     /// contact either has a polygon that pivots in closed form: `pivot` is its state after the step. Or its polygon rotates
     /// fast and has vertices at the contact points: [`match_vertices`](Self::match_vertices) stores the pair and these
     /// vertices.
-    pub(in crate::precise) fn prepare_rolling_contacts(&mut self, step: &StepContext) {
-        let mut rolling = std::mem::take(&mut self.rolling_contacts);
-        sort_by_number(&mut rolling, |roll| self.proxies.creation_numbers(roll.proxies));
+    pub(in crate::precise) fn prepare(&mut self, rolling: &mut Vec<RollingContact>, step: &StepContext) {
+        sort_by_number(rolling, |roll| self.proxies.creation_numbers(roll.proxies));
         rolling.dedup_by_key(|roll| roll.proxies);
-        self.find_pivoting_bodies(&mut rolling, step);
+        self.find_pivoting_bodies(rolling, step);
         rolling.retain_mut(|roll| {
             roll.pivot.is_some() || (roll.needs_vertex_updates && self.match_vertices(roll).is_some())
         });
-        self.rolling_contacts = rolling;
     }
 
     /// Finds the pair of a rolling contact and the polygon's vertices at its contact points, and stores both in `roll`. Returns
@@ -112,7 +127,7 @@ impl Precise {
             .find(|&at| self.pairs.triggers[at].proxies == roll.proxies)?;
         let (state, manifold) = (&self.pairs.all[pair], &self.pairs.manifolds[pair]);
         let handle = state.constraint.filter(|&home| self.constraints.parked(home).is_none())?;
-        let outline = self.proxy_shape(roll.proxies[1]);
+        let outline = self.proxies.shape_of(roll.proxies[1]);
         let is_flat = manifold.depth.normal_z == 0.0 && manifold.depth.patch_radius == 0.0;
         let is_convex = matches!(outline.shape.kind, ShapeKind::Polygon | ShapeKind::Capsule);
         let has_mass = self.constraints.get(state.kind, handle).inverse_masses[1] > 0.0;
@@ -134,16 +149,14 @@ impl Precise {
         are_corners.then_some(())
     }
 
-    /// Returns the shape of a proxy, in the frame of its body.
-    pub(in crate::precise) fn proxy_shape(&self, proxy: u32) -> ShapeRef<'_> {
-        self.proxies.vertices.shape_ref(self.proxies.all[proxy as usize].shape)
-    }
-
     /// Moves the contact points of rolling polygons to the vertices that face the plane in the middle of the coming substep.
-    pub(in crate::precise) fn update_rolling_contacts(&mut self, step: &StepContext, is_first: bool) {
-        let mut rolling = std::mem::take(&mut self.rolling_contacts);
+    pub(in crate::precise) fn begin_substep(
+        &mut self,
+        rolling: &mut [RollingContact],
+        step: &StepContext,
+        is_first: bool,
+    ) {
         rolling.iter_mut().for_each(|roll| self.update_rolling_contact(roll, step, is_first));
-        self.rolling_contacts = rolling;
     }
 
     /// Updates one rolling contact for the middle of the coming substep: vertices, arms, separations, effective masses and
@@ -164,10 +177,10 @@ impl Precise {
         let q = rotate([cosine, sine], rotation(self.bodies.poses[b]));
         let apart = difference(translation(self.bodies.poses[b]), translation(self.bodies.poses[a]));
         let apart = sum(apart, [path[0], path[1]]);
-        let outline = self.proxy_shape(at_b);
+        let outline = self.proxies.shape_of(at_b);
         let corners = incident_edge(outline, rotate_inverse(q, plane.normal));
         let arms = corners.map(|corner| rotate(q, outline.vertices[corner as usize]));
-        let face = self.proxy_shape(at_a);
+        let face = self.proxies.shape_of(at_a);
         let on_face =
             |arm: &Vector| is_over_face(face, rotation(self.bodies.poses[a]), plane.normal, sum(apart, *arm));
         if !self.pairs.all[pair].is_on_ground && !arms.iter().all(on_face) {
@@ -243,8 +256,7 @@ impl Precise {
     /// The relaxation is speculative: it stops a vertex that would reach the face within one more substep. That is too early
     /// for the next vertex. The energy loss of its impact grows with the square of the angle by which the impact comes too
     /// early. So a vertex that does not reach the face in this substep gets a separation that excludes it from the relaxation.
-    pub(in crate::precise) fn set_relax_separations(&mut self) {
-        let mut rolling = std::mem::take(&mut self.rolling_contacts);
+    pub(in crate::precise) fn set_relax_separations(&mut self, rolling: &mut [RollingContact]) {
         for roll in rolling.iter_mut().filter(|roll| roll.pivot.is_none()) {
             let state = &self.pairs.all[roll.pair as usize];
             let Some(handle) = state.constraint else { continue };
@@ -261,13 +273,12 @@ impl Precise {
             }
             self.constraints.set_separations(state.kind, handle, separations);
         }
-        self.rolling_contacts = rolling;
     }
 
     /// Stores in each rolling contact the displacement of its polygon in the step, which the midpoint correction must not
     /// change.
-    pub(in crate::precise) fn save_rolling_delta_poses(&mut self) {
-        for roll in &mut self.rolling_contacts {
+    pub(in crate::precise) fn save_delta_poses(&self, rolling: &mut [RollingContact]) {
+        for roll in rolling {
             let path = self.bodies.delta_pose[self.proxies.all[roll.proxies[1] as usize].body as usize];
             roll.delta_pose = roll.pivot.map_or(path, |after| {
                 [after.delta_position[0], after.delta_position[1], after.delta_rotation, 0.0]
@@ -276,31 +287,24 @@ impl Precise {
     }
 
     /// Sets the displacement of each rolling polygon in the step to the stored one, after the midpoint correction.
-    pub(in crate::precise) fn restore_rolling_delta_poses(&mut self) {
-        for roll in &self.rolling_contacts {
+    pub(in crate::precise) fn restore_delta_poses(&mut self, rolling: &[RollingContact]) {
+        for roll in rolling {
             self.bodies.delta_pose[self.proxies.all[roll.proxies[1] as usize].body as usize] =
                 roll.delta_pose;
         }
     }
+}
 
-    /// Stores the rolling contacts after the last substep: each cached manifold gets the present vertices, with anchors and
-    /// separations for the pose at the beginning of the step. A snapshot restores constraints from these manifolds, with equal
-    /// arms.
-    pub(in crate::precise) fn store_rolling_contacts(&mut self, step: &StepContext) {
-        let mut rolling = std::mem::take(&mut self.rolling_contacts);
-        for roll in rolling.drain(..) {
-            let pair = roll.pair as usize;
-            if let Some(after) = roll.pivot {
-                self.store_pivot(&roll, &after, step);
-            } else if let Some(handle) = self.pairs.all[pair].constraint {
-                self.store_rolling_contact(pair, roll, handle);
-            }
-        }
-        self.rolling_contacts = rolling;
-    }
-
-    /// Stores manifold, impulses and separations of one rolling contact in its pair and its constraint.
-    fn store_rolling_contact(&mut self, pair: usize, roll: RollingContact, handle: ConstraintHandle) {
+impl NarrowPhase<'_> {
+    /// Stores manifold, impulses and separations of a rolling contact in its pair and its constraint, after the last substep.
+    /// The cached manifold gets the present vertices, with anchors and separations for the pose at the beginning of the step: a
+    /// snapshot restores constraints from these manifolds, with equal arms.
+    pub(in crate::precise) fn store_rolling_contact(
+        &mut self,
+        roll: RollingContact,
+        handle: ConstraintHandle,
+    ) {
+        let pair = roll.pair as usize;
         let kind = self.pairs.all[pair].kind;
         let old = self.constraints.get(kind, handle);
         let is_second = roll.end_separations[1] < roll.end_separations[0];
@@ -311,7 +315,7 @@ impl Precise {
         };
         let count = 1 + usize::from(is_near(&order[1]));
         let order = if count == 2 { [0, 1] } else { order };
-        let outline = self.proxy_shape(roll.proxies[1]);
+        let outline = self.proxies.shape_of(roll.proxies[1]);
         let [a, b] =
             roll.proxies.map(|proxy| self.bodies.poses[self.proxies.all[proxy as usize].body as usize]);
         let apart = difference(translation(b), translation(a));
@@ -333,7 +337,7 @@ impl Precise {
         (manifold.count, manifold.arm_lead_angle) = (count as u32, 0.0);
         self.pairs.manifolds[pair] = manifold;
         self.pairs.triggers[pair].motion_tolerance = 0;
-        let now = self.narrow_phase().current_constraint(pair);
+        let now = self.current_constraint(pair);
         let is_set = self.pairs.all[pair].has_surface_override;
         let mut constraint = ContactConstraint {
             points: now.points,

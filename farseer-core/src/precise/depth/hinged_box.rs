@@ -20,6 +20,7 @@ use crate::precise::Precise;
 use crate::precise::bodies::BodySet;
 use crate::precise::broad_phase::proxies::BodyType;
 use crate::precise::constraint_graph::ContactConstraint;
+use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::parameters::depth::{HINGE_REST_MAX_DISTANCE, HINGE_STOP_MAX_ANGLE};
 use crate::precise::scaled_parameters::StepContext;
 
@@ -231,52 +232,6 @@ impl Precise {
         }
     }
 
-    /// Warm start: adds the angular velocity by the accumulated impulse of damper and stops to `BodySet::warm_start` of each
-    /// awake hinged box.
-    pub(in crate::precise) fn warm_start_hinges(&mut self) {
-        self.for_each_hinged_box(|hinged_box, bodies| {
-            bodies.warm_start[hinged_box.body as usize][2] +=
-                hinged_box.constraint_impulse / hinged_box.hinge.inertia;
-        });
-    }
-
-    /// Start of a substep: sets the yaw of each awake hinged box and stores the velocity change by its spring torque in
-    /// `BodySet::force_delta`. `h` is the substep in seconds.
-    pub(in crate::precise) fn apply_hinge_springs(&mut self, h: f32, is_first: bool) {
-        self.for_each_hinged_box(|hinged_box, bodies| {
-            let at = hinged_box.body as usize;
-            let turned = if is_first { 0.0 } else { bodies.delta_pose[at][2] };
-            (hinged_box.angle, hinged_box.is_integrated) = (hinged_box.initial[0] + turned, false);
-            let WorldBoxHinge { stiffness, inertia, rest_angle, .. } = hinged_box.hinge;
-            bodies.force_delta[at][2] = h * stiffness * (rest_angle - hinged_box.angle) / inertia;
-        });
-    }
-
-    /// After position integration: sets the yaw of each awake hinged box to the yaw at the start of the step plus the rotation
-    /// since then.
-    pub(in crate::precise) fn update_hinge_angles(&mut self) {
-        self.for_each_hinged_box(|hinged_box, bodies| {
-            hinged_box.angle = hinged_box.initial[0] + bodies.delta_pose[hinged_box.body as usize][2];
-            hinged_box.is_integrated = true;
-        });
-    }
-
-    /// Solves the damper, the implicit part of the spring and the stops of all awake hinged boxes. `h` is the substep in
-    /// seconds.
-    pub(in crate::precise) fn solve_hinge_stops(&mut self, h: f32) {
-        self.for_each_hinged_box(|hinged_box, bodies| {
-            hinged_box.solve_damping_and_stops(&mut bodies.states[hinged_box.body as usize].velocity[2], h);
-        });
-    }
-
-    /// Calls `act` for each awake hinged box.
-    fn for_each_hinged_box(&mut self, mut act: impl FnMut(&mut HingedBoxState, &mut BodySet)) {
-        let Precise { depth: Some(space), bodies, .. } = self else { return };
-        for hinged_box in empty_if_disabled(&mut space.hinged_boxes) {
-            act(hinged_box, bodies);
-        }
-    }
-
     /// End of solving: computes the motion of hinged boxes without contacts in closed form, and clamps the yaw of all others to
     /// the stops. A box whose spring has not come to rest gets rest time 0, so that it stays awake.
     pub(in crate::precise) fn finish_hinges(&mut self, step: &StepContext) {
@@ -413,6 +368,55 @@ impl DepthState {
     /// Returns the hinge of the box with this body index; `None` if the body is not a hinged box.
     fn hinge_of(&self, body_index: usize) -> Option<&WorldBoxHinge> {
         self.hinged_box(body_index)?.hinge()
+    }
+}
+
+/// Hinged boxes in the substeps of the iterative solver.
+impl IterativeSolver<'_> {
+    /// Warm start: adds the angular velocity by the accumulated impulse of damper and stops to `BodySet::warm_start` of each
+    /// awake hinged box.
+    pub(in crate::precise) fn warm_start_hinges(&mut self) {
+        self.for_each_hinged_box(|hinged_box, bodies| {
+            bodies.warm_start[hinged_box.body as usize][2] +=
+                hinged_box.constraint_impulse / hinged_box.hinge.inertia;
+        });
+    }
+
+    /// Start of a substep: sets the yaw of each awake hinged box and stores the velocity change by its spring torque in
+    /// `BodySet::force_delta`. `h` is the substep in seconds.
+    pub(in crate::precise) fn apply_hinge_springs(&mut self, h: f32, is_first: bool) {
+        self.for_each_hinged_box(|hinged_box, bodies| {
+            let at = hinged_box.body as usize;
+            let turned = if is_first { 0.0 } else { bodies.delta_pose[at][2] };
+            (hinged_box.angle, hinged_box.is_integrated) = (hinged_box.initial[0] + turned, false);
+            let WorldBoxHinge { stiffness, inertia, rest_angle, .. } = hinged_box.hinge;
+            bodies.force_delta[at][2] = h * stiffness * (rest_angle - hinged_box.angle) / inertia;
+        });
+    }
+
+    /// After position integration: sets the yaw of each awake hinged box to the yaw at the start of the step plus the rotation
+    /// since then.
+    pub(in crate::precise) fn update_hinge_angles(&mut self) {
+        self.for_each_hinged_box(|hinged_box, bodies| {
+            hinged_box.angle = hinged_box.initial[0] + bodies.delta_pose[hinged_box.body as usize][2];
+            hinged_box.is_integrated = true;
+        });
+    }
+
+    /// Solves the damper, the implicit part of the spring and the stops of all awake hinged boxes. `h` is the substep in
+    /// seconds.
+    pub(in crate::precise) fn solve_hinge_stops(&mut self, h: f32) {
+        self.for_each_hinged_box(|hinged_box, bodies| {
+            hinged_box.solve_damping_and_stops(&mut bodies.states[hinged_box.body as usize].velocity[2], h);
+        });
+    }
+
+    /// Calls `act` for each awake hinged box.
+    fn for_each_hinged_box(&mut self, mut act: impl FnMut(&mut HingedBoxState, &mut BodySet)) {
+        let IterativeSolver { depth: Some(space), bodies, .. } = self else { return };
+        for hinged_box in empty_if_disabled(&mut space.hinged_boxes) {
+            act(hinged_box, bodies);
+        }
     }
 }
 

@@ -9,6 +9,13 @@ use crate::objects::Objects;
 use crate::precise::Precise;
 
 /// Input of depth states, shapes and forces, and output of depth states, between updates.
+impl DepthState {
+    /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
+    pub(in crate::precise) fn supports_on_ground(&self, [a, b]: [u32; 2]) -> bool {
+        (a != self.ground_proxy || self.has_ground(b)) && (b != self.ground_proxy || self.has_ground(a))
+    }
+}
+
 impl Precise {
     /// Returns whether the engine has a depth axis.
     pub(crate) fn has_depth(&self) -> bool {
@@ -138,15 +145,6 @@ impl Precise {
             }
             DepthContactTarget::Geom(_) => None,
         }
-    }
-
-    /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
-    pub(in crate::precise) fn may_meet_ground(&self, proxies: [u32; 2]) -> bool {
-        self.depth.as_ref().is_none_or(|space| {
-            let [a, b] = proxies;
-            (a != space.ground_proxy || space.has_ground(b))
-                && (b != space.ground_proxy || space.has_ground(a))
-        })
     }
 
     /// Returns whether a geom may collide with a world box or with the ground, by the collision filters and by whether its body

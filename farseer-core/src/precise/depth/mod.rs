@@ -137,6 +137,13 @@ impl FeatureGate<Box<DepthState>> {
     }
 }
 
+impl FeatureGate<Box<DepthState>> {
+    /// Returns the depth state as a mutable reference, with its proof of the feature `space`.
+    pub(super) fn by_mut(&mut self) -> FeatureGate<&mut DepthState> {
+        FeatureGate { state: &mut self.state, proof: self.proof }
+    }
+}
+
 impl<S: std::ops::Deref<Target = DepthState>> std::ops::Deref for FeatureGate<S> {
     type Target = DepthState;
 
@@ -146,7 +153,7 @@ impl<S: std::ops::Deref<Target = DepthState>> std::ops::Deref for FeatureGate<S>
     }
 }
 
-impl std::ops::DerefMut for FeatureGate<Box<DepthState>> {
+impl<S: std::ops::DerefMut<Target = DepthState>> std::ops::DerefMut for FeatureGate<S> {
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut DepthState {
         &mut self.state

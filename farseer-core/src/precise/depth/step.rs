@@ -13,6 +13,7 @@ use crate::math::plane::length;
 use crate::precise::Precise;
 use crate::precise::bodies::BodyForces;
 use crate::precise::constraint_graph::ConstraintGraph3;
+use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::contact_solver::soft_step::{
     ContactSubstep, apply_restitution, solve_with_bias, solve_with_joint_softness,
 };
@@ -127,13 +128,13 @@ fn quadratic_drag(body: &Body, [x, y, _, z]: [f32; 4]) -> f32 {
 }
 
 /// Stages of the contact solver for constraints in three axes.
-impl Precise {
+impl IterativeSolver<'_> {
     /// Adds the velocity changes by the accumulated impulses of all constraints to `BodySet::warm_start` and to the ball spins.
     /// Also performs load adaptation, and stores the approach velocities of constraints with restitution. Returns whether an
     /// approach speed exceeds the restitution threshold.
     pub(in crate::precise) fn accumulate_warm_start_3d(&mut self, step: &StepContext) -> bool {
-        let threshold = self.has_restitution.then(|| self.restitution_threshold_3d());
-        let Precise { bodies, constraints: rows, joints, depth: Some(space), .. } = self else {
+        let threshold = self.has_restitution.then_some(self.restitution_threshold);
+        let IterativeSolver { bodies, constraints: rows, joints, depth: Some(space), .. } = self else {
             return false;
         };
         let learning = (&step.load_adaptation, joints.iterative_body_masks());
@@ -177,7 +178,7 @@ impl Precise {
 
     /// Relaxation: solves the normal rows of all constraints without bias, and friction along both tangents.
     pub(in crate::precise) fn relax_3d(&mut self, substep: ContactSubstep) {
-        let Precise { bodies, constraints: rows, depth: Some(space), .. } = self else { return };
+        let IterativeSolver { bodies, constraints: rows, depth: Some(space), .. } = self else { return };
         let (hot, spins) = (&mut bodies.states, &mut space.ball_spins);
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut rows.depth;
@@ -187,22 +188,11 @@ impl Precise {
         relax_3d::<true, 1>(balls_fixed, hot, spins, substep);
     }
 
-    /// Returns the approach speed in length units/s below which there is no restitution. A resting body approaches no faster
-    /// than gravity accelerates it in a few steps. Without gravity the threshold is 0.
-    fn restitution_threshold_3d(&self) -> f32 {
-        let resting = RESTITUTION_GRAVITY_STEPS * length(self.gravity_delta);
-        if resting < self.parameters.restitution_threshold {
-            resting
-        } else {
-            self.parameters.restitution_threshold
-        }
-    }
-
     /// Applies restitution to all constraints after the substeps. `is_last`: bodies that bounce get the position of a bounce at
     /// the time of impact. The impulses of restitution are added to `step_impulses`.
     pub(in crate::precise) fn apply_restitution_3d(&mut self, step: &StepContext, is_last: bool) {
-        let threshold = self.restitution_threshold_3d();
-        let Precise { constraints: rows, bodies, color_usage, joints, .. } = self;
+        let threshold = self.restitution_threshold;
+        let IterativeSolver { constraints: rows, bodies, color_usage, joints, .. } = self;
         let mut hot = std::mem::take(&mut bodies.states);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
@@ -232,6 +222,19 @@ impl Precise {
         bounce_all!(true, 1, balls_fixed);
         count_all!(|total, impulse| total + impulse);
         bodies.states = hot;
+    }
+}
+
+impl Precise {
+    /// Returns the approach speed in length units/s below which there is no restitution. A resting body approaches no faster
+    /// than gravity accelerates it in a few steps. Without gravity the threshold is 0.
+    pub(in crate::precise) fn restitution_threshold_3d(&self) -> f32 {
+        let resting = RESTITUTION_GRAVITY_STEPS * length(self.gravity_delta);
+        if resting < self.parameters.restitution_threshold {
+            resting
+        } else {
+            self.parameters.restitution_threshold
+        }
     }
 
     /// Calls `change` for each accumulated, summed and rest impulse of the constraints in three axes, in mass units * length

@@ -397,7 +397,8 @@ impl Precise {
             return;
         }
         let [x, y, _, z] = self.bodies.states[one.body as usize].velocity.map(|velocity| velocity * dt);
-        if !self.contains_sweep(proxy, &self.swept_aabb(proxy, [x, y, 0.0, z]), z) {
+        let motion = self.swept_motion();
+        if !motion.contains_sweep(proxy, &motion.swept_aabb(proxy, [x, y, 0.0, z]), z) {
             self.insert_proxy(proxy);
         }
         let Precise { pairs, pair_scratch: lost, .. } = self;

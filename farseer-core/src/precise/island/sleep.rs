@@ -572,10 +572,7 @@ impl Precise {
 
     /// Returns body index and body type of A and of B of a pair.
     pub(in crate::precise) fn bodies_of_pair(&self, pair: usize) -> [(usize, BodyType); 2] {
-        self.pairs.triggers[pair].proxies.map(|proxy| {
-            let proxy = &self.proxies.all[proxy as usize];
-            (proxy.body as usize, proxy.body_type)
-        })
+        self.pairs.bodies_of(&self.proxies, pair)
     }
 
     /// Returns whether the body is dynamic.

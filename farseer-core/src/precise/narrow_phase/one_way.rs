@@ -178,7 +178,7 @@ impl Precise {
         for pair in 0..self.pairs.len() {
             let state = &self.pairs.all[pair];
             if state.one_way_state == OneWayState::Landed && state.constraint.is_none() {
-                let motion = self.pair_motion();
+                let motion = self.swept_motion().pair_motion();
                 if !motion.has_group_constraint(pair) && !motion.group_overlaps(pair) {
                     self.pairs.set_one_way_state(&self.proxies, pair, OneWayState::Apart);
                 }

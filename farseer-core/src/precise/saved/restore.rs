@@ -7,7 +7,9 @@ use super::{EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedP
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
+use crate::precise::broad_phase::pair_finder::order_pair;
 use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
+use crate::precise::depth::FeatureGate;
 use crate::precise::narrow_phase::TouchEvent;
 use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::order::sort_by_number;
@@ -30,7 +32,7 @@ impl Precise {
             let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
             current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
                 let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
-                self.order_pair(now) == Some(now)
+                order_pair(&self.proxies, self.depth.as_ref().map(FeatureGate::by_ref), now) == Some(now)
                     && (edits == EditPolicy::Defer || self.may_keep_pair((one, other), objects))
             })
         };
@@ -267,7 +269,7 @@ impl Precise {
         if self.pairs.contains(proxies) {
             return None;
         }
-        let pair = self.add_pair(proxies);
+        let pair = self.narrow_phase().add_pair(proxies);
         let responds = self.pairs.all[pair].responds;
         let SavedManifold {
             rotations,
