@@ -30,6 +30,7 @@ mod import;
 mod integration;
 pub(crate) mod island;
 mod joints;
+mod minimum_degree;
 mod narrow_phase;
 mod parameters;
 mod saved;

@@ -104,7 +104,7 @@ impl Mat3 {
         let upper = f64x2::new([x, y]);
         let [first, second, third] = self.upper_columns.map(|column| column * upper);
         let [[ax, ay], [bx, by], [cx, cy]] = [first, second, third].map(f64x2::to_array);
-        let sums = f64x2::new([ax, bx]) + f64x2::new([ay, by]) + self.last_row * f64x2::splat(z);
+        let sums = f64x2::new([ax + ay, bx + by]) + self.last_row * f64x2::splat(z);
         let [x, y] = sums.to_array();
         [x, y, cx + cy + self.corner * z]
     }

@@ -289,13 +289,13 @@ pub(in crate::precise) const STICKING_FRICTION_FRACTION: f32 = 0.98;
 pub(in crate::precise) const FRICTION_CHECK_MAX_DOUBLINGS: u8 = 7;
 
 /// Most block products per body in the factorisation of an island without joints; beyond it the island goes to the iterative
-/// solver. Unit: dimensionless, a count. Measured: card houses need fewer than 8, pyramids with 15 boxes in the lowest row 12.
+/// solver. Unit: dimensionless, a count. Measured: card houses need fewer than 8, pyramids with 16 boxes in the lowest row 12.
 /// At rest the direct solver takes half the time of the iterative solver for such a pyramid; while the pyramid is hit it takes
 /// several times as long.
 pub(in crate::precise) const FACTOR_PRODUCTS_PER_BODY: usize = 12;
 
 /// Most block products per body in the factorisation of an island with joints; beyond it the island goes to the iterative
-/// solver. Unit: dimensionless, a count. Measured: grids of 15 x 15 joints need about 50, grids of 100 x 100 about 700.
+/// solver. Unit: dimensionless, a count. Measured: grids of 15 x 15 joints need about 30, grids of 100 x 100 about 520.
 pub(in crate::precise) const JOINTED_FACTOR_PRODUCTS_PER_BODY: usize = 800;
 
 /// Average Newton steps per update above which an island without joints goes to the iterative solver for a pause: first

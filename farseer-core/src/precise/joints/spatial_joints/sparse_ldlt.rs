@@ -12,6 +12,9 @@ use crate::storage::reusing_clone::reusing_clone;
 pub(super) struct SparseLdlt {
     /// Order of elimination, and positions of the elements below the diagonal.
     symbolic: SymbolicFactor,
+    /// For each product of two elements of a column, in the order of the elimination: index into `lower` of the element from
+    /// which the product is subtracted.
+    product_targets: Vec<u32>,
     /// Diagonal of the matrix; after the factorisation, diagonal of D^-1.
     diagonal: Vec<f64>,
     /// Elements below the diagonal column by column: of the matrix; after the factorisation, of L.
@@ -22,7 +25,7 @@ pub(super) struct SparseLdlt {
     solution: Vec<f64>,
 }
 
-reusing_clone! { SparseLdlt { symbolic, diagonal, lower, column, solution } }
+reusing_clone! { SparseLdlt { symbolic, product_targets, diagonal, lower, column, solution } }
 
 impl SparseLdlt {
     /// Returns a matrix of `count` rows whose off-diagonal elements at `edges` may be nonzero. Returns `None` if its
@@ -38,18 +41,19 @@ impl SparseLdlt {
             solution: vec![0.0; count],
             lower: vec![0.0; elimination.rows.len()],
             column: vec![0.0; elimination.max_column_length()],
+            product_targets: product_targets(&elimination),
             symbolic: elimination,
         })
     }
 
     /// Returns the number of products that one factorisation computes below the diagonal.
     pub(super) fn product_count(&self) -> usize {
-        self.symbolic.product_targets.len()
+        self.product_targets.len()
     }
 
     /// Returns the index of the off-diagonal element of the rows `a` and `b`, for [`add_lower`](Self::add_lower).
     pub(super) fn entry_index(&self, a: u32, b: u32) -> u32 {
-        self.symbolic.entry_of(a, b).0
+        self.symbolic.matrix_entries[self.symbolic.matrix_entry_of(a, b).0 as usize]
     }
 
     /// Sets all elements of the matrix to 0.
@@ -83,7 +87,7 @@ impl SparseLdlt {
                 let factor = self.lower[column.start + at];
                 self.diagonal[self.symbolic.rows[column.start + at] as usize] -= factor * self.column[at];
                 for above in 0..at {
-                    self.lower[self.symbolic.product_targets[target] as usize] -= factor * self.column[above];
+                    self.lower[self.product_targets[target] as usize] -= factor * self.column[above];
                     target += 1;
                 }
             }
@@ -106,6 +110,30 @@ impl SparseLdlt {
         }
         values.iter_mut().zip(places.iter()).for_each(|(value, &place)| *value = solution[place as usize]);
     }
+}
+
+/// Returns the target of each product of two elements of a column, in the order of the elimination, as an index into the list of
+/// entries. The target is the entry in the column of the first element, at the row of the second.
+///
+/// By the fill-in rule the target's column contains the rows of all later entries of the column, so one pass down the target's
+/// column finds them in order.
+fn product_targets(elimination: &SymbolicFactor) -> Vec<u32> {
+    let mut targets = vec![0; elimination.product_count];
+    let mut first = 0;
+    for place in 0..elimination.order.len() {
+        let of_column = &elimination.rows[elimination.column(place)];
+        for (above, &place) in of_column.iter().enumerate() {
+            let mut entry = elimination.column(place as usize).start;
+            for (at, &row) in of_column.iter().enumerate().skip(above + 1) {
+                while elimination.rows[entry] != row {
+                    entry += 1;
+                }
+                targets[first + at * (at - 1) / 2 + above] = entry as u32;
+            }
+        }
+        first += of_column.len() * of_column.len().saturating_sub(1) / 2;
+    }
+    targets
 }
 
 #[cfg(test)]
