@@ -170,6 +170,7 @@ impl DirectIsland {
         let DirectIsland { system, joints: of_island, joint_bodies, .. } = self;
         let IslandSystem { members, joints: rows, .. } = system;
         rows.clear();
+        rows.reserve(of_island.len());
         for (&at, &ends) in of_island.iter().zip(joint_bodies.iter()) {
             let mut made = joints.constraint(at).constraint_rows(ends, interval, error_arm);
             made.set_effective_masses(members);

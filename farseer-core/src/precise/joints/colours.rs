@@ -8,7 +8,6 @@
 //! rows have a damping ratio of 10 moves at 2,000 px/s; in the order of colours at 560 px/s.
 
 use super::joint_constraint::JointConstraint;
-use crate::storage::order::sort_by_number;
 
 /// Number of colours in each of two classes: joints between two dynamic bodies, and joints to a static or kinematic body.
 ///
@@ -29,7 +28,9 @@ pub(super) fn assign_colors(
     colored: &mut Vec<(u32, u32)>,
 ) {
     let mut used = vec![0_u64; body_count];
+    let mut counts = [0_usize; 2 * COLORS_PER_CLASS as usize];
     colored.clear();
+    colored.reserve(joints.len());
     for &index in joints {
         let ends = all[index as usize].anchors.map(|end| end.body as usize);
         let dynamic = || ends.into_iter().filter(|&body| body != 0);
@@ -37,7 +38,25 @@ pub(super) fn assign_colors(
         let used_colors = dynamic().fold(0, |taken, body| taken | used[body]) >> first_color;
         let color = first_color + used_colors.trailing_ones().min(COLORS_PER_CLASS - 1);
         dynamic().for_each(|body| used[body] |= 1 << color);
+        counts[color as usize] += 1;
         colored.push((index, color));
     }
-    sort_by_number(colored, |&(_, colour)| colour.into());
+    sort_by_color(colored, &counts);
+}
+
+/// Sorts pairs of index and colour by colour; the sort is stable. `counts` holds the number of pairs of each colour.
+fn sort_by_color(colored: &mut Vec<(u32, u32)>, counts: &[usize]) {
+    let mut ends = [0; 2 * COLORS_PER_CLASS as usize];
+    let mut sum = 0;
+    for (end, count) in ends.iter_mut().zip(counts) {
+        *end = sum;
+        sum += count;
+    }
+    let mut sorted = vec![(0, 0); colored.len()];
+    for &pair in colored.iter() {
+        let end = &mut ends[pair.1 as usize];
+        sorted[*end] = pair;
+        *end += 1;
+    }
+    *colored = sorted;
 }

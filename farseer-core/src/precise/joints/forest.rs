@@ -76,12 +76,50 @@ impl JointUnionFind {
     }
 }
 
+/// Edges of the trees by body.
+struct TreeNeighbours {
+    /// For each body index: index into `edges` of the first edge of the body; the last element is the length of `edges`.
+    starts: Vec<u32>,
+    /// Edges of the trees from each of their two bodies, as (joint index, index of the body on the other side). They are sorted
+    /// by body, then by joint.
+    edges: Vec<(u32, u32)>,
+}
+
+impl TreeNeighbours {
+    /// Returns the neighbours of `bodies` bodies in the trees. A joint of `edges` is an edge of a tree unless `is_non_tree`.
+    fn new(edges: &[JointEdge], is_non_tree: &[bool], bodies: usize) -> Self {
+        let of_trees = || edges.iter().enumerate().filter(|&(at, _)| !is_non_tree[at]);
+        let mut ends = vec![0; bodies + 1];
+        for body in of_trees().flat_map(|(_, edge)| edge.bodies) {
+            ends[body as usize + 1] += 1;
+        }
+        for at in 0..bodies {
+            ends[at + 1] += ends[at];
+        }
+        let starts = ends.clone();
+        let mut neighbours = vec![(0, 0); starts[bodies] as usize];
+        for (at, &JointEdge { bodies: [a, b], .. }) in of_trees() {
+            for [body, other] in [[a, b], [b, a]] {
+                let end = &mut ends[body as usize];
+                neighbours[*end as usize] = (at as u32, other);
+                *end += 1;
+            }
+        }
+        TreeNeighbours { starts, edges: neighbours }
+    }
+
+    /// Returns the range in `edges` of the edges of a body.
+    fn edges_of(&self, body: u32) -> std::ops::Range<usize> {
+        self.starts[body as usize] as usize..self.starts[body as usize + 1] as usize
+    }
+}
+
 /// Builder of the tree entries of all articulations.
 struct ForestBuilder<'a> {
     /// Joints in the order of the list of joints.
     edges: &'a [JointEdge],
-    /// For each body index: edges of trees, as (joint index, index of the body on the other side).
-    neighbours: Vec<Vec<(u32, u32)>>,
+    /// Edges of the trees by body.
+    neighbours: TreeNeighbours,
     /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`].
     tree_index_of: Vec<u32>,
 }
@@ -92,7 +130,6 @@ impl SpanningForest {
     /// Index 0 is the world. A second joint with the world closes a loop if a tree connects its body with the first one's.
     pub(super) fn new(edges: &[JointEdge], bodies: usize) -> Self {
         let (mut in_trees, mut in_articulations) = (JointUnionFind::new(bodies), JointUnionFind::new(bodies));
-        let mut neighbours = vec![Vec::new(); bodies];
         let mut is_non_tree = vec![false; edges.len()];
         for (at, edge) in edges.iter().enumerate() {
             let [a, b] = edge.bodies;
@@ -100,11 +137,8 @@ impl SpanningForest {
                 in_articulations.union(edge.bodies);
             }
             is_non_tree[at] = edge.is_bounded || !in_trees.union(edge.bodies);
-            if !is_non_tree[at] {
-                neighbours[a as usize].push((at as u32, b));
-                neighbours[b as usize].push((at as u32, a));
-            }
         }
+        let neighbours = TreeNeighbours::new(edges, &is_non_tree, bodies);
         let mut members_of: Vec<Vec<u32>> = Vec::new();
         let mut articulation_of = vec![None; bodies];
         for (at, key) in edges.iter().enumerate() {
@@ -126,6 +160,8 @@ impl ForestBuilder<'_> {
     /// Returns the articulation of the joints with the indices `members`: first the trees at the world, then the free trees.
     fn build_articulation(&mut self, members: &[u32], is_non_tree: &[bool]) -> ArticulationPlan {
         let mut articulation = ArticulationPlan::default();
+        // A tree has one body more than joints; each tree at the world has an entry of the world.
+        articulation.entries.reserve(members.len() + 1);
         for &at in members.iter().filter(|&&at| !is_non_tree[at as usize]) {
             let [a, b] = self.edges[at as usize].bodies;
             if a == 0 || b == 0 {
@@ -158,7 +194,8 @@ impl ForestBuilder<'_> {
     fn grow_tree(&mut self, articulation: &mut ArticulationPlan) {
         let mut at = articulation.entries.len() - 1;
         while let Some(&entry) = articulation.entries.get(at) {
-            for (joint, body) in std::mem::take(&mut self.neighbours[entry.body as usize]) {
+            for edge in self.neighbours.edges_of(entry.body) {
+                let (joint, body) = self.neighbours.edges[edge];
                 if body != 0 && self.tree_index_of[body as usize] == NO_TREE_INDEX {
                     self.add_entry(articulation, body, at as u32, Some(joint));
                 }
