@@ -82,8 +82,9 @@ pub(crate) fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
     }
     let mut at = 0;
     while at < corners.len() && corners.len() > 1 {
-        let count = corners.len();
-        let (before, after) = (corners[(at + count - 1) % count], corners[(at + 1) % count]);
+        let last = corners.len() - 1;
+        let before = corners[if at == 0 { last } else { at - 1 }];
+        let after = corners[if at == last { 0 } else { at + 1 }];
         let (a, b) = (difference(corners[at], before), difference(after, corners[at]));
         let goes_straight_on = dot(a, b) >= 0.0 && cross(a, b).abs() <= MIN_TURN_SINE * length(a) * length(b);
         if goes_straight_on {
@@ -97,7 +98,8 @@ pub(crate) fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
 }
 
 fn area(corners: &[Vector]) -> f32 {
-    (0..corners.len()).map(|i| cross(corners[i], corners[(i + 1) % corners.len()])).sum()
+    let following = corners.iter().cycle().skip(1);
+    corners.iter().zip(following).map(|(&corner, &next)| cross(corner, next)).sum()
 }
 
 /// Whether every corner turns to the same side, and all of them together one full turn.

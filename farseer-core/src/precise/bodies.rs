@@ -166,9 +166,10 @@ impl BodySet {
     }
 
     /// Lists all bodies anew: moving boxes of `twohalf`, then dynamic and kinematic bodies, spare capacity and static bodies.
-    /// `moving`: pose and rotation (radians) of each moving box.
+    /// `moving`: pose and rotation (radians) of each moving box. Memory is reserved for `count` bodies.
     pub(super) fn rebuild<'a>(
         &mut self,
+        count: usize,
         moving: impl Iterator<Item = (Pose, f32)>,
         movable: impl Iterator<Item = (BodyId, &'a Body)>,
         statics: impl Iterator<Item = (BodyId, &'a Body)>,
@@ -180,11 +181,12 @@ impl BodySet {
         self.inverse_mass_inertia.clear();
         self.gravity_scales.clear();
         self.max_extents.clear();
-        self.push_placeholder();
         self.states.clear();
+        self.are_bullets.clear();
+        self.reserve(count);
+        self.push_placeholder();
         self.states.push(MotionState::default());
         self.max_extents.push(f32::INFINITY);
-        self.are_bullets.clear();
         self.are_bullets.push(false);
         moving.for_each(|(pose, rotation)| {
             self.kinematic.push(self.ids.len() as u32);
@@ -225,6 +227,20 @@ impl BodySet {
             array.clear();
             array.resize(padded, [0.0; 4]);
         }
+    }
+
+    /// Reserves memory for `count` bodies in the lists that [`rebuild`](Self::rebuild) extends body by body.
+    fn reserve(&mut self, count: usize) {
+        // Further entries are the placeholder and up to 3 that make the length a multiple of 4.
+        let capacity = count + spare_capacity(count) + 4;
+        self.ids.reserve(capacity);
+        self.poses.reserve(capacity);
+        self.rotations.reserve(capacity);
+        self.inverse_mass_inertia.reserve(capacity);
+        self.gravity_scales.reserve(capacity);
+        self.states.reserve(capacity);
+        self.max_extents.reserve(capacity);
+        self.are_bullets.reserve(capacity);
     }
 
     /// Appends an entry without a body: infinite mass, pose at the origin of the world.

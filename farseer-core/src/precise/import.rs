@@ -404,6 +404,7 @@ impl Precise {
             }
         }
         self.bodies.rebuild(
+            bodies.list().len(),
             self.depth.iter().flat_map(|space| space.moving_poses()),
             movable().filter(|(_, entry)| entry.body.is_integrated()).map(|(id, entry)| (id, &entry.body)),
             static_bodies.iter().map(|&id| (id, &bodies[id].body)),
@@ -428,13 +429,14 @@ impl Precise {
     /// static bodies.
     fn rebuild_proxies(&mut self, objects: &Objects) {
         self.proxies.clear();
+        self.proxies.reserve_lists(objects.geoms.list().len());
         self.first_proxies.clear();
         self.proxy_flags.clear();
         self.has_restitution = false;
         let first_fixed = self.bodies.first_static() as u32;
         self.add_moving_box_proxies();
         self.add_proxies(objects, |body| body < first_fixed);
-        self.proxies.reserve();
+        self.proxies.add_spare_positions();
         self.add_proxies(objects, |body| body >= first_fixed);
         self.add_ground_and_static_proxies();
         self.proxies.link_bodies(self.bodies.poses.len());

@@ -108,6 +108,12 @@ impl VertexPool {
         self.adjacency.clear();
     }
 
+    /// Reserves memory for `count` further vertices.
+    pub(super) fn reserve(&mut self, count: usize) {
+        self.vertices.reserve(count);
+        self.normals.reserve(count);
+    }
+
     /// Returns a shape with slices of its vertices and normals.
     pub(super) fn shape_ref(&self, shape: Shape) -> ShapeRef<'_> {
         let range = shape.vertex_start as usize..(shape.vertex_start + shape.vertex_count) as usize;

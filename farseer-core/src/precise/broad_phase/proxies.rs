@@ -218,8 +218,20 @@ impl Proxies {
         self.refitted.clear();
     }
 
+    /// Reserves memory for `count` proxies, and for the vertices of as many boxes, in lists without proxies.
+    pub(in crate::precise) fn reserve_lists(&mut self, count: usize) {
+        // Up to 3 further positions make the number of positions a multiple of 4.
+        let capacity = count + spare_capacity(count) + 3;
+        self.all.reserve(capacity);
+        self.local_aabbs.reserve(capacity);
+        self.box_bodies.reserve(capacity);
+        self.fat_aabbs.reserve(capacity);
+        self.travel.reserve(capacity);
+        self.vertices.reserve(4 * count);
+    }
+
     /// Appends the spare positions. It is called after the proxies of all non-static bodies were pushed.
-    pub(in crate::precise) fn reserve(&mut self) {
+    pub(in crate::precise) fn add_spare_positions(&mut self) {
         self.movable_end = self.all.len();
         self.first_fixed = (self.movable_end + spare_capacity(self.movable_end)).next_multiple_of(4);
         while self.all.len() < self.first_fixed {
@@ -282,6 +294,7 @@ impl Proxies {
         self.heads.clear();
         self.heads.resize(bodies, NO_PROXY);
         self.next.clear();
+        self.next.reserve(self.all.len());
         for (at, proxy) in self.all.iter().enumerate() {
             let head = &mut self.heads[proxy.body as usize];
             self.next.push(if proxy.is_empty() { NO_PROXY } else { std::mem::replace(head, at as u32) });
