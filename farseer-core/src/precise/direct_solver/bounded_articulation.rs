@@ -235,7 +235,7 @@ impl Precise {
         }
         island.displacements.clone_from(&island.total_displacements);
         let max_correction = f64::from(tuning.recovery_speed) * dt;
-        let gap = island.solve_positions(joints, (dt, 0.0), [slop, max_correction, 0.0], 0.0);
+        let gap = island.solve_positions(joints, (dt, 0.0), [slop, max_correction, 0.0], 0.0, None);
         total.is_solved = gap <= ACCEPTED_JOINT_ERROR * unit;
         island.was_articulation = total.is_solved;
         if total.is_solved {

@@ -27,6 +27,8 @@ pub(super) struct ContactRows {
     pub(super) friction_limit: f64,
     /// Separations of the two contact points along the normal, length units; negative = penetration.
     pub(super) separations: [f64; 2],
+    /// Separations that the present position correction demands of the two contact points, length units, >= 0; 0 without one.
+    pub(super) corrections: [f64; 2],
     /// Relative velocity that a kinematic body A alone gives each row, length units/s; 0 without one.
     pub(super) prescribed_velocity: Vec3,
 }
@@ -70,6 +72,7 @@ impl ContactRows {
             friction: f64::from(constraint.friction),
             friction_limit: 0.0,
             separations: [one.separation, two.separation].map(f64::from),
+            corrections: [0.0; 2],
             prescribed_velocity: [0.0; 3],
         }
     }
@@ -213,6 +216,40 @@ impl ContactRows {
     #[inline(always)]
     pub(super) fn is_corrected(&self, row: usize, slop: f64) -> bool {
         self.has_row(row) && is_penetration_corrected(self.impulses[row] > 0.0, self.separations[row], slop)
+    }
+
+    /// Selects the active set of a position correction, and the separation that it demands of each point in it.
+    ///
+    /// The separation is `min_correction` plus the fraction `resolved_fraction` (0..=1) of the penetration, or of
+    /// `max_correction` if that is less. It is at most the penetration. Lengths in length units. `slop` is the penetration that
+    /// remains uncorrected.
+    pub(super) fn select_corrected_rows(
+        &mut self,
+        slop: f64,
+        [max_correction, min_correction]: [f64; 2],
+        resolved_fraction: f64,
+    ) {
+        let deep = [0, 1].map(|row| self.is_corrected(row, slop));
+        self.active_rows = u8::from(deep[0]) | u8::from(deep[1]) << 1;
+        let sticks = self.active_rows != 0 && self.impulses[FRICTION].abs() < self.friction_limit;
+        self.active_rows |= u8::from(sticks) << FRICTION;
+        self.corrections = std::array::from_fn(|row| {
+            let depth = (-self.separations[row]).max(0.0);
+            let correction = min_correction
+                + resolved_fraction * if depth < max_correction { depth } else { max_correction };
+            match deep[row] {
+                true if correction < depth => correction,
+                true => depth,
+                false => 0.0,
+            }
+        });
+    }
+
+    /// Returns the impulses of the rows that separate the points by their corrections. As the linear system is solved for
+    /// displacements, the unit is mass units * length units.
+    pub(super) fn correction_impulses(&self) -> Vec3 {
+        let [one, other] = [0, 1].map(|row| self.stiffness[row] * self.corrections[row]);
+        [one, other, 0.0]
     }
 
     /// Returns Coulomb's friction limit: friction coefficient * sum of the normal impulses, in mass units * length units/s.

@@ -33,9 +33,9 @@ use crate::precise::joints::INFINITE_MASS;
 use crate::precise::parameters::direct::{
     ACYCLIC_COMPLIANCE, COMPLIANCE_FACTOR, FIRST_COMPLIANCE, FRESH_SOLUTION_NEWTON_STEPS,
     FRICTION_LIMIT_CONVERGED, FRICTION_LIMIT_RELAXATION, FRICTION_LIMIT_ROUNDS, FRICTION_RESIDUAL_WEIGHT,
-    ISLAND_SWEEPS, JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, LINE_SEARCH_SLOPE, LINE_SEARCH_STEPS,
-    RESTING_COMPLIANCE, ROUND_NEWTON_STEPS, SOLUTION_NEWTON_STEPS, SOLUTION_ROUNDS, STABLE_STIFFNESS,
-    STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
+    HELD_POINT_SOLUTIONS, HELD_SEPARATION_FRACTION, ISLAND_SWEEPS, JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE,
+    LINE_SEARCH_SLOPE, LINE_SEARCH_STEPS, RESTING_COMPLIANCE, ROUND_NEWTON_STEPS, SOLUTION_NEWTON_STEPS,
+    SOLUTION_ROUNDS, STABLE_STIFFNESS, STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
 };
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -603,28 +603,55 @@ impl IslandSystem {
         [slop, max_correction]: [f64; 2],
         resolved_fraction: f64,
     ) -> bool {
-        let is_deep = self.advance_separations(dt, slop) > slop;
-        if is_deep {
-            self.correct_positions([slop, max_correction, 0.0], resolved_fraction, false);
-        }
-        is_deep
+        self.advance_separations(dt, slop) > slop
+            && self.correct_positions([slop, max_correction, 0.0], resolved_fraction, [false, true])
     }
 
     /// Position correction of all constraints in one linear solve. [`corrections`](Self::corrections) then returns the
-    /// displacement of each member of the island.
+    /// displacement of each member of the island. Returns whether there is anything to correct.
     ///
-    /// `limits` are the penetration that remains, the greatest correction and the least correction, in length units.
-    /// `are_jacobians_new` tells that the factors of the matrix are out of date. Joint errors are corrected completely up to
-    /// the greatest correction, penetration by `resolved_fraction` (0..=1).
+    /// `limits` are the penetration that remains, the greatest correction and the least correction, in length units. Joint
+    /// errors are corrected completely up to the greatest correction, penetration by `resolved_fraction` (0..=1).
+    /// `are_jacobians_new` tells that the factors of the matrix are out of date, `closes_joints` that a joint has an error to
+    /// correct. In islands with joints, held points are [left out](Self::leave_out_held_points).
     pub(super) fn correct_positions(
         &mut self,
-        limits: [f64; 3],
+        [slop, max_correction, min_correction]: [f64; 3],
         resolved_fraction: f64,
-        are_jacobians_new: bool,
-    ) {
+        [are_jacobians_new, closes_joints]: [bool; 2],
+    ) -> bool {
         self.is_factored &= !are_jacobians_new;
         self.set_compliance(FIRST_COMPLIANCE);
-        self.solve_corrections(limits, resolved_fraction);
+        self.joints.iter_mut().for_each(JointRows::select_corrected_rows);
+        for contact in &mut self.contacts {
+            contact.select_corrected_rows(slop, [max_correction, min_correction], resolved_fraction);
+        }
+        if !self.has_current_factors() {
+            self.factorise();
+        }
+        self.solve_corrections(max_correction);
+        let may_be_held = self.has_joints();
+        for _ in 0..HELD_POINT_SOLUTIONS {
+            if !(may_be_held && self.leave_out_held_points()) {
+                break;
+            }
+            if !closes_joints && self.greatest_correction() <= slop {
+                return false;
+            }
+            self.solve_corrections(max_correction);
+        }
+        if self.contacts.iter().any(|contact| contact.active_rows != 0) {
+            self.limit_corrections(max_correction);
+        }
+        for contact in &mut self.contacts {
+            let changes = contact.relative_velocities_in(&self.direction);
+            for (row, change) in changes.into_iter().enumerate().take(2) {
+                if contact.has_row(row) {
+                    contact.separations[row] += change;
+                }
+            }
+        }
+        true
     }
 
     /// Advances the separations of all contacts by `dt` seconds of the velocities. Returns the penetration of the deepest
@@ -637,33 +664,12 @@ impl IslandSystem {
             .fold(0.0, |deepest, contact| max_or_nan(contact.advance_separations(members, dt, slop), deepest))
     }
 
-    /// Makes the linear solve of [`correct_positions`](Self::correct_positions). Changes the separations of the contacts by the
-    /// corrections. Lengths in length units.
-    fn solve_corrections(
-        &mut self,
-        [slop, max_correction, min_correction]: [f64; 3],
-        resolved_fraction: f64,
-    ) {
-        self.joints.iter_mut().for_each(JointRows::select_corrected_rows);
-        for contact in &mut self.contacts {
-            let deep = [0, 1].map(|row| contact.is_corrected(row, slop));
-            contact.active_rows = u8::from(deep[0]) | u8::from(deep[1]) << 1;
-            let sticks =
-                contact.active_rows != 0 && contact.impulses[FRICTION].abs() < contact.friction_limit;
-            contact.active_rows |= u8::from(sticks) << FRICTION;
-        }
-        if !self.has_current_factors() {
-            self.factorise();
-        }
+    /// Solves the present matrix for the displacements that correct joint errors, each by at most `max_correction` length
+    /// units, and separate contact points by their corrections. The result is in `direction`.
+    fn solve_corrections(&mut self, max_correction: f64) {
         self.direction.fill([0.0; 3]);
         for contact in &self.contacts {
-            let mut impulses = [0.0; 3];
-            for row in (0..2).filter(|&row| contact.active_rows >> row & 1 == 1) {
-                let depth = (-contact.separations[row]).max(0.0);
-                let correction = min_correction
-                    + resolved_fraction * if depth < max_correction { depth } else { max_correction };
-                impulses[row] = contact.stiffness[row] * if correction < depth { correction } else { depth };
-            }
+            let impulses = contact.correction_impulses();
             add_constraint_impulses(&contact.jacobian, contact.bodies, impulses, &mut self.direction);
         }
         for joint in &self.joints {
@@ -675,17 +681,33 @@ impl IslandSystem {
             );
         }
         self.factor.solve(&mut self.direction);
-        if self.contacts.iter().any(|contact| contact.active_rows != 0) {
-            self.limit_corrections(max_correction);
-        }
+    }
+
+    /// Leaves the penetration of all held points as it is: sets their corrections to 0. A point is held if the displacements
+    /// in `direction` separate it by less than [`HELD_SEPARATION_FRACTION`] of its correction. Returns whether there are new
+    /// ones.
+    ///
+    /// Joints may keep bodies overlapping for good. A correction then moves nothing but the errors of joints and other
+    /// contacts, in every step, and the island never comes to rest.
+    fn leave_out_held_points(&mut self) -> bool {
+        let mut is_any_held = false;
         for contact in &mut self.contacts {
             let changes = contact.relative_velocities_in(&self.direction);
-            for (row, change) in changes.into_iter().enumerate().take(2) {
-                if contact.has_row(row) {
-                    contact.separations[row] += change;
+            for (correction, change) in contact.corrections.iter_mut().zip(changes) {
+                if *correction > 0.0 && change < HELD_SEPARATION_FRACTION * *correction {
+                    (*correction, is_any_held) = (0.0, true);
                 }
             }
         }
+        is_any_held
+    }
+
+    /// Returns the greatest separation that the last position correction has demanded of a contact point, in length units.
+    pub(super) fn greatest_correction(&self) -> f64 {
+        self.contacts
+            .iter()
+            .flat_map(|contact| contact.corrections)
+            .fold(0.0, |most, next| max_or_nan(next, most))
     }
 
     /// Scales the position corrections so that no member of the island moves by more than twice `max_correction`, in length

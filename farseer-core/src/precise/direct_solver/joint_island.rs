@@ -93,15 +93,26 @@ impl Precise {
             return stats;
         }
         let rotation = island.system.max_angular_speed() * dt;
+        let mut of_joints = island.joints.iter().zip(&island.joint_bodies);
+        let is_pulled = of_joints.any(|(&at, &ends)| joints.constraint(at).is_moved_by_kinematic_body(ends));
         let error_after = match !(gains_energy && is_optional) {
             true => island.solve_positions(
                 joints,
                 (dt, deepest),
                 [slop, max_correction, JOINTED_PENETRATION_SPEED * unit * dt],
                 resolved_fraction,
+                (!is_pulled).then_some(error_before),
             ),
             false => f64::INFINITY,
         };
+        // All penetration is held, and so nothing was corrected.
+        let is_overlap_held =
+            deepest > slop && error_after == error_before && island.system.greatest_correction() <= slop;
+        if stats.newton_steps == 0 && is_at_rest && !is_driven && is_overlap_held && error_before <= slop {
+            island.keep_at_rest(rows, &reader);
+            island.joints.iter().for_each(|&at| joints.mark_solved(at));
+            return stats;
+        }
         let has_gap = error_after > ACCEPTED_JOINT_ERROR * unit;
         let is_stuck = island.contact_handles.is_empty()
             && error_before > ACCEPTED_JOINT_ERROR * unit
@@ -212,23 +223,31 @@ impl DirectIsland {
     ///
     /// `dt` is the length of the step in seconds, `deepest` the greatest penetration. `limits` are the penetration slop, the
     /// greatest correction and the least correction, in length units. `resolved_fraction` (0..=1) is the fraction of a
-    /// penetration to resolve.
+    /// penetration to resolve. `known_error` is the greatest joint error before the corrections, length units; `None` if the
+    /// rows do not have the errors of these displacements yet.
     pub(super) fn solve_positions(
         &mut self,
         joints: &JointSystem,
         (dt, mut deepest): (f64, f64),
         limits: [f64; 3],
         resolved_fraction: f64,
+        known_error: Option<f64>,
     ) -> f64 {
         let (rotates_much, slop) = (self.system.max_angular_speed() * dt > JACOBIAN_ROTATION, limits[0]);
-        let mut error = self.compute_position_errors(joints, (dt, rotates_much));
+        let mut error = match known_error.filter(|_| !rotates_much) {
+            Some(error) => error,
+            None => self.compute_position_errors(joints, (dt, rotates_much)),
+        };
         for correction in 0.. {
             let is_jacobian_new = correction > 0 || rotates_much;
             let tolerance = if correction == 0 { slop } else { CORRECTION_ERROR_RATIO * slop };
             if correction == POSITION_CORRECTIONS || (error <= tolerance && deepest <= slop) {
                 return error;
             }
-            self.system.correct_positions(limits, resolved_fraction, is_jacobian_new);
+            let closes_joints = error > tolerance;
+            if !self.system.correct_positions(limits, resolved_fraction, [is_jacobian_new, closes_joints]) {
+                return error;
+            }
             self.step_along_correction(1.0);
             let before = std::mem::replace(&mut error, self.compute_position_errors(joints, (dt, true)));
             // A long chain that is nearly straight may get corrections that turn its links by a radian, far beyond the range of
@@ -279,6 +298,8 @@ impl IslandSystem {
     ) -> SolveStats {
         let residual = self.begin_solve(reader.dt, [reader.penetration_slop, LATERAL_SLIP_MIN_SPEED * unit]);
         if residual <= reader.velocity_tolerance {
+            // The position solve keeps sticking contacts from sliding, so it needs the limits of the impulses that stay.
+            self.contacts.iter_mut().for_each(|contact| contact.friction_limit = contact.coulomb_limit());
             return SolveStats { newton_steps: 0, residual, is_solved: true };
         }
         self.solve(&Tolerances {

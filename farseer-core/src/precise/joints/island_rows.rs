@@ -147,6 +147,11 @@ impl JointConstraint {
         )
     }
 
+    /// Returns whether a kinematic body moves an anchor of the joint.
+    pub(in crate::precise) fn is_moved_by_kinematic_body(&self, body_indices: BodyIndices) -> bool {
+        self.prescribed_velocities(body_indices) != [[0.0; 3]; 2]
+    }
+
     /// Returns the displacements of A and B in `dt` seconds: x and y in length units, angle in radians.
     ///
     /// `island_displacements` holds the displacements of the island's bodies by index. Kinematic bodies move with their
