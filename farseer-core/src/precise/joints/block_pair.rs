@@ -72,6 +72,8 @@ pub(super) struct BodyPairLanes {
     pub(super) direction: RowDirection,
     /// Indices of the bodies A and B in [`BodySet::states`]; 0 for bodies without a velocity.
     bodies: [[u32; 4]; 2],
+    /// Sets of the lanes in which A and B are dynamic: one bit per lane.
+    movable_lanes: [u8; 2],
     /// Inverse masses of A and B, 1/(mass units); 0 for bodies that are not dynamic.
     inverse_masses: [JointLanes; 2],
     /// Inverse moments of inertia of A and B, 1/(mass units * length units^2); 0 for bodies that are not dynamic.
@@ -106,6 +108,7 @@ impl BodyPairLanes {
             self.bodies[side][lane] = if is_listed { end.pose_body } else { 0 };
             let [mass, inertia] =
                 if end.body == 0 { [0.0; 2] } else { bodies.inverse_mass_inertia[end.body as usize] };
+            self.movable_lanes[side] |= u8::from(mass > 0.0 || inertia > 0.0) << lane;
             set_lane_rounded(&mut self.inverse_masses[side], lane, mass.into());
             set_lane_rounded(&mut self.inverse_inertias[side], lane, inertia.into());
             (0..2).for_each(|i| set_lane_rounded(&mut self.arms[side][i], lane, arms[side][i]));
@@ -119,7 +122,8 @@ impl BodyPairLanes {
     /// Returns the velocities of A and B in the world: x, y, angular, z, in length units/s and radians/s.
     #[inline(always)]
     pub(super) fn velocities(&self, states: &[MotionState]) -> [VelocityLanes; 2] {
-        self.bodies.map(|of| f32x4::transpose(of.map(|body| f32x4::new(states[body as usize].velocity))))
+        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| states[body].velocity);
+        [of_side(0), of_side(1)]
     }
 
     /// Stores the velocities of A and B (x, y, angular, z) in `states`, for the dynamic bodies.
@@ -134,10 +138,8 @@ impl BodyPairLanes {
     /// Calls `visit` with lane and body index for each dynamic body on `side`: 0 (A) or 1 (B).
     #[inline(always)]
     fn for_each_movable_body(&self, side: usize, mut visit: impl FnMut(usize, usize)) {
-        let (masses, inertias) =
-            (self.inverse_masses[side].to_array(), self.inverse_inertias[side].to_array());
         for lane in 0..4 {
-            if masses[lane] > 0.0 || inertias[lane] > 0.0 {
+            if self.movable_lanes[side] >> lane & 1 == 1 {
                 visit(lane, self.bodies[side][lane] as usize);
             }
         }
@@ -267,9 +269,8 @@ impl BodyPairLanes {
     /// normals after the motion. With the arms and normals before it, the impulses would add energy to bodies that rotate.
     pub(super) fn advance_poses(&mut self, bodies: &mut BodySet, impulses: RowLanes) {
         let before = self.velocity_changes(impulses);
-        let [a, b]: [VelocityLanes; 2] = self
-            .bodies
-            .map(|of| f32x4::transpose(of.map(|body| f32x4::new(bodies.states[body as usize].displacement))));
+        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| bodies.states[body].displacement);
+        let (a, b) = (of_side(0), of_side(1));
         for (arm, turn) in self.arms.iter_mut().zip([a[2], b[2]]) {
             *arm = rotated(*arm, sin_cos_of_rotations(turn));
         }
@@ -283,6 +284,13 @@ impl BodyPairLanes {
         let changes = [0, 1].map(|side| std::array::from_fn(|i| before[side][i] - after[side][i]));
         self.add_changes(&mut bodies.warm_started_velocity, changes);
     }
+}
+
+/// Returns the components of one vector per body in lanes; `of` returns the vector of a body by its index.
+#[inline(always)]
+fn lanes_of(bodies: &[u32; 4], of: impl Fn(usize) -> [f32; 4]) -> VelocityLanes {
+    let row = |lane: usize| f32x4::new(of(bodies[lane] as usize));
+    f32x4::transpose([row(0), row(1), row(2), row(3)])
 }
 
 /// Returns sine and cosine of angles in radians.

@@ -6,7 +6,7 @@
 use crate::precise::parameters::joints::{
     HANDED_OVER_IMPULSE_LOSS, HANDED_OVER_LOSS_PER_CORRECTION, SOFT_ROW_ANGLE_ERROR, SOFT_ROW_ARM,
 };
-use wide::f32x4;
+use wide::{f32x4, f64x4};
 
 use super::super::bodies::{BodySet, MotionState};
 use super::super::direct_solver::constraint::RowMask;
@@ -19,7 +19,7 @@ use super::block_pair::{
 use super::block_row::{MotorLimitLanes, motor_limit_row};
 use super::frame::JointFrame;
 use super::joint_constraint::JointConstraint;
-use super::soft_law::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes};
+use super::soft_law::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes, wide_masks};
 use crate::math::lanes::{greater, select, smaller};
 
 /// Index of the joint in a lane that has no joint.
@@ -37,6 +37,8 @@ pub(super) struct SoftJointBlock {
     /// Masks of the equality rows along the normal, of the angle and along the tangent: a lane has all bits set where its joint
     /// has the row.
     row_masks: RowLanes,
+    /// `row_masks` for numbers in f64, from [`prepare`](Self::prepare) on.
+    wide_row_masks: [f64x4; 3],
     /// Effective mass of the equality rows, with the compliance of compliant joints on the diagonal.
     effective_mass: BlockEffectiveMass,
     /// Position errors of the equality rows along the normal, of the angle and along the tangent: length units, for the angle
@@ -99,6 +101,7 @@ impl SoftJointBlock {
             joints: [NO_JOINT; 4],
             pair: BodyPairLanes::new(kind.direction),
             row_masks: [ZERO; 3],
+            wide_row_masks: [f64x4::ZERO; 3],
             effective_mass: BlockEffectiveMass::default(),
             position_errors: [ZERO; 3],
             impulses: [ZERO; 3],
@@ -170,6 +173,7 @@ impl SoftJointBlock {
     /// Computes Jacobian, position errors and effective masses, and limits the warm start. All joints of the block must be in
     /// their lanes. `length_unit` is the length unit of the simulator.
     pub(super) fn prepare(&mut self, softness: &RowSoftness, length_unit: f32) {
+        self.wide_row_masks = wide_masks(self.row_masks);
         self.pair.update_jacobian();
         self.update_rows();
         self.limit_warm_start(&RowSoftnessLanes::splat(softness), length_unit);
@@ -204,7 +208,7 @@ impl SoftJointBlock {
             let compliance = to_f64(self.compliant_softness.compliance & self.compliant_lanes);
             diagonal.iter_mut().for_each(|own| *own += compliance);
         }
-        self.effective_mass = BlockEffectiveMass::factorise(diagonal, products, self.row_masks);
+        self.effective_mass = BlockEffectiveMass::factorise(diagonal, products, self.wide_row_masks);
     }
 
     /// Returns the index of the motor-limit row: ALONG (normal), ANGLE or ACROSS (tangent).
@@ -372,7 +376,7 @@ impl SoftJointBlock {
         let mass = BlockEffectiveMass::factorise(
             diagonal,
             products,
-            [self.row_masks[ALONG], ZERO, self.row_masks[ACROSS]],
+            [self.wide_row_masks[ALONG], f64x4::ZERO, self.wide_row_masks[ACROSS]],
         );
         let [along, _, across] = velocity_errors;
         let [beside_along, beside_across] = [coupling_along, coupling_across].map(to_f32);

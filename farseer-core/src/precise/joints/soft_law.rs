@@ -143,22 +143,18 @@ pub(super) struct BlockEffectiveMass {
 
 impl BlockEffectiveMass {
     /// Factorises K, given by its `diagonal` and its elements 10, 20 and 21 (row and column number). `active` masks the rows
-    /// that belong to the block.
+    /// that belong to the block: see [`wide_masks`].
     ///
     /// A pivot below [`BLOCK_PIVOT_FLOOR`] times its diagonal element is rounding; its row gets no impulse.
     #[inline(always)]
     pub(super) fn factorise(
         diagonal: [f64x4; 3],
         [one_zero, two_zero, two_one]: [f64x4; 3],
-        active: RowLanes,
+        active: [f64x4; 3],
     ) -> Self {
-        let kept = active.map(|mask| {
-            let is_in = mask.to_array().map(|lane| lane.to_bits() != 0);
-            f64x4::new(is_in.map(|is_in| if is_in { 1.0 } else { 0.0 })).simd_gt(f64x4::ZERO)
-        });
         let invert = |row: usize, pivot: f64x4| {
             let is_own = pivot.simd_gt(f64x4::splat(BLOCK_PIVOT_FLOOR) * diagonal[row]);
-            (f64x4::splat(1.0) / pivot) & is_own & kept[row]
+            (f64x4::splat(1.0) / pivot) & is_own & active[row]
         };
         let first = invert(0, diagonal[0]);
         let (l10, l20) = (one_zero * first, two_zero * first);
@@ -184,6 +180,14 @@ impl BlockEffectiveMass {
     }
 }
 
+/// Returns masks of rows for f64: all bits of a lane are set where a bit of `masks` is set, else none.
+pub(super) fn wide_masks(masks: RowLanes) -> [f64x4; 3] {
+    masks.map(|mask| {
+        let is_in = mask.to_array().map(|lane| lane.to_bits() != 0);
+        f64x4::new(is_in.map(|is_in| if is_in { 1.0 } else { 0.0 })).simd_gt(f64x4::ZERO)
+    })
+}
+
 /// Returns the smaller number. `f64::min` may differ between platforms in its treatment of zeros; this comparison does not.
 #[inline(always)]
 pub(super) fn min(a: f64, b: f64) -> f64 {
@@ -206,7 +210,7 @@ pub(super) fn clamp_symmetric(value: f64, limit: f64) -> f64 {
 mod tests {
     use wide::{f32x4, f64x4};
 
-    use super::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes};
+    use super::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes, wide_masks};
     use crate::precise::joints::block_pair::RowLanes;
 
     fn splat(numbers: [f32; 3]) -> RowLanes {
@@ -234,7 +238,7 @@ mod tests {
         BlockEffectiveMass::factorise(
             wide([k[0][0], k[1][1], k[2][2]]),
             wide([k[0][1], k[0][2], k[1][2]]),
-            row_masks(rows),
+            wide_masks(row_masks(rows)),
         )
     }
 
