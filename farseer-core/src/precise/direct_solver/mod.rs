@@ -716,10 +716,9 @@ impl Precise {
         }
         if self.depth.is_none() {
             let of_joints = self.joints.candidates().chain(self.springs.candidates());
-            of_joints
-                .map(|joint| joint.bodies)
-                .filter(|[a, b]| *a != 0 && *b != 0)
-                .for_each(|[a, b]| union_find.unite(a, b));
+            for [a, b] in of_joints.map(|joint| joint.bodies).filter(|[a, b]| *a != 0 && *b != 0) {
+                union_find.unite(a, b);
+            }
         }
     }
 }

@@ -15,6 +15,13 @@ pub(in crate::precise) struct UnionFind {
 reusing_clone! { UnionFind { parent } }
 
 impl UnionFind {
+    /// Returns `count` sets of one index each.
+    pub(in crate::precise) fn new(count: usize) -> Self {
+        let mut sets = UnionFind::default();
+        sets.reset(count);
+        sets
+    }
+
     /// Makes each index below `count` a set of its own.
     pub(in crate::precise) fn reset(&mut self, count: usize) {
         self.parent.clear();
@@ -33,11 +40,12 @@ impl UnionFind {
         node
     }
 
-    /// Unites the sets that contain the indices `a` and `b`.
-    pub(in crate::precise) fn unite(&mut self, a: u32, b: u32) {
+    /// Unites the sets that contain the indices `a` and `b`. Returns whether the sets were different.
+    pub(in crate::precise) fn unite(&mut self, a: u32, b: u32) -> bool {
         let (one, other) = (self.find(a), self.find(b));
         let (less, more) = if one < other { (one, other) } else { (other, one) };
         self.parent[more as usize] = less;
+        less != more
     }
 }
 
@@ -49,9 +57,10 @@ mod tests {
     fn the_representative_is_the_smallest_index_in_any_order_of_unions() {
         let links = [[1, 2], [2, 7], [5, 6], [7, 5], [3, 4]];
         for first in 0..links.len() {
-            let mut islands = UnionFind::default();
-            islands.reset(8);
-            links.iter().cycle().skip(first).take(links.len()).for_each(|&[a, b]| islands.unite(a, b));
+            let mut islands = UnionFind::new(8);
+            for &[a, b] in links.iter().cycle().skip(first).take(links.len()) {
+                assert!(islands.unite(a, b) && !islands.unite(b, a));
+            }
             assert_eq!([0, 1, 2, 3, 4, 5, 6, 7].map(|at| islands.find(at)), [0, 1, 1, 3, 3, 1, 1, 1]);
         }
     }

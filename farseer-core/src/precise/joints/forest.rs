@@ -5,6 +5,7 @@
 //! [`JointEdge`]s and writes [`ArticulationPlan`]s.
 
 use super::joint_constraint::JointEdge;
+use crate::precise::island::union_find::UnionFind;
 
 /// Value instead of a tree index for a body that is in no tree.
 pub(super) const NO_TREE_INDEX: u32 = u32::MAX;
@@ -48,32 +49,6 @@ pub(super) struct SpanningForest {
     pub(super) articulations: Vec<ArticulationPlan>,
     /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`].
     pub(super) tree_index_of: Vec<u32>,
-}
-
-/// Union-find of bodies that joints connect. For each body index it holds the index of a body nearer to the root of the set.
-struct JointUnionFind(Vec<u32>);
-
-impl JointUnionFind {
-    fn new(bodies: usize) -> Self {
-        JointUnionFind((0..bodies as u32).collect())
-    }
-
-    /// Returns the root of a body's set, with path halving. The root is the smallest body index of the set.
-    fn find(&mut self, mut body: u32) -> u32 {
-        while self.0[body as usize] != body {
-            let parent = self.0[body as usize];
-            self.0[body as usize] = self.0[parent as usize];
-            body = parent;
-        }
-        body
-    }
-
-    /// Unites the sets of two bodies. Returns whether the sets were different.
-    fn union(&mut self, [a, b]: [u32; 2]) -> bool {
-        let (a, b) = (self.find(a), self.find(b));
-        self.0[a.max(b) as usize] = a.min(b);
-        a != b
-    }
 }
 
 /// Edges of the trees by body.
@@ -129,14 +104,14 @@ impl SpanningForest {
     ///
     /// Index 0 is the world. A second joint with the world closes a loop if a tree connects its body with the first one's.
     pub(super) fn new(edges: &[JointEdge], bodies: usize) -> Self {
-        let (mut in_trees, mut in_articulations) = (JointUnionFind::new(bodies), JointUnionFind::new(bodies));
+        let (mut in_trees, mut in_articulations) = (UnionFind::new(bodies), UnionFind::new(bodies));
         let mut is_non_tree = vec![false; edges.len()];
         for (at, edge) in edges.iter().enumerate() {
             let [a, b] = edge.bodies;
             if a != 0 && b != 0 {
-                in_articulations.union(edge.bodies);
+                in_articulations.unite(a, b);
             }
-            is_non_tree[at] = edge.is_bounded || !in_trees.union(edge.bodies);
+            is_non_tree[at] = edge.is_bounded || !in_trees.unite(a, b);
         }
         let neighbours = TreeNeighbours::new(edges, &is_non_tree, bodies);
         let mut members_of: Vec<Vec<u32>> = Vec::new();

@@ -19,8 +19,7 @@ pub(in super::super) fn spatial_groups(
     joints: &[JointConstraint],
     bodies: &BodySet,
 ) -> (Vec<SpatialJointGroup>, Vec<u32>) {
-    let mut unions = UnionFind::default();
-    unions.reset(bodies.states.len());
+    let mut unions = UnionFind::new(bodies.states.len());
     for [a, b] in joints.iter().map(|hold| hold.anchors.map(|end| end.body)) {
         if a != 0 && b != 0 {
             unions.unite(a, b);
@@ -146,8 +145,7 @@ impl SpatialJointGroup {
 /// Returns for each joint of `members` whether it closes a loop of the joint graph, in which all static and kinematic bodies
 /// are one node.
 fn find_loop_closures(members: &[u32], joints: &[JointConstraint], bodies: &[u32]) -> Vec<bool> {
-    let mut unions = UnionFind::default();
-    unions.reset(bodies.len() + 1);
+    let mut unions = UnionFind::new(bodies.len() + 1);
     // Node 0 is the world.
     let node_of = |body: u32| bodies.binary_search(&body).map_or(0, |place| place as u32 + 1);
     let ends = members.iter().map(|&at| joints[at as usize].anchors.map(|end| node_of(end.body)));

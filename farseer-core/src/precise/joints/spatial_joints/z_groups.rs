@@ -27,8 +27,7 @@ impl ZGroup {
     /// Returns the connected components of revolute, weld and prismatic joints, sorted by their first bodies. `body_count` is
     /// the number of bodies.
     pub(in super::super) fn find_all(joints: &[JointConstraint], body_count: usize) -> Vec<ZGroup> {
-        let mut unions = UnionFind::default();
-        unions.reset(body_count);
+        let mut unions = UnionFind::new(body_count);
         let point_joints = || {
             joints
                 .iter()
