@@ -9,7 +9,7 @@ use wide::f32x4;
 
 use super::Precise;
 use super::bodies::{BodyForces, BodySet, read_body};
-use super::depth::FeatureGate;
+use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
 use super::integration::{find_escaped_proxies, integrate_free_flight, integrate_poses};
 use super::narrow_phase::NarrowPhaseStats;
 use super::scaled_parameters::AabbMargin;
@@ -133,7 +133,9 @@ impl Precise {
                 (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
             }
         }
-        self.clear_fixed_rotation_velocities();
+        if let Some(space) = &self.depth {
+            space.clear_fixed_rotation_velocities(&mut self.bodies, &self.sleep);
+        }
         self.begin_world_box_velocities();
     }
 
@@ -200,7 +202,9 @@ impl Precise {
                 self.bodies.set_pose(number, &entry.body);
             }
         }
-        self.reset_fixed_rotation_poses();
+        if let Some(space) = &self.depth {
+            space.reset_fixed_rotation_poses(&mut self.bodies, &self.sleep);
+        }
         self.store_world_boxes();
     }
 
@@ -323,7 +327,10 @@ impl Precise {
             self.scale_impulses(step.h);
         }
         self.select_solvers(&step.load_adaptation);
-        self.begin_hinges(step);
+        if let Some(space) = &mut self.depth {
+            list_hinged_boxes(space, &self.bodies, &self.sleep, step);
+            brace_at_stops(space, &self.proxies, &self.pairs, &mut self.constraints);
+        }
         self.solve_direct(step);
         self.joints.step_free_articulations(&self.bodies, step);
         if self.constraints.is_empty() && self.joints.are_all_contact_free() && self.springs.are_all_solved()
@@ -338,7 +345,11 @@ impl Precise {
         }
         self.joints.store(&mut self.bodies, step);
         self.store_direct(step);
-        self.finish_hinges(step);
+        if let Some(space) = &mut self.depth {
+            let constraints = (&self.color_usage, self.constraints.has_overflow());
+            let unit = self.parameters.length_unit;
+            finish_hinges(space, &mut self.bodies, &mut self.sleep, constraints, unit, step);
+        }
     }
 
     /// Returns the iterative solver, which borrows the parts that it reads and writes.

@@ -7,13 +7,52 @@ use super::DepthState;
 use super::interface::is_geom;
 use crate::body::Body;
 use crate::precise::Precise;
-use crate::precise::bodies::inverse_mass_inertia_of;
+use crate::precise::bodies::{BodySet, inverse_mass_inertia_of};
 use crate::precise::broad_phase::proxies::Proxy;
+use crate::precise::island::sleep::SleepState;
 
 impl DepthState {
     /// Returns whether a body has a vertical shape and so a fixed rotation.
     pub(in crate::precise) fn is_rotation_fixed(&self, body_index: usize) -> bool {
         self.any_fixed_rotation && super::entry(&self.has_fixed_rotation, body_index)
+    }
+
+    /// Start of a step: sets the angular velocity of awake bodies with a fixed rotation to 0, and also the changes of angular
+    /// velocity and angle by torques.
+    pub(in crate::precise) fn clear_fixed_rotation_velocities(
+        &self,
+        bodies: &mut BodySet,
+        sleep: &SleepState,
+    ) {
+        if !self.any_fixed_rotation {
+            return;
+        }
+        for number in
+            sleep.awake_bodies(bodies.last_movable).filter(|&number| self.has_fixed_rotation[number])
+        {
+            for turning in [
+                &mut bodies.states[number].velocity[2],
+                &mut bodies.initial_velocity[number][2],
+                &mut bodies.force_delta[number][2],
+                &mut bodies.force_position_delta[number][2],
+            ] {
+                *turning = 0.0;
+            }
+        }
+    }
+
+    /// End of a step: sets angle and angular velocity of bodies with a fixed rotation to 0. The narrow phase then reads angular
+    /// velocity 0, as for a body that a snapshot has restored.
+    pub(in crate::precise) fn reset_fixed_rotation_poses(&self, bodies: &mut BodySet, sleep: &SleepState) {
+        if self.any_fixed_rotation {
+            // The runs of awake bodies may contain sleeping ones, whose poses were computed as well.
+            let renewed = sleep.awake_body_runs.iter().cloned().flatten();
+            for number in renewed.filter(|&number| super::entry(&self.has_fixed_rotation, number)) {
+                let [x, y, ..] = bodies.poses[number];
+                bodies.poses[number] = [x, y, 1.0, 0.0];
+                bodies.states[number].velocity[2] = 0.0;
+            }
+        }
     }
 }
 
@@ -57,42 +96,6 @@ impl Precise {
         self.bodies.poses[body_index] = [x, y, 1.0, 0.0];
         if let Some(hot) = self.bodies.states.get_mut(body_index) {
             hot.velocity[2] = 0.0;
-        }
-    }
-
-    /// Start of a step: sets the angular velocity of awake bodies with a fixed rotation to 0, and also the changes of angular
-    /// velocity and angle by torques.
-    pub(in crate::precise) fn clear_fixed_rotation_velocities(&mut self) {
-        let Precise { depth: Some(space), bodies, sleep, .. } = self else { return };
-        if !space.any_fixed_rotation {
-            return;
-        }
-        for number in
-            sleep.awake_bodies(bodies.last_movable).filter(|&number| space.has_fixed_rotation[number])
-        {
-            for turning in [
-                &mut bodies.states[number].velocity[2],
-                &mut bodies.initial_velocity[number][2],
-                &mut bodies.force_delta[number][2],
-                &mut bodies.force_position_delta[number][2],
-            ] {
-                *turning = 0.0;
-            }
-        }
-    }
-
-    /// End of a step: sets angle and angular velocity of bodies with a fixed rotation to 0. The narrow phase then reads angular
-    /// velocity 0, as for a body that a snapshot has restored.
-    pub(in crate::precise) fn reset_fixed_rotation_poses(&mut self) {
-        let Precise { depth: Some(space), bodies, sleep, .. } = self else { return };
-        if space.any_fixed_rotation {
-            // The runs of awake bodies may contain sleeping ones, whose poses were computed as well.
-            let renewed = sleep.awake_body_runs.iter().cloned().flatten();
-            for number in renewed.filter(|&number| super::entry(&space.has_fixed_rotation, number)) {
-                let [x, y, ..] = bodies.poses[number];
-                bodies.poses[number] = [x, y, 1.0, 0.0];
-                bodies.states[number].velocity[2] = 0.0;
-            }
         }
     }
 }

@@ -18,9 +18,11 @@ use super::interface::{self, HingeFeature, WorldBoxHinge};
 use crate::body::BodyId;
 use crate::precise::Precise;
 use crate::precise::bodies::BodySet;
-use crate::precise::broad_phase::proxies::BodyType;
-use crate::precise::constraint_graph::ContactConstraint;
+use crate::precise::broad_phase::pairs::{Pair, Pairs};
+use crate::precise::broad_phase::proxies::{BodyType, Proxies};
+use crate::precise::constraint_graph::{ColorUsage, ConstraintGraph};
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
+use crate::precise::island::sleep::SleepState;
 use crate::precise::parameters::depth::{HINGE_REST_MAX_DISTANCE, HINGE_STOP_MAX_ANGLE};
 use crate::precise::scaled_parameters::StepContext;
 
@@ -131,149 +133,132 @@ fn empty_if_disabled<T>(list: &mut [T]) -> &mut [T] {
     if HingeFeature::ENABLED { list } else { &mut [] }
 }
 
-/// Stages of the step that concern hinged boxes: see [`step`](crate::precise::step).
-impl Precise {
-    /// Start of solving: fills `hinged_boxes` with the awake hinged boxes. A box at a stop gets infinite inertia against
-    /// contacts that press it onto this stop.
-    pub(in crate::precise) fn begin_hinges(&mut self, step: &StepContext) {
-        let Precise { depth: Some(space), bodies, sleep, .. } = self else { return };
-        let DepthState { moving_boxes, world_boxes, hinged_boxes, .. } = &mut **space;
-        hinged_boxes.clear();
-        for (body_index, &box_index) in (1..).zip(&*empty_if_disabled(moving_boxes)) {
-            let world_box = &world_boxes[box_index as usize];
-            let Some(&hinge) = world_box.hinge().filter(|_| !sleep.is_asleep(body_index as usize)) else {
-                continue;
-            };
-            let angle = world_box.yaw.unwrap_or_default();
-            let initial = [angle, bodies.states[body_index as usize].velocity[2]];
-            let held = hinge.constraint_torque * step.h;
-            hinged_boxes.push(HingedBoxState {
-                body: body_index,
-                box_index,
-                hinge,
-                initial,
-                angle,
-                constraint_impulse: held,
-                is_integrated: false,
-            });
-        }
-        (0..empty_if_disabled(&mut space.hinged_boxes).len()).for_each(|at| self.brace_at_stop(at));
-    }
-
-    /// Braces a box that rests at a stop: contacts that press the box against the stop see infinite inertia, as if it were
-    /// static. A touching contact that presses from the other side ends the bracing. `at` is an index into `hinged_boxes`.
-    fn brace_at_stop(&mut self, at: usize) {
-        let Some(HingedBoxState { body, hinge, initial: [angle, angular_velocity], .. }) =
-            self.hinged_box_state(at)
-        else {
-            return;
+/// Start of solving: fills `hinged_boxes` with the awake hinged boxes.
+pub(in crate::precise) fn list_hinged_boxes(
+    space: &mut DepthState,
+    bodies: &BodySet,
+    sleep: &SleepState,
+    step: &StepContext,
+) {
+    let DepthState { moving_boxes, world_boxes, hinged_boxes, .. } = space;
+    hinged_boxes.clear();
+    for (body_index, &box_index) in (1..).zip(&*empty_if_disabled(moving_boxes)) {
+        let world_box = &world_boxes[box_index as usize];
+        let Some(&hinge) = world_box.hinge().filter(|_| !sleep.is_asleep(body_index as usize)) else {
+            continue;
         };
+        let angle = world_box.yaw.unwrap_or_default();
+        let initial = [angle, bodies.states[body_index as usize].velocity[2]];
+        hinged_boxes.push(HingedBoxState {
+            body: body_index,
+            box_index,
+            hinge,
+            initial,
+            angle,
+            constraint_impulse: hinge.constraint_torque * step.h,
+            is_integrated: false,
+        });
+    }
+}
+
+/// Braces the hinged boxes that rest at a stop: contacts that press such a box against the stop see infinite inertia, as if it
+/// were static. A touching contact that presses from the other side ends the bracing.
+pub(in crate::precise) fn brace_at_stops(
+    space: &mut DepthState,
+    proxies: &Proxies,
+    pairs: &Pairs,
+    constraints: &mut ConstraintGraph,
+) {
+    for hinged_box in empty_if_disabled(&mut space.hinged_boxes) {
+        let HingedBoxState { body, hinge, initial: [angle, angular_velocity], .. } = *hinged_box;
         let [least, greatest] = hinge.stops;
         let pull = hinge.stiffness * (hinge.rest_angle - angle);
         let rests = |distance: f32, away: f32| {
             distance < HINGE_STOP_MAX_ANGLE && away * angular_velocity <= 0.0 && away * pull <= 0.0
         };
         let at_stop = [rests(angle - least, 1.0), rests(greatest - angle, -1.0)];
-        let mut pairs = std::mem::take(&mut self.pair_scratch);
-        let with_rows = |pair: &usize| self.pairs.all[*pair].constraint.is_some();
-        pairs.extend(
-            self.pairs.pairs_of_body(&self.proxies, body as usize).filter(with_rows).map(|it| it as u32),
-        );
+        let of_box = || pairs.pairs_of_body(proxies, body as usize).map(|pair| &pairs.all[pair]);
         let is_pressed = |side: usize| {
-            pairs.iter().any(|&pair| {
-                self.pairs.all[pair as usize].is_touching && self.drives_towards_stop(pair as usize, side)
-            })
+            of_box().any(|pair| pair.is_touching && drives_towards_stop(constraints, pair, side))
         };
         let braced = [0, 1].map(|side| at_stop[side] && (at_stop[1 - side] || !is_pressed(1 - side)));
-        for &pair in &pairs {
-            let is_braced = (0..2).any(|side| braced[side] && self.drives_towards_stop(pair as usize, side));
-            self.set_hinge_inertia(pair as usize, if is_braced { 0.0 } else { hinge.inverse_inertia() });
+        for pair in of_box() {
+            let is_braced = (0..2).any(|side| braced[side] && drives_towards_stop(constraints, pair, side));
+            let inverse_inertia = if is_braced { 0.0 } else { hinge.inverse_inertia() };
+            set_hinge_inertia(constraints, pair, inverse_inertia);
         }
-        pairs.clear();
-        self.pair_scratch = pairs;
     }
+}
 
-    /// Returns a copy of the state of a hinged box; `at` is the index into `hinged_boxes`. `None` beyond the end of the list or
-    /// without a depth axis.
-    fn hinged_box_state(&self, at: usize) -> Option<HingedBoxState> {
-        self.depth.as_ref()?.hinged_boxes.get(at).copied()
+/// Returns whether all contact points of a pair drive a hinged box towards a stop; false without a constraint. `side` selects
+/// the stop: 0 is the least yaw, 1 the greatest one.
+fn drives_towards_stop(constraints: &ConstraintGraph, pair: &Pair, side: usize) -> bool {
+    let sign = if side == 0 { 1.0 } else { -1.0 };
+    pair.constraint.is_some_and(|handle| {
+        let constraint = constraints.get(pair.kind, handle);
+        let mut points = constraint.points.iter().filter(|point| point.normal_mass > 0.0);
+        points.all(|point| sign * point.normal_arm_a > 0.0)
+    })
+}
+
+/// Sets the inverse moment of inertia that the contact constraint of a pair uses for its hinged box, in 1/(mass units * length
+/// units^2), and computes the effective masses of the contact points from it.
+fn set_hinge_inertia(constraints: &mut ConstraintGraph, pair: &Pair, inverse_inertia: f32) {
+    let Some(handle) = pair.constraint else { return };
+    let mut constraint = constraints.get(pair.kind, handle);
+    if constraint.inverse_inertias[0] != inverse_inertia {
+        constraint.inverse_inertias[0] = inverse_inertia;
+        let row = constraint;
+        for point in constraint.points.iter_mut().filter(|point| point.normal_mass > 0.0) {
+            point.normal_mass = row.effective_mass(point);
+        }
+        constraints.set(pair.kind, handle, &constraint);
     }
+}
 
-    /// Returns a copy of the contact constraint of a pair; `None` if the pair has no constraint.
-    fn constraint_of(&self, pair: usize) -> Option<ContactConstraint> {
-        let state = &self.pairs.all[pair];
-        Some(self.constraints.get(state.kind, state.constraint?))
-    }
-
-    /// Returns whether all contact points of a pair drive a hinged box towards a stop. `side` selects the stop: 0 is the least
-    /// yaw, 1 the greatest one.
-    fn drives_towards_stop(&self, pair: usize, side: usize) -> bool {
-        let sign = if side == 0 { 1.0 } else { -1.0 };
-        self.constraint_of(pair).is_some_and(|constraint| {
-            let mut points = constraint.points.iter().filter(|point| point.normal_mass > 0.0);
-            points.all(|point| sign * point.normal_arm_a > 0.0)
-        })
-    }
-
-    /// Sets the inverse moment of inertia that the contact constraint of a pair uses for its hinged box, in 1/(mass units *
-    /// length units^2), and computes the effective masses of the contact points from it.
-    fn set_hinge_inertia(&mut self, pair: usize, inverse_inertia: f32) {
-        let state = self.pairs.all[pair];
-        let (Some(handle), Some(mut constraint)) = (state.constraint, self.constraint_of(pair)) else {
-            return;
-        };
-        if constraint.inverse_inertias[0] != inverse_inertia {
-            constraint.inverse_inertias[0] = inverse_inertia;
-            let row = constraint;
-            for point in constraint.points.iter_mut().filter(|point| point.normal_mass > 0.0) {
-                point.normal_mass = row.effective_mass(point);
+/// End of solving: computes the motion of hinged boxes without contacts in closed form, and clamps the yaw of all others to the
+/// stops. A box whose spring has not come to rest gets rest time 0, so that it stays awake. `has_overflow`: whether the
+/// constraint graph has constraints in the overflow colour.
+pub(in crate::precise) fn finish_hinges(
+    space: &mut DepthState,
+    bodies: &mut BodySet,
+    sleep: &mut SleepState,
+    (color_usage, has_overflow): (&ColorUsage, bool),
+    length_unit: f32,
+    step: &StepContext,
+) {
+    let DepthState { hinged_boxes, world_boxes, .. } = space;
+    for HingedBoxState { body, box_index, hinge, initial, constraint_impulse, .. } in
+        empty_if_disabled(hinged_boxes)
+    {
+        let at = *body as usize;
+        let mut torque = *constraint_impulse / step.h;
+        let now = if color_usage.hinged_has_no_constraint(at) && !has_overflow {
+            torque = 0.0;
+            let after =
+                (0..step.substeps).fold(*initial, |from, _| hinge.free_motion_with_stops(from, step.h));
+            let missing = hinge.clamp_to_stops(hinge.rest_angle) - after[0];
+            let reach = bodies.max_extents[at];
+            if hinge.stiffness > 0.0 && missing.abs() * reach > HINGE_REST_MAX_DISTANCE * length_unit {
+                sleep.rest_time[at] = 0.0;
             }
-            self.constraints.set(state.kind, handle, &constraint);
-        }
-    }
-
-    /// End of solving: computes the motion of hinged boxes without contacts in closed form, and clamps the yaw of all others to
-    /// the stops. A box whose spring has not come to rest gets rest time 0, so that it stays awake.
-    pub(in crate::precise) fn finish_hinges(&mut self, step: &StepContext) {
-        let has_last = self.constraints.has_overflow();
-        let Precise { depth: Some(space), bodies, color_usage, sleep, parameters: tuning, .. } = self else {
-            return;
-        };
-        let DepthState { hinged_boxes, world_boxes, .. } = &mut **space;
-        for HingedBoxState { body, box_index, hinge, initial, constraint_impulse, .. } in
-            empty_if_disabled(hinged_boxes)
-        {
-            let at = *body as usize;
-            let mut torque = *constraint_impulse / step.h;
-            let now = if color_usage.hinged_has_no_constraint(at) && !has_last {
-                torque = 0.0;
-                let after =
-                    (0..step.substeps).fold(*initial, |from, _| hinge.free_motion_with_stops(from, step.h));
-                let missing = hinge.clamp_to_stops(hinge.rest_angle) - after[0];
-                let reach = bodies.max_extents[at];
-                if hinge.stiffness > 0.0
-                    && missing.abs() * reach > HINGE_REST_MAX_DISTANCE * tuning.length_unit
-                {
-                    sleep.rest_time[at] = 0.0;
-                }
-                bodies.states[at].velocity[2] = after[1];
-                after[0]
-            } else {
-                let now = hinge.clamp_to_stops(initial[0] + bodies.delta_pose[at][2]);
-                let angular_velocity = &mut bodies.states[at].velocity[2];
-                if (now == hinge.stops[0] && *angular_velocity < 0.0)
-                    || (now == hinge.stops[1] && *angular_velocity > 0.0)
-                {
-                    *angular_velocity = 0.0;
-                }
-                now
-            };
-            bodies.delta_pose[at][2] = now - initial[0];
-            if let Some(hinged_box) =
-                world_boxes[*box_index as usize].motion.as_mut().and_then(|it| it.hinge_mut())
+            bodies.states[at].velocity[2] = after[1];
+            after[0]
+        } else {
+            let now = hinge.clamp_to_stops(initial[0] + bodies.delta_pose[at][2]);
+            let angular_velocity = &mut bodies.states[at].velocity[2];
+            if (now == hinge.stops[0] && *angular_velocity < 0.0)
+                || (now == hinge.stops[1] && *angular_velocity > 0.0)
             {
-                hinged_box.constraint_torque = if torque.is_finite() { torque } else { 0.0 };
+                *angular_velocity = 0.0;
             }
+            now
+        };
+        bodies.delta_pose[at][2] = now - initial[0];
+        if let Some(hinged_box) =
+            world_boxes[*box_index as usize].motion.as_mut().and_then(|it| it.hinge_mut())
+        {
+            hinged_box.constraint_torque = if torque.is_finite() { torque } else { 0.0 };
         }
     }
 }

@@ -54,6 +54,7 @@ use crate::shape::SlantedBox;
 use crate::storage::reusing_clone::reusing_clone;
 pub(super) use contact_constraint_3d::{ContactConstraint3Simd, tangents};
 pub(super) use friction_3d::{BallSpin, accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
+pub(super) use hinged_box::{brace_at_stops, finish_hinges, list_hinged_boxes};
 use interface::{DepthBodyState, DepthInterval, DepthShape, WorldBox};
 pub(super) use one_way::will_land;
 use prism_collision::SolidKind;
