@@ -67,6 +67,10 @@ pub(in crate::precise) const ROPE_TENSION_MARGIN: f64 = 3.0;
 /// bounds the cost. Value chosen; its sensitivity is not measured.
 pub(in crate::precise) const ROPE_MAX_SUBSTEP_PARTS: f64 = 24.0;
 
+/// Largest number of parts of all substeps of a step together. Unit: dimensionless, a count. It is [`ROPE_MAX_SUBSTEP_PARTS`]
+/// times 4 substeps: with more substeps each is shorter, and needs fewer parts.
+pub(in crate::precise) const ROPE_MAX_STEP_PARTS: f64 = 96.0;
+
 /// Largest number of products in the factorisations for all parts of a substep. Unit: dimensionless, a count.
 ///
 /// It bounds the cost of large nets, which get fewer parts per substep. Value chosen; its sensitivity is not measured.

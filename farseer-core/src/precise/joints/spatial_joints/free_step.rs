@@ -7,18 +7,19 @@
 use super::super::super::bodies::BodySet;
 use super::super::super::scaled_parameters::StepContext;
 use super::super::joint_constraint::JointConstraint;
+use super::super::soft_law::min;
 use super::constraint_row::{RowKind, Velocity4};
 use super::group_solver::SpatialJointGroup;
 use super::sparse_ldlt::SparseLdlt;
 use crate::precise::parameters::spatial_joints::{
-    ROPE_MAX_ENERGY_GAIN, ROPE_MAX_SUBSTEP_PARTS, ROPE_MAX_SUBSTEP_PRODUCTS, ROPE_RETRY_FACTOR,
-    ROPE_STABLE_LIMIT_FRACTION, ROPE_TENSION_MARGIN,
+    ROPE_MAX_ENERGY_GAIN, ROPE_MAX_STEP_PARTS, ROPE_MAX_SUBSTEP_PARTS, ROPE_MAX_SUBSTEP_PRODUCTS,
+    ROPE_RETRY_FACTOR, ROPE_STABLE_LIMIT_FRACTION, ROPE_TENSION_MARGIN,
 };
 
 impl SpatialJointGroup {
-    /// Returns the number of parts into which a substep of `h` seconds must be divided. It follows from the tensions of the
-    /// last step.
-    pub(super) fn required_parts(&self, joints: &[JointConstraint], h: f64) -> u32 {
+    /// Returns the number of parts into which a substep of `h` seconds must be divided, in a step of `dt` seconds. It follows
+    /// from the tensions of the last step.
+    pub(super) fn required_parts(&self, joints: &[JointConstraint], [dt, h]: [f64; 2]) -> u32 {
         let stiffness = self.rows.iter().filter(|row| row.kind == RowKind::Distance).map(|row| {
             let state = &self.joints[row.joint as usize];
             let joint = &joints[state.joint as usize];
@@ -31,14 +32,16 @@ impl SpatialJointGroup {
         (0.25 * ROPE_TENSION_MARGIN * max_stiffness / ROPE_STABLE_LIMIT_FRACTION)
             .sqrt()
             .ceil()
-            .clamp(1.0, self.max_parts().into()) as u32
+            .clamp(1.0, self.max_parts((dt / h).round()).into()) as u32
     }
 
     /// Returns the largest number of parts of a substep: [`ROPE_MAX_SUBSTEP_PARTS`], or less if the factorisations of the group
-    /// are expensive.
-    fn max_parts(&self) -> u32 {
+    /// are expensive or the step has many `substeps`.
+    fn max_parts(&self, substeps: f64) -> u32 {
         let products = self.ldlt.as_ref().map_or(0, SparseLdlt::product_count);
-        (ROPE_MAX_SUBSTEP_PRODUCTS / products as f64).clamp(1.0, ROPE_MAX_SUBSTEP_PARTS) as u32
+        // In this order NaN, from a step of no length, is left out.
+        let affordable = min(ROPE_MAX_STEP_PARTS / substeps, ROPE_MAX_SUBSTEP_PRODUCTS / products as f64);
+        affordable.clamp(1.0, ROPE_MAX_SUBSTEP_PARTS) as u32
     }
 
     /// Moves a group without contacts through all substeps of a step.
@@ -55,7 +58,7 @@ impl SpatialJointGroup {
             return;
         }
         self.initial_joints.clone_from(&self.joints);
-        let max_parts = self.max_parts();
+        let max_parts = self.max_parts(step.substeps.into());
         while !self.try_free_step(joints, bodies, step, self.substep_parts >= max_parts) {
             self.joints.clone_from(&self.initial_joints);
             let times = [f64::from(step.dt), f64::from(step.h)];

@@ -141,7 +141,7 @@ impl SpatialJointGroup {
         self.is_passive =
             self.joints.iter().all(|tie| tie.sides.iter().all(|side| side.ground_velocity == [0.0; 4]))
                 && !self.rows.iter().any(|row| matches!(row.kind, RowKind::Motor(_)));
-        let parts = if self.is_contact_free { self.required_parts(joints, h) } else { 1 };
+        let parts = if self.is_contact_free { self.required_parts(joints, [dt, h]) } else { 1 };
         self.prepare_rows(joints, [dt, h], parts);
     }
 
