@@ -33,14 +33,15 @@ impl ContactPointSimd {
 
 /// Four contact constraints with at most `P` points each. A block has one friction row per constraint: along the tangent (n.y,
 /// -n.x), at the mean of the points.
+///
+/// The fields that every substep reads come first and are adjacent: in large scenes the solver waits for memory.
 #[derive(Debug, Clone, Copy)]
+#[repr(C)]
 pub(in crate::precise) struct ContactConstraintSimd<const P: usize> {
     /// Indices of bodies A; 0 for static ones and empty lanes.
     pub(in crate::precise) a: [u32; 4],
     /// Indices of bodies B; 0 for empty lanes.
     pub(in crate::precise) b: [u32; 4],
-    /// Indices of the pairs of proxies.
-    pub(in crate::precise) pair: [u32; 4],
     /// Components x of the unit normals from A to B, dimensionless; `normal_y` has the components y.
     pub(in crate::precise) normal_x: f32x4,
     pub(in crate::precise) normal_y: f32x4,
@@ -50,6 +51,8 @@ pub(in crate::precise) struct ContactConstraintSimd<const P: usize> {
     /// Reciprocals of the moments of inertia of A, 1/(mass units * length units^2), >= 0; `inverse_inertia_b` has those of B.
     pub(in crate::precise) inverse_inertia_a: f32x4,
     pub(in crate::precise) inverse_inertia_b: f32x4,
+    /// Normal rows of the points.
+    pub(in crate::precise) points: [ContactPointSimd; P],
     /// Friction coefficients of the pairs, dimensionless, >= 0.
     pub(in crate::precise) friction: f32x4,
     /// Arms of the friction rows about the centres of mass of A: r x t, averaged over the points, length units. Here r is the
@@ -62,6 +65,8 @@ pub(in crate::precise) struct ContactConstraintSimd<const P: usize> {
     pub(in crate::precise) tangent_impulse: f32x4,
     /// Target velocities of B relative to A along the tangent, length units/s: surface velocity of a belt, else 0.
     pub(in crate::precise) tangent_speed: f32x4,
+    /// Masks of each point, one per lane: all bits set if the point has had a normal impulse in this step, else 0.
+    pub(in crate::precise) was_active: [f32x4; P],
     /// Restitution coefficients of the pairs, dimensionless.
     pub(in crate::precise) restitution: f32x4,
     /// Normal velocities of B relative to A at each point, at the beginning of the step, length units/s, for restitution;
@@ -69,10 +74,8 @@ pub(in crate::precise) struct ContactConstraintSimd<const P: usize> {
     pub(in crate::precise) approach_velocity: [f32x4; P],
     /// Separations at each point at the beginning of the step, length units.
     pub(in crate::precise) initial_separation: [f32x4; P],
-    /// Masks of each point, one per lane: all bits set if the point has had a normal impulse in this step, else 0.
-    pub(in crate::precise) was_active: [f32x4; P],
-    /// Normal rows of the points.
-    pub(in crate::precise) points: [ContactPointSimd; P],
+    /// Indices of the pairs of proxies.
+    pub(in crate::precise) pair: [u32; 4],
 }
 
 impl<const P: usize> ContactConstraintSimd<P> {
