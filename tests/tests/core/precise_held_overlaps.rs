@@ -108,7 +108,7 @@ fn a_hull_that_overlaps_its_wheels_comes_to_rest_after_a_fall() {
 
 #[test]
 fn bodies_that_a_joint_does_not_hold_together_separate() {
-    // Two boxes on one hinge overlap, but can swing apart. A third one overlaps the floor.
+    // Two boxes on one hinge overlap, but can swing apart.
     let mut simulator = precise(0.0);
     let ids = [-3.0, 3.0].map(|x| add_box(&mut simulator, v(x, 20.0), [10.0, 40.0], 1.0));
     for (id, x) in ids.into_iter().zip([-3.0, 3.0]) {

@@ -107,7 +107,7 @@ impl Proxy {
     }
 
     /// Returns whether the collision filters of two geoms let them collide. Other conditions for a pair are tested by
-    /// [`order_pair`](crate::precise::Precise::order_pair).
+    /// [`order_pair`](crate::precise::broad_phase::pair_finder::order_pair).
     pub(in crate::precise) fn may_meet(&self, other: &Proxy) -> bool {
         if !(is_geom(self.geom) && is_geom(other.geom)) {
             return true;

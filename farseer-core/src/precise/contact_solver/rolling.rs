@@ -54,7 +54,7 @@ pub(in crate::precise) struct RollingContact {
 
 impl RollingContact {
     /// Returns a rolling contact between `proxies` (static face, polygon). `is_fast`: whether the vertices are determined anew
-    /// in every substep. [`Precise::prepare_rolling_contacts`] sets the other fields.
+    /// in every substep. [`RollingSolver::prepare`] sets the other fields.
     pub(in crate::precise) fn new(proxies: [u32; 2], is_fast: bool) -> Self {
         RollingContact {
             needs_vertex_updates: is_fast,
@@ -104,7 +104,7 @@ pub(in crate::precise) struct RollingSolver<'a> {
 }
 
 impl RollingSolver<'_> {
-    /// Finds the rolling contacts of this step, before the substeps, and removes all others from `rolling_contacts`. A rolling
+    /// Finds the rolling contacts of this step, before the substeps, and removes all others from `rolling`. A rolling
     /// contact either has a polygon that pivots in closed form: `pivot` is its state after the step. Or its polygon rotates
     /// fast and has vertices at the contact points: [`match_vertices`](Self::match_vertices) stores the pair and these
     /// vertices.

@@ -136,9 +136,7 @@ impl FeatureGate<Box<DepthState>> {
     pub(super) fn by_ref(&self) -> FeatureGate<&DepthState> {
         FeatureGate { state: &self.state, proof: self.proof }
     }
-}
 
-impl FeatureGate<Box<DepthState>> {
     /// Returns the depth state as a mutable reference, with its proof of the feature `space`.
     pub(super) fn by_mut(&mut self) -> FeatureGate<&mut DepthState> {
         FeatureGate { state: &mut self.state, proof: self.proof }
