@@ -6,8 +6,8 @@
 //! the simulator and writes bodies, proxies, pairs, constraints and sleep.
 
 use super::Precise;
+use super::body_import::listed_body;
 use super::depth::interface::is_geom;
-use super::import::{NOT_LISTED, set_entry};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
@@ -82,7 +82,7 @@ impl Precise {
                 (self.proxies.all[proxy as usize].geom, self.proxies.all[proxy as usize].body as usize);
             self.grid.remove(proxy);
             self.proxies.remove(proxy);
-            self.first_proxies[geom.slot()] = NOT_LISTED;
+            self.ids.remove_geom(geom);
             // A static body without geoms is not listed.
             if body >= self.bodies.first_static() && self.proxies.proxies_of(body).next().is_none() {
                 self.remove_body(body);
@@ -93,9 +93,7 @@ impl Precise {
 
     /// Removes the body at `index` from `bodies`, the direct solver and the graph colours.
     fn remove_body(&mut self, index: usize) {
-        if let Some(id) = self.bodies.ids[index] {
-            self.body_indices[id.slot()] = NOT_LISTED;
-        }
+        self.ids.remove_body(index);
         if index < self.bodies.first_static() {
             self.direct_solver.forget_body(index);
             self.color_usage.remove_body(index);
@@ -106,8 +104,8 @@ impl Precise {
     /// Appends a dynamic or kinematic body to `bodies`, the graph colours and the sleep state.
     fn add_body(&mut self, id: BodyId, objects: &Objects) {
         let body = &objects.bodies[id].body;
-        let Some(index) = self.bodies.add_movable(id, body) else { return };
-        set_entry(&mut self.body_indices, id.slot(), index as u32);
+        let Some(index) = self.bodies.add_movable(&listed_body(body, true)) else { return };
+        self.ids.add_body(index, id);
         self.color_usage.add_body(index, self.bodies.inverse_mass_inertia[index]);
         self.sleep.add_body(index);
         self.add_body_z(index, id);
@@ -118,8 +116,8 @@ impl Precise {
     fn add_geom(&mut self, at: usize, objects: &Objects) {
         let Some((id, geom)) = objects.geoms.at(at) else { return };
         if self.body_index(geom.body).is_none() {
-            self.bodies.add_static(geom.body, &objects.bodies[geom.body].body);
-            set_entry(&mut self.body_indices, geom.body.slot(), self.bodies.ids.len() as u32 - 1);
+            let index = self.bodies.add_static(&listed_body(&objects.bodies[geom.body].body, false));
+            self.ids.add_body(index, geom.body);
         }
         for piece in 0..geom.pieces().len() {
             let Some(proxy) = self.make_proxy(at, piece, objects).and_then(|proxy| self.proxies.add(proxy))
@@ -127,7 +125,7 @@ impl Precise {
                 continue;
             };
             if piece == 0 {
-                set_entry(&mut self.first_proxies, id.slot(), proxy as u32);
+                self.ids.add_geom(id, proxy);
             }
             if let Some(space) = self.depth.as_deref_mut() {
                 space.add_proxy(proxy, id);
@@ -226,7 +224,7 @@ impl MembershipDiff {
         if known_count < bodies.movable_count {
             let is_removed = |&number: &usize| {
                 let is_listed = |id| objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed);
-                bodies.ids[number].is_some_and(|id| !is_listed(id))
+                precise.ids.bodies[number].is_some_and(|id| !is_listed(id))
             };
             self.removed_bodies.extend((1..=bodies.last_movable).filter(is_removed));
         }

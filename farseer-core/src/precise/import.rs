@@ -6,7 +6,9 @@
 //! objects and writes bodies, proxies, pairs and sleep.
 
 use super::Precise;
-use super::bodies::{gyration_radius, inverse_mass_inertia_of};
+use super::body_import::{
+    gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
+};
 use super::depth::interface::{DepthInterval, DepthShape, is_geom};
 use super::fingerprint::Fingerprint;
 use super::saved::{EditPolicy, Saved};
@@ -22,26 +24,10 @@ use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
 use crate::precise::broad_phase::proxies::{BodyType, Proxy, geom_filter};
 
-/// Entry of a table that stands for no body or proxy; all other entries are indices.
-pub(super) const NOT_LISTED: u32 = u32::MAX;
-
-/// Sets the entry `slot` of a table to `value`. Lengthens the table with [`NOT_LISTED`] as needed.
-pub(super) fn set_entry(table: &mut Vec<u32>, slot: usize, value: u32) {
-    if table.len() <= slot {
-        table.resize(slot + 1, NOT_LISTED);
-    }
-    table[slot] = value;
-}
-
-/// Returns the entry `slot` of a table; `None` if it is [`NOT_LISTED`] or beyond the end of the table.
-pub(super) fn entry_of(table: &[u32], slot: usize) -> Option<usize> {
-    table.get(slot).copied().filter(|&number| number != NOT_LISTED).map(|number| number as usize)
-}
-
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.
     pub(crate) fn body_index(&self, body: BodyId) -> Option<usize> {
-        entry_of(&self.body_indices, body.slot()).filter(|&number| self.bodies.ids[number] == Some(body))
+        self.ids.body_index(body)
     }
 
     /// Requests a rebuild of all lists by the next import, because a body or geom has changed its type.
@@ -102,7 +88,7 @@ impl Precise {
         let is_movable = index < self.bodies.first_static();
         let inverses = if is_movable { self.inverse_mass_and_inertia(index, body) } else { [0.0; 2] };
         let velocity = self.surface_velocity(id, is_movable, body);
-        let has_moved = self.bodies.was_moved(index, body) || self.was_moved_along_z(index, id);
+        let has_moved = was_moved(&self.bodies, index, body) || self.was_moved_along_z(index, id);
         let has_mass_changed = inverses != self.bodies.inverse_mass_inertia[index];
         let is_at_rest = body.is_at_rest_under(self.bodies.gravity_scales[index]) && self.rests_along_z(id);
         if has_moved || has_mass_changed || !is_at_rest {
@@ -121,9 +107,9 @@ impl Precise {
         if is_movable {
             self.bodies.are_bullets[index] = body.is_bullet();
         }
-        self.bodies.set_velocity(index, body);
+        self.bodies.set_velocity(index, velocity_of(body));
         if has_moved {
-            self.bodies.set_pose(index, body);
+            self.bodies.set_pose(index, pose_of(body));
             self.bodies.clear_delta_pose(index);
         }
         self.import_body_z(index, id);
@@ -152,7 +138,7 @@ impl Precise {
 
     /// Sets the greatest extent of a body without geoms to its radius of gyration, length units.
     fn compute_geomless_extent(&mut self, index: usize, objects: &Objects) {
-        let body = self.bodies.ids[index].and_then(|id| objects.bodies.get(id));
+        let body = self.ids.bodies[index].and_then(|id| objects.bodies.get(id));
         if let Some(entry) = body.filter(|entry| !entry.body.is_kinematic())
             && self.proxies.proxies_of(index).next().is_none()
         {
@@ -190,7 +176,7 @@ impl Precise {
 
     /// Returns the indices of the proxies of a geom.
     fn proxies_of_geom(&self, geom: GeomId, objects: &Objects) -> impl Iterator<Item = usize> + use<'_> {
-        let first = entry_of(&self.first_proxies, geom.slot()).unwrap_or(self.proxies.all.len());
+        let first = self.ids.first_proxy(geom).unwrap_or(self.proxies.all.len());
         let count = objects.geoms.get(geom).map_or(0, |entry| entry.pieces().len());
         (first..(first + count).min(self.proxies.all.len()))
             .take_while(move |&at| self.proxies.all[at].geom == geom)
@@ -338,7 +324,7 @@ impl Precise {
 
     /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.
     fn has_unmarked_change(&self, objects: &Objects) -> bool {
-        let ids = &self.bodies.ids[1..];
+        let ids = &self.ids.bodies[1..];
         let has_changed = |(at, id): (usize, &Option<BodyId>)| {
             let is_movable = at < self.bodies.last_movable;
             id.is_some_and(|id| {
@@ -363,7 +349,7 @@ impl Precise {
         self.rebuild_proxies(objects);
         self.list_always_tested(objects);
         self.fix_rotation_of_all();
-        self.sleep.reset(&self.bodies.ids[..self.bodies.first_static()]);
+        self.sleep.reset(&self.bodies.has_body);
         self.keep_moving_boxes_awake();
         self.direct_solver.reset(self.bodies.states.len());
         self.springs.clear_body_indices();
@@ -390,11 +376,11 @@ impl Precise {
     fn rebuild_bodies(&mut self, objects: &Objects) {
         let bodies = &objects.bodies;
         let movable = || (0..bodies.list().len()).filter_map(|at| bodies.at(at));
-        self.body_indices.clear();
+        let integrated = || movable().filter(|(_, entry)| entry.body.is_integrated());
         let mut static_bodies = Vec::new();
         let mut is_visited = vec![false; bodies.slot_count()];
         let mut visit = |id: BodyId| !std::mem::replace(&mut is_visited[id.slot()], true);
-        movable().filter(|(_, entry)| entry.body.is_integrated()).for_each(|(id, _)| {
+        integrated().for_each(|(id, _)| {
             visit(id);
         });
         for at in 0..objects.geoms.list().len() {
@@ -406,15 +392,18 @@ impl Precise {
         self.bodies.rebuild(
             bodies.list().len(),
             self.depth.iter().flat_map(|space| space.moving_poses()),
-            movable().filter(|(_, entry)| entry.body.is_integrated()).map(|(id, entry)| (id, &entry.body)),
-            static_bodies.iter().map(|&id| (id, &bodies[id].body)),
+            integrated().map(|(_, entry)| listed_body(&entry.body, true)),
+            static_bodies.iter().map(|&id| listed_body(&bodies[id].body, false)),
         );
+        self.ids.clear_bodies(self.bodies.poses.len());
+        let first_body = self.bodies.last_movable + 1 - self.bodies.movable_count;
+        (first_body..).zip(integrated()).for_each(|(index, (id, _))| self.ids.add_body(index, id));
+        (self.bodies.first_static()..)
+            .zip(static_bodies)
+            .for_each(|(index, id)| self.ids.add_body(index, id));
         self.rebuild_world_boxes();
-        for (number, id) in self.bodies.ids.iter().enumerate() {
-            if let Some(id) = id {
-                set_entry(&mut self.body_indices, id.slot(), number as u32);
-            }
-        }
+        // The ground and the static boxes follow all bodies, and have no ids.
+        self.ids.bodies.resize(self.bodies.poses.len(), None);
         self.disabled_bodies.clear();
         self.disabled_bodies.extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
         if let Some(space) = self.depth.as_deref_mut() {
@@ -430,7 +419,7 @@ impl Precise {
     fn rebuild_proxies(&mut self, objects: &Objects) {
         self.proxies.clear();
         self.proxies.reserve_lists(objects.geoms.list().len());
-        self.first_proxies.clear();
+        self.ids.clear_geoms();
         self.proxy_flags.clear();
         self.has_restitution = false;
         let first_fixed = self.bodies.first_static() as u32;
@@ -447,11 +436,11 @@ impl Precise {
     fn add_proxies(&mut self, objects: &Objects, is_wanted: impl Fn(u32) -> bool) {
         for at in 0..objects.geoms.list().len() {
             let Some((id, geom)) = objects.geoms.at(at) else { continue };
-            let Some(body) = entry_of(&self.body_indices, geom.body.slot()) else { continue };
+            let Some(body) = self.ids.body_index(geom.body) else { continue };
             if !is_wanted(body as u32) {
                 continue;
             }
-            set_entry(&mut self.first_proxies, id.slot(), self.proxies.all.len() as u32);
+            self.ids.add_geom(id, self.proxies.all.len());
             for piece in 0..geom.pieces().len() {
                 if let Some(proxy) = self.make_proxy(at, piece, objects) {
                     self.proxies.push(proxy);
@@ -532,11 +521,7 @@ impl Precise {
 
     /// Returns the index of the proxy of a geom's convex piece; `None` if there is none.
     pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
-        let first = if is_geom(geom) {
-            entry_of(&self.first_proxies, geom.slot())
-        } else {
-            self.world_proxy_of(geom)
-        };
+        let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
         let at = first? + piece as usize;
         let proxy = self.proxies.all.get(at)?;
         (proxy.geom == geom && proxy.piece == piece).then_some(at as u32)

@@ -18,6 +18,7 @@
 
 mod add_remove;
 mod bodies;
+mod body_import;
 pub(crate) mod broad_phase;
 mod constraint_graph;
 mod contact_events;
@@ -26,6 +27,7 @@ mod continuous_collision;
 pub(crate) mod depth;
 mod direct_solver;
 mod fingerprint;
+mod ids;
 mod import;
 mod integration;
 pub(crate) mod island;
@@ -65,6 +67,7 @@ use constraint_graph::{ColorUsage, ConstraintGraph};
 use continuous_collision::FastBody;
 use depth::{DepthState, FeatureGate};
 use direct_solver::DirectSolver;
+use ids::IdTable;
 use joints::JointSystem;
 use joints::springs::SpringRows;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
@@ -120,10 +123,8 @@ pub(crate) struct Precise {
     direct_solver: DirectSolver,
     /// State of the depth axis; `None` in plain 2D.
     depth: Option<FeatureGate<Box<DepthState>>>,
-    /// Index into `bodies` of each body, by the slot of its id; `NOT_LISTED` if the body is not listed.
-    body_indices: Vec<u32>,
-    /// Index of the first proxy of each geom, by the slot of its id; `NOT_LISTED` if the geom has no proxy.
-    first_proxies: Vec<u32>,
+    /// Ids of the game's bodies and geoms behind the indices into `bodies` and `proxies`.
+    ids: IdTable,
     /// Geoms that every AABB query tests without the hash grid, in the order of the simulator's list of geoms.
     always_tested: Vec<AlwaysTested>,
     /// Ids of the disabled bodies, which have no entry in `bodies`.
@@ -171,7 +172,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         parameters, impulse_substep, dt, step_context, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
-        grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, body_indices, first_proxies, always_tested, disabled_bodies,
+        grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, ids, always_tested, disabled_bodies,
         edited_bodies, edited_geoms, wake_requests, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
         pair_scratch, new_pairs,
         proxy_flags, touching_scratch
@@ -210,8 +211,7 @@ impl Precise {
             sleep: SleepState::default(),
             direct_solver: DirectSolver::default(),
             depth: None,
-            body_indices: Vec::new(),
-            first_proxies: Vec::new(),
+            ids: IdTable::default(),
             always_tested: Vec::new(),
             disabled_bodies: Vec::new(),
             edited_bodies: Vec::new(),
@@ -238,6 +238,7 @@ impl Precise {
     fn narrow_phase(&mut self) -> NarrowPhase<'_> {
         NarrowPhase {
             bodies: &self.bodies,
+            ids: &self.ids.bodies,
             proxies: &self.proxies,
             pairs: &mut self.pairs,
             constraints: &mut self.constraints,

@@ -8,7 +8,8 @@ use crate::precise::parameters::broad_phase::COORDINATE_HEADROOM;
 use wide::f32x4;
 
 use super::Precise;
-use super::bodies::{BodyForces, BodySet, read_body};
+use super::bodies::BodySet;
+use super::body_import::{BodyForces, pose_of, read_body};
 use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
 use super::integration::{find_escaped_proxies, integrate_free_flight, integrate_poses};
 use super::narrow_phase::NarrowPhaseStats;
@@ -101,14 +102,14 @@ impl Precise {
         step: &StepContext,
         report: &mut Report,
     ) {
-        let Precise { bodies, sleep, needs_rebuild, depth, .. } = self;
+        let Precise { bodies, ids, sleep, needs_rebuild, depth, .. } = self;
         let substeps = f32x4::splat(step.substeps as f32);
         for run in &sleep.awake_body_runs {
             let (states, initial_velocities) =
                 (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
             let (force_deltas, force_position_deltas) =
                 (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
-            let ids = run.clone().zip(&bodies.ids[run.clone()]);
+            let ids = run.clone().zip(&ids.bodies[run.clone()]);
             for ((((state, initial_velocity), force_delta), force_position_delta), (number, id)) in states
                 .iter_mut()
                 .zip(initial_velocities)
@@ -171,11 +172,11 @@ impl Precise {
         if !self.is_finite() {
             self.restore_non_finite_bodies(objects, report);
         }
-        let Precise { bodies, sleep, depth, .. } = self;
+        let Precise { bodies, ids, sleep, depth, .. } = self;
         for run in &sleep.awake_body_runs {
             let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
             let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
-            let ids = run.clone().zip(&bodies.ids[run.clone()]);
+            let ids = run.clone().zip(&ids.bodies[run.clone()]);
             for ((((state, rotation), pose), delta_pose), (number, id)) in
                 states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids)
             {
@@ -198,8 +199,8 @@ impl Precise {
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
             // A kinematic body that reaches its target has the pose of the target, bit for bit.
-            if let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get(id)) {
-                self.bodies.set_pose(number, &entry.body);
+            if let Some(entry) = self.ids.bodies[number].and_then(|id| objects.bodies.get(id)) {
+                self.bodies.set_pose(number, pose_of(&entry.body));
             }
         }
         if let Some(space) = &self.depth {
@@ -273,7 +274,7 @@ impl Precise {
             let disabled = speed(number) >= fastest;
             (self.bodies.states[number].velocity, self.bodies.delta_pose[number]) =
                 (self.bodies.initial_velocity[number], [0.0; 4]);
-            let Some(body) = self.bodies.ids[number] else { continue };
+            let Some(body) = self.ids.bodies[number] else { continue };
             if let Some(space) = self.depth.as_deref_mut() {
                 space.reset_non_finite_spin(number);
                 space.body_mut(body).target = None;

@@ -102,7 +102,7 @@ impl Precise {
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
             let Some((id, entry)) =
-                self.bodies.ids[number].and_then(|id| Some((id, objects.bodies.get(id)?)))
+                self.ids.bodies[number].and_then(|id| Some((id, objects.bodies.get(id)?)))
             else {
                 continue;
             };
@@ -284,7 +284,7 @@ fn list_fast_bodies(bodies: &BodySet, sleep: &SleepState, max_threshold: f32, fa
         let of = run.clone().zip(displacements).zip(max_extents).zip(&bodies.min_extents[run.clone()]);
         for (((number, &path), &reach), &core) in of {
             let core = if core < max_threshold { core } else { max_threshold };
-            let is_body = || bodies.ids[number].is_some() && !bodies.is_kinematic(number);
+            let is_body = || bodies.has_body[number] && !bodies.is_kinematic(number);
             if is_fast(path, reach, core) && !sleep.is_asleep(number) && is_body() {
                 fast.push(FastBody::of(number as u32));
             }

@@ -133,7 +133,7 @@ impl Precise {
         let is_b = !interface::is_geom(a.geom) || a.creation_number < b.creation_number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };
         let (z, partner_body) = if interface::is_geom(partner.geom) {
-            (space.overlap_middle_z(proxies, [a.body, b.body]), self.bodies.ids[partner.body as usize])
+            (space.overlap_middle_z(proxies, [a.body, b.body]), self.ids.bodies[partner.body as usize])
         } else {
             (space.z_positions[this.body as usize], None)
         };
@@ -167,7 +167,7 @@ impl Precise {
         }
         Some(DepthContact {
             this: this.geom,
-            body: self.bodies.ids[this.body as usize]?,
+            body: self.ids.bodies[this.body as usize]?,
             target: interface::contact_target_of(partner.geom),
             pieces: [this.piece, partner.piece],
             target_body: partner_body,

@@ -7,7 +7,8 @@ use super::DepthState;
 use super::interface::is_geom;
 use crate::body::Body;
 use crate::precise::Precise;
-use crate::precise::bodies::{BodySet, inverse_mass_inertia_of};
+use crate::precise::bodies::BodySet;
+use crate::precise::body_import::inverse_mass_inertia_of;
 use crate::precise::broad_phase::proxies::Proxy;
 use crate::precise::island::sleep::SleepState;
 

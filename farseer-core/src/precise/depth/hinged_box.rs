@@ -294,7 +294,7 @@ impl Precise {
                 .find(|proxy| proxy.body_type == BodyType::Hinged)
                 .map(|proxy| interface::world_box_body_id(proxy.geom))
         };
-        self.bodies.ids[body_index].or_else(|| if HingeFeature::ENABLED { of_world_box() } else { None })
+        self.ids.bodies[body_index].or_else(|| if HingeFeature::ENABLED { of_world_box() } else { None })
     }
 
     /// Returns the body index of the body or hinged box that an id in a snapshot stands for; `None` if it no longer exists.

@@ -81,7 +81,7 @@ impl Precise {
     pub(crate) fn moved_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
         let space = self.depth.as_ref();
         self.sleep.awake_bodies(self.bodies.last_movable).filter_map(move |number| {
-            let id = self.bodies.ids[number]?;
+            let id = self.ids.bodies[number]?;
             Some((id, space?.body(id)))
         })
     }

@@ -285,13 +285,13 @@ impl Precise {
                 moving
             } else {
                 self.bodies.add_world_box(pose_of(world_box), world_box.rotation);
-                self.bodies.ids.len() - 1
+                self.bodies.poses.len() - 1
             };
             space.box_bodies.push(body_index as u32);
         }
-        space.rebuild_bodies(&self.bodies);
+        space.rebuild_bodies(&self.bodies, &self.ids.bodies);
         for body_index in 1..=self.bodies.last_movable {
-            if let Some(id) = self.bodies.ids[body_index] {
+            if let Some(id) = self.ids.bodies[body_index] {
                 self.import_body_z(body_index, id);
             }
         }
@@ -315,7 +315,7 @@ impl Precise {
         space.ground_proxy = self.proxies.all.len() as u32;
         let ground = Proxy {
             list_index: NO_WORLD_BOX,
-            ..world_proxy(ground_geom_id(), self.bodies.ids.len() - still - 1)
+            ..world_proxy(ground_geom_id(), self.bodies.poses.len() - still - 1)
         };
         self.proxies.push(ground);
         self.add_box_proxies(false);

@@ -44,12 +44,15 @@ impl Precise {
             let [a, b] = ends.map(|body| self.bodies.delta_pose.get(body).copied().unwrap_or_default());
             let [x, y, rotation] = [0, 1, 2].map(|axis: usize| (b[axis] - a[axis]).abs());
             if self.is_drive_effective(speed, if is_along_line { x + y } else { rotation }) {
-                ends.into_iter().filter(|&body| self.is_dynamic(body)).for_each(&mut visit);
+                ends.into_iter().filter(|&body| self.bodies.is_dynamic(body)).for_each(&mut visit);
             }
         }
         for [a, b] in self.joints.body_pairs().chain(self.spring_body_pairs(objects)) {
             for (one, other) in [(a, b), (b, a)] {
-                if self.bodies.is_kinematic(one) && self.bodies.has_velocity(one) && self.is_dynamic(other) {
+                if self.bodies.is_kinematic(one)
+                    && self.bodies.has_velocity(one)
+                    && self.bodies.is_dynamic(other)
+                {
                     visit(other);
                 }
             }

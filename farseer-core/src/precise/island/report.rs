@@ -170,7 +170,7 @@ impl Precise {
         let mut awake = UnionFind::default();
         self.unite_islands(objects, &mut awake);
         let mut all: Vec<(bool, usize, usize)> = (1..=self.bodies.last_movable)
-            .filter(|&number| self.is_dynamic(number))
+            .filter(|&number| self.bodies.is_dynamic(number))
             .map(|number| match self.sleep.is_asleep(number) {
                 true => (true, self.sleep.first_of_ring(number), number),
                 false => (false, awake.find(number as u32) as usize, number),
@@ -184,7 +184,7 @@ impl Precise {
             let of_bodies = bodies.iter().map(|&(.., number)| reports[number]);
             let BodyReport { method, why, cost } = of_bodies.reduce(BodyReport::merge)?;
             Some(Island {
-                bodies: bodies.iter().filter_map(|&(.., number)| self.bodies.ids[number]).collect(),
+                bodies: bodies.iter().filter_map(|&(.., number)| self.ids.bodies[number]).collect(),
                 is_asleep: method == IslandSolver::Asleep,
                 is_solved_whole: method == IslandSolver::Direct,
                 method,
@@ -239,7 +239,7 @@ impl Precise {
 
     /// Returns whether the body is dynamic and awake.
     fn is_awake(&self, body: usize) -> bool {
-        self.is_dynamic(body) && !self.sleep.is_asleep(body)
+        self.bodies.is_dynamic(body) && !self.sleep.is_asleep(body)
     }
 
     /// Returns the number of awake contact constraints for each body index. A constraint counts at one of its bodies only, an
@@ -262,7 +262,7 @@ impl Precise {
     pub(crate) fn residual(&self, bodies: &[BodyId], objects: &Objects) -> IslandResidual {
         let mut residual = IslandResidual::default();
         let numbers = bodies.iter().filter_map(|&body| self.body_index(body));
-        for body in numbers.filter(|&body| self.is_dynamic(body)) {
+        for body in numbers.filter(|&body| self.bodies.is_dynamic(body)) {
             let pairs = self.pairs.pairs_of_body(&self.proxies, body);
             for pair in pairs.filter(|&pair| self.pairs.all[pair].constraint.is_some()) {
                 let [overlap, approach] = self.residual_of_pair(pair, objects);
@@ -308,7 +308,7 @@ impl Precise {
     /// Returns the velocity of a body at a point [x, y] relative to its origin, both in world axes: length units/s; 0 for
     /// static bodies and world boxes.
     fn velocity_at(&self, body: usize, [x, y]: Vector, objects: &Objects) -> Vector {
-        let id = self.bodies.ids.get(body).copied().flatten().filter(|_| body <= self.bodies.last_movable);
+        let id = self.ids.bodies.get(body).copied().flatten().filter(|_| body <= self.bodies.last_movable);
         let Some(entry) = id.and_then(|id| objects.bodies.get(id)) else { return [0.0; 2] };
         let (velocity, angular_velocity) = (entry.body.linear_velocity(), entry.body.angular_velocity());
         [velocity.x - angular_velocity * y, velocity.y + angular_velocity * x]

@@ -206,13 +206,13 @@ impl SleepState {
                 .all(|list| list.is_empty())
     }
 
-    /// Makes all bodies awake with rest time 0, after the list of bodies was rebuilt. `ids` are the ids of the listed bodies.
-    pub(in crate::precise) fn reset(&mut self, ids: &[Option<BodyId>]) {
-        let bodies = ids.len();
+    /// Makes all bodies awake with rest time 0, after the list of bodies was rebuilt. `has_body`: [`BodySet::has_body`](crate::precise::bodies::BodySet::has_body).
+    pub(in crate::precise) fn reset(&mut self, has_body: &[bool]) {
+        let bodies = has_body.len();
         self.rest_time.clear();
         self.rest_time.resize(bodies, 0.0);
         self.next_in_ring.clear();
-        self.next_in_ring.extend(ids.iter().map(|id| if id.is_some() { AWAKE } else { ABSENT }));
+        self.next_in_ring.extend(has_body.iter().map(|&has_body| if has_body { AWAKE } else { ABSENT }));
         self.supported_acceleration.clear();
         self.supported_acceleration.resize(bodies, [0.0; 4]);
         self.count = 0;
@@ -389,7 +389,7 @@ impl Precise {
             }
         }
         for [a, b] in self.joints.body_pairs().chain(self.spring_body_pairs(objects)) {
-            if self.is_dynamic(a) && self.is_dynamic(b) {
+            if self.bodies.is_dynamic(a) && self.bodies.is_dynamic(b) {
                 islands.unite(a as u32, b as u32);
             }
         }
@@ -407,7 +407,7 @@ impl Precise {
 
     /// Returns the reason why a dynamic body is awake; `None` if it sleeps, or is not dynamic.
     pub(crate) fn why_awake(&self, body: BodyId, objects: &Objects) -> Option<AwakeReason> {
-        let number = self.body_index(body).filter(|&number| self.is_dynamic(number))?;
+        let number = self.body_index(body).filter(|&number| self.bodies.is_dynamic(number))?;
         if self.sleep.is_asleep(number) {
             return None;
         }
@@ -421,7 +421,7 @@ impl Precise {
         let restless = members.find(|&other| self.sleep.rest_time[other] == 0.0);
         Some(match restless {
             _ if self.sleep.rest_time[number] == 0.0 => AwakeReason::Moves { limit: self.sleep_speed() },
-            Some(other) => match self.bodies.ids[other] {
+            Some(other) => match self.ids.bodies[other] {
                 Some(with) => AwakeReason::HangsTogether { with },
                 // A hinged platform has no body id. It moves the bodies that it leans on.
                 None => AwakeReason::Moves { limit: self.sleep_speed() },
@@ -448,7 +448,7 @@ impl Precise {
             .for_each(|body| limit(body, self.sleep.rest_time[body]));
         for &proxy in &self.proxies.refitted {
             let body = self.proxies.all[proxy as usize].body as usize;
-            if self.is_dynamic(body) {
+            if self.bodies.is_dynamic(body) {
                 limit(body, SLEEP_RETEST_FRACTION * TIME_TO_SLEEP);
             }
         }
@@ -481,10 +481,10 @@ impl Precise {
             // Indices are ascending, so that the first body of an island is its representative.
             self.sleep.sleep_body(body, (island != body).then_some(island), supported_acceleration);
             self.sleep.newly_asleep.extend((supported_acceleration != [0.0; 4]).then_some(number));
-            if let Some(entry) = self.bodies.ids[body].and_then(|id| objects.bodies.get_mut(id)) {
+            if let Some(entry) = self.ids.bodies[body].and_then(|id| objects.bodies.get_mut(id)) {
                 entry.body.stop();
             }
-            if let (Some(space), Some(id)) = (&mut self.depth, self.bodies.ids[body]) {
+            if let (Some(space), Some(id)) = (&mut self.depth, self.ids.bodies[body]) {
                 space.put_to_rest(body, id);
             }
             self.put_hinge_to_rest(body);
@@ -573,10 +573,5 @@ impl Precise {
     /// Returns body index and body type of A and of B of a pair.
     pub(in crate::precise) fn bodies_of_pair(&self, pair: usize) -> [(usize, BodyType); 2] {
         self.pairs.bodies_of(&self.proxies, pair)
-    }
-
-    /// Returns whether the body is dynamic.
-    pub(in crate::precise) fn is_dynamic(&self, body: usize) -> bool {
-        body <= self.bodies.last_movable && self.bodies.ids[body].is_some() && !self.bodies.is_kinematic(body)
     }
 }

@@ -69,7 +69,7 @@ impl Precise {
     fn wake_for_moving_kinematic(&mut self, objects: &Objects) {
         for at in 0..self.bodies.kinematic.len() {
             let body = self.bodies.kinematic[at] as usize;
-            let id = self.bodies.ids[body];
+            let id = self.ids.bodies[body];
             if !self.will_move_in_step(body, id, objects) {
                 continue;
             }
@@ -133,7 +133,7 @@ impl Precise {
         for body in forced_bodies.drain(..).map(|body| body as usize) {
             let ([x, y, turning, z], reach) =
                 (self.sleep.supported_acceleration[body], self.bodies.max_extents[body]);
-            let Some(id) = self.bodies.ids[body] else { continue };
+            let Some(id) = self.ids.bodies[body] else { continue };
             let Some(entry) = objects.bodies.get_mut(id) else { continue };
             let in_depth = self.depth.as_ref().map_or(0.0, |space| (space.acceleration(id) - z).abs());
             if in_depth > tolerance
@@ -155,7 +155,7 @@ impl Precise {
         let mut newly_asleep = std::mem::take(&mut self.sleep.newly_asleep);
         newly_asleep.retain(|&body| self.sleep.is_asleep(body as usize));
         for body in newly_asleep.drain(..).map(|body| body as usize) {
-            let Some(id) = self.bodies.ids[body] else { continue };
+            let Some(id) = self.ids.bodies[body] else { continue };
             let Some(entry) = objects.bodies.get(id) else { continue };
             let ([x, y, turning], before) =
                 (entry.body.pending_accelerations(), self.sleep.supported_acceleration[body]);

@@ -238,7 +238,7 @@ impl Precise {
         let is_held = |&body: &usize| {
             body != 0
                 && body < self.bodies.first_static()
-                && self.is_dynamic(body)
+                && self.bodies.is_dynamic(body)
                 && (self.joints.has_joint(body) || self.has_contact(body))
         };
         a != b && ![a, b].iter().any(|&body| self.sleep.is_asleep(body)) && [a, b].iter().any(is_held)

@@ -7,6 +7,7 @@ use super::{EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedP
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
+use crate::precise::body_import::velocity_of;
 use crate::precise::broad_phase::pair_finder::order_pair;
 use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use crate::precise::depth::FeatureGate;
@@ -141,7 +142,7 @@ impl Precise {
     fn restore_solver_history(&mut self, saved: &Saved) {
         self.direct_solver.timer = saved.reselection_timer;
         for &(body, history) in &saved.solver_history {
-            match self.body_index(body).filter(|&number| self.is_dynamic(number)) {
+            match self.body_index(body).filter(|&number| self.bodies.is_dynamic(number)) {
                 Some(number) => self.direct_solver.history[number] = history,
                 None => self.direct_solver.timer.is_due |= history.is_direct,
             }
@@ -173,7 +174,7 @@ impl Precise {
         } in &saved.sleeping_bodies
         {
             let may_sleep = |&number: &usize| {
-                (self.is_dynamic(number) || self.is_hinged(number)) && !self.sleep.is_asleep(number)
+                (self.bodies.is_dynamic(number) || self.is_hinged(number)) && !self.sleep.is_asleep(number)
             };
             let Some(number) = self.body_of_saved_id(body).filter(may_sleep) else { continue };
             self.bodies.put_to_rest(number, 1.0);
@@ -190,7 +191,7 @@ impl Precise {
                 self.import_hinge_velocity(number);
                 // The narrow phase uses the velocity that the body was given. A hinged box has no body with this id.
                 if let Some(entry) = objects.bodies.get(body) {
-                    self.bodies.set_velocity(number, &entry.body);
+                    self.bodies.set_velocity(number, velocity_of(&entry.body));
                     self.import_body_z(number, body);
                 }
                 self.fix_rotation_if_vertical(number);

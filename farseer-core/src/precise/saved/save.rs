@@ -79,7 +79,7 @@ impl Precise {
         let ways = delta_poses.filter(|&(number, delta_pose)| {
             delta_pose != [0.0; 4] && self.proxies.proxies_of(number).next().is_some()
         });
-        ways.filter_map(|(number, way)| Some((self.bodies.ids[number]?, way)))
+        ways.filter_map(|(number, way)| Some((self.ids.bodies[number]?, way)))
     }
 
     /// Returns the times for which awake bodies have been at rest, in seconds; zeros are left out.
@@ -96,7 +96,7 @@ impl Precise {
         let histories =
             (1..=self.bodies.last_movable).map(|number| (number, self.direct_solver.history[number]));
         let worn = histories.filter(|&(_, history)| history != IslandHistory::default());
-        worn.filter_map(|(number, wear)| Some((self.bodies.ids[number]?, wear)))
+        worn.filter_map(|(number, wear)| Some((self.ids.bodies[number]?, wear)))
     }
 
     /// Returns all sleeping bodies, in the order of their indices.
