@@ -52,9 +52,7 @@ impl Precise {
         self.update_list_positions(&members, objects);
         self.disabled_bodies = members.disabled_bodies;
         self.invalidate_joints();
-        let mut joints = std::mem::take(&mut self.sleep.joints);
-        joints.retain(|joint| self.holds_sleeping_body(joint));
-        self.sleep.joints = joints;
+        self.drop_joints_of_awake();
         self.sleep.update_runs(&self.proxies);
         true
     }
@@ -71,7 +69,7 @@ impl Precise {
         pairs.dedup();
         for pair in pairs.into_iter().rev() {
             if self.pairs.all[pair].constraint.is_some() {
-                self.pair_support_removed(pair);
+                self.sleep.support_of_pair_removed(self.pairs.bodies_of(&self.proxies, pair));
             }
             self.narrow_phase().end_touch_event(pair);
             self.narrow_phase().delete_pair(pair);

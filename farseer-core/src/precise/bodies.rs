@@ -86,8 +86,8 @@ pub(super) struct BodySet {
     /// Velocity change of each movable body per substep by forces, gravity and drag: x, y (length units/s), angular velocity
     /// (radians/s), z (length units/s).
     pub(super) force_delta: Vec<[f32; 4]>,
-    /// Correction of the displacement of each movable body in the step for applied forces, see [`read_body`]: x, y (length
-    /// units), rotation (radians), z (length units).
+    /// Correction of the displacement of each movable body in the step for applied forces, which move it by the symplectic Euler
+    /// method: x, y (length units), rotation (radians), z (length units).
     pub(super) force_position_delta: Vec<[f32; 4]>,
     /// Displacement of each movable body in the step: x, y (length units), rotation (radians), z (length units).
     pub(super) delta_pose: Vec<[f32; 4]>,

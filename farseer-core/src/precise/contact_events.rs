@@ -198,7 +198,7 @@ impl Precise {
     pub(crate) fn disable_contact(&mut self, pair: usize) {
         self.has_handler_changes = true;
         if self.pairs.all[pair].constraint.is_some() {
-            self.wake_pair_bodies(pair);
+            self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
         }
         self.pairs.all[pair].is_vetoed = true;
         self.narrow_phase().remove_constraint(pair);
@@ -221,7 +221,7 @@ impl Precise {
         }
         let state = self.pairs.all[pair];
         let Some(handle) = state.constraint else { return };
-        self.wake_pair_bodies(pair);
+        self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
         let mut constraint = self.constraints.get(state.kind, handle);
         for (point, contact) in constraint.points.iter_mut().zip(touching.contacts()) {
             if !is_kept(&contact) {
@@ -241,7 +241,7 @@ impl Precise {
         let Some(handle) = state.constraint.filter(|_| is_asleep || surface != SurfaceOverride::default())
         else {
             if is_asleep && state.responds {
-                self.wake_pair_bodies(pair);
+                self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
             }
             return;
         };
@@ -257,7 +257,7 @@ impl Precise {
         if is_asleep && before == [constraint.friction, constraint.restitution, constraint.tangent_speed] {
             return;
         }
-        self.wake_pair_bodies(pair);
+        self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
         self.has_restitution |= constraint.restitution > 0.0;
         self.constraints.set(state.kind, handle, &constraint);
         self.has_handler_changes = true;

@@ -249,7 +249,7 @@ impl Precise {
         pairs.extend(self.pairs.pairs_of(proxy).map(|pair| pair as u32));
         for pair in pairs.drain(..) {
             self.pairs.invalidate(pair as usize);
-            self.pair_support_removed(pair as usize);
+            self.sleep.support_of_pair_removed(self.pairs.bodies_of(&self.proxies, pair as usize));
         }
         self.pair_scratch = pairs;
     }

@@ -30,7 +30,8 @@ mod fingerprint;
 mod ids;
 mod import;
 mod integration;
-pub(crate) mod island;
+mod island;
+mod island_report;
 mod joints;
 mod minimum_degree;
 mod narrow_phase;
@@ -38,21 +39,24 @@ mod parameters;
 mod saved;
 mod scaled_parameters;
 mod shape;
+pub(crate) mod skip_step;
+mod sleep_stages;
+mod sleeping_joints;
 mod sparse_ordering;
 mod step;
+mod wake_import;
 
 use serde::Deserialize;
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
-pub use crate::precise::island::report::Island;
 pub use crate::precise::island::report::IslandCost;
 pub use crate::precise::island::report::IslandResidual;
 pub use crate::precise::island::report::IslandSolver;
 pub use crate::precise::island::report::SolverReason;
-pub use crate::precise::island::sleep::AwakeReason;
 use crate::storage::reusing_clone::reusing_clone;
+pub use island_report::{AwakeReason, Island};
 use saved::Saved;
 pub(crate) use scaled_parameters::StepContext;
 
@@ -72,6 +76,7 @@ use joints::JointSystem;
 use joints::springs::SpringRows;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
 use scaled_parameters::Parameters;
+use sleeping_joints::SleepingJoint;
 
 /// State of the precise engine between steps.
 #[derive(Debug, Deserialize)]
@@ -119,6 +124,8 @@ pub(crate) struct Precise {
     springs: SpringRows,
     /// Sleep state of bodies and islands: rest times, rings of sleeping bodies, requests to wake.
     sleep: SleepState,
+    /// Joints of sleeping bodies as they were when the bodies fell asleep, in the order of the simulator's list.
+    sleeping_joints: Vec<SleepingJoint>,
     /// The direct solver and the solver selection.
     direct_solver: DirectSolver,
     /// State of the depth axis; `None` in plain 2D.
@@ -172,7 +179,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         parameters, impulse_substep, dt, step_context, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
-        grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, ids, always_tested, disabled_bodies,
+        grid, pairs, constraints, color_usage, joints, springs, sleep, sleeping_joints, direct_solver, depth, ids, always_tested, disabled_bodies,
         edited_bodies, edited_geoms, wake_requests, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
         pair_scratch, new_pairs,
         proxy_flags, touching_scratch
@@ -209,6 +216,7 @@ impl Precise {
             joints: JointSystem::default(),
             springs: SpringRows::default(),
             sleep: SleepState::default(),
+            sleeping_joints: Vec::new(),
             direct_solver: DirectSolver::default(),
             depth: None,
             ids: IdTable::default(),

@@ -7,7 +7,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair, may_keep_touching};
 use crate::geom::surface::SurfaceOverride;
 use crate::objects::Objects;
-use crate::precise::island::all_asleep::StepSettings;
+use crate::precise::skip_step::StepSettings;
 use crate::precise::{Precise, StepContext};
 use crate::report::{Event, Stopwatch};
 use crate::springs::StepLengths;

@@ -225,7 +225,7 @@ impl Precise {
         if self.pairs.all[pair].is_static_sensor {
             self.narrow_phase().sleep_pair(pair);
         } else {
-            self.wake_for_new_pair(pair);
+            self.sleep.wake_for_new_pair(&self.pairs, &self.proxies, pair);
         }
     }
 }

@@ -41,7 +41,7 @@ impl Precise {
         if let Some(space) = self.depth.as_deref_mut() {
             space.add_acceleration(id, along_depth);
         }
-        self.record_forced_body(number);
+        self.sleep.record_force(number);
     }
 
     /// Returns the acceleration of a body along z by the forces applied for the coming step, in length units/s^2; 0 without a

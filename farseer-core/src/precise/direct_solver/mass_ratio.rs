@@ -89,8 +89,10 @@ impl Precise {
             && (0..self.pairs.awake_count).any(|pair| {
                 let state = &self.pairs.all[pair];
                 let differs = || {
-                    let inverse_masses =
-                        self.bodies_of_pair(pair).map(|(body, _)| self.bodies.inverse_mass_inertia[body][0]);
+                    let inverse_masses = self
+                        .pairs
+                        .bodies_of(&self.proxies, pair)
+                        .map(|(body, _)| self.bodies.inverse_mass_inertia[body][0]);
                     exceeds_mass_ratio(inverse_masses, HEAVY_MASS_RATIO)
                 };
                 let handle = state.constraint.filter(|home| !home.is_in_direct_solver() && differs());

@@ -455,7 +455,7 @@ impl Precise {
     /// calm, was due for a friction check in this update, and belongs to an island built in place.
     fn is_slipping(&self, pair: usize) -> bool {
         let state = self.pairs.all[pair];
-        let body = self.bodies_of_pair(pair)[1].0;
+        let body = self.pairs.bodies_of(&self.proxies, pair)[1].0;
         let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } =
             self.direct_solver.history[body];
         let was_checked = friction_checks > 1
@@ -536,7 +536,7 @@ impl Precise {
         for pair in 0..self.pairs.awake_count {
             let state = self.pairs.all[pair];
             let Some(handle) = state.constraint else { continue };
-            let [(one, mobility), (body, _)] = self.bodies_of_pair(pair);
+            let [(one, mobility), (body, _)] = self.pairs.bodies_of(&self.proxies, pair);
             let sides = [one, body];
             let stats = &mut all_stats[union_find.find(body as u32) as usize];
             stats.contacts += 1;
@@ -684,7 +684,7 @@ impl Precise {
     fn move_constraints(&mut self, learning: &LoadAdaptation) {
         for pair in 0..self.pairs.awake_count {
             let Some(handle) = self.pairs.all[pair].constraint else { continue };
-            let body = self.bodies_of_pair(pair)[1].0;
+            let body = self.pairs.bodies_of(&self.proxies, pair)[1].0;
             let (is_direct, was_direct) = (self.direct_solver.is_direct(body), handle.is_in_direct_solver());
             if is_direct != was_direct {
                 let root = self.direct_solver.union_find.find(body as u32) as usize;
@@ -710,7 +710,9 @@ impl Precise {
     fn unite_bodies(&self, union_find: &mut UnionFind) {
         union_find.reset(self.bodies.states.len());
         for pair in (0..self.pairs.awake_count).filter(|&pair| self.pairs.all[pair].constraint.is_some()) {
-            if let [(a, BodyType::Dynamic), (b, BodyType::Dynamic)] = self.bodies_of_pair(pair) {
+            if let [(a, BodyType::Dynamic), (b, BodyType::Dynamic)] =
+                self.pairs.bodies_of(&self.proxies, pair)
+            {
                 union_find.unite(a as u32, b as u32);
             }
         }

@@ -28,8 +28,8 @@ use crate::math::plane::Vector;
 use crate::objects::Objects;
 use crate::precise::broad_phase::pairs::CachedManifoldZ;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
-use crate::precise::island::sleep::SleepingJoint;
 use crate::precise::narrow_phase::one_way::OneWayState;
+use crate::precise::sleeping_joints::SleepingJoint;
 
 /// Saved state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

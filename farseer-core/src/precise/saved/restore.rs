@@ -197,8 +197,8 @@ impl Precise {
                 self.fix_rotation_if_vertical(number);
             }
         }
-        self.sleep.joints =
-            saved.joints.iter().filter(|joint| self.holds_sleeping_body(joint)).copied().collect();
+        self.sleeping_joints.clone_from(&saved.joints);
+        self.drop_joints_of_awake();
         self.sleep.update_runs(&self.proxies);
     }
 

@@ -52,7 +52,7 @@ impl Precise {
             gravity: self.sleep.gravity,
             rest_times: self.save_rest_times().collect(),
             sleeping_bodies: self.save_sleeping_bodies(),
-            joints: self.sleep.joints.clone(),
+            joints: self.sleeping_joints.clone(),
             solver_history: self.save_solver_history().collect(),
             reselection_timer: self.direct_solver.timer,
             is_in_space: self.depth.is_some(),
