@@ -7,7 +7,7 @@
 
 use super::Precise;
 use super::body_import::listed_body;
-use super::depth::interface::is_geom;
+use super::ids::geom_of;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
@@ -77,7 +77,7 @@ impl Precise {
         self.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
         for &proxy in removed_proxies {
             let (geom, body) =
-                (self.proxies.all[proxy as usize].geom, self.proxies.all[proxy as usize].body as usize);
+                (geom_of(&self.proxies.all[proxy as usize]), self.proxies.all[proxy as usize].body as usize);
             self.grid.remove(proxy);
             self.proxies.remove(proxy);
             self.ids.remove_geom(geom);
@@ -168,7 +168,7 @@ impl Precise {
     /// Returns the range of the proxy indices of a geom; empty if the geom has no proxy.
     fn proxy_range(&self, geom: GeomId) -> std::ops::Range<usize> {
         let Some(first) = self.proxy_of(geom, 0).map(|first| first as usize) else { return 0..0 };
-        let count = self.proxies.all[first..].iter().take_while(|proxy| proxy.geom == geom).count();
+        let count = self.proxies.all[first..].iter().take_while(|proxy| geom_of(proxy) == geom).count();
         first..first + count
     }
 }
@@ -252,8 +252,8 @@ impl MembershipDiff {
         if known_count < live {
             let is_removed = |&at: &usize| {
                 let proxy = &proxies.all[at];
-                let is_listed = !is_geom(proxy.geom)
-                    || objects.geoms.lifecycle_state(proxy.geom).is_some_and(|life| life.is_listed);
+                let is_listed = proxy.is_world
+                    || objects.geoms.lifecycle_state(geom_of(proxy)).is_some_and(|life| life.is_listed);
                 !(proxy.is_empty() || is_listed)
             };
             self.removed_proxies.extend((0..proxies.all.len()).filter(is_removed).map(|at| at as u32));

@@ -1,4 +1,4 @@
-//! State of all bodies in arrays, as the solvers read and write it, and the velocity changes by forces, gravity and drag.
+//! State of all bodies in arrays, as the solvers read and write it.
 //!
 //! | indices | bodies |
 //! |---|---|

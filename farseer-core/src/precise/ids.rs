@@ -2,6 +2,7 @@
 //!
 //! The solver knows bodies and proxies by their indices. This table translates an index to an id and back.
 
+use super::broad_phase::proxies::Proxy;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::storage::reusing_clone::reusing_clone;
@@ -21,6 +22,16 @@ pub(super) struct IdTable {
 }
 
 reusing_clone! { IdTable { bodies, body_indices, first_proxies } }
+
+/// Returns the number by which a proxy knows the geom that it belongs to: see [`Proxy::owner`].
+pub(super) fn owner_of(geom: GeomId) -> u64 {
+    geom.to_bits()
+}
+
+/// Returns the geom that a proxy belongs to, or the id that stands for a world box or the ground.
+pub(super) fn geom_of(proxy: &Proxy) -> GeomId {
+    GeomId::from_bits(proxy.owner)
+}
 
 /// Sets the entry `slot` of a table to `value`. Lengthens the table with [`NOT_LISTED`] as needed.
 fn set_entry(table: &mut Vec<u32>, slot: usize, value: u32) {

@@ -11,18 +11,20 @@ use super::body_import::{
 };
 use super::depth::interface::{DepthInterval, DepthShape, is_geom};
 use super::fingerprint::Fingerprint;
+use super::geom_import::{geom_filter, surface_coefficients, without_negative_zero};
+use super::ids::{geom_of, owner_of};
 use super::saved::{EditPolicy, Saved};
 use super::shape::Shape;
 use crate::body::{Body, BodyId};
+use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::{is_valid_pair, may_keep_touching};
 use crate::geom::pieces::Piece;
-use crate::geom::{Geom, GeomId};
 use crate::math::plane::Vector;
 use crate::objects::Objects;
 use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
-use crate::precise::broad_phase::proxies::{BodyType, Proxy, geom_filter};
+use crate::precise::broad_phase::proxies::{BodyType, Proxy};
 
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.
@@ -179,7 +181,7 @@ impl Precise {
         let first = self.ids.first_proxy(geom).unwrap_or(self.proxies.all.len());
         let count = objects.geoms.get(geom).map_or(0, |entry| entry.pieces().len());
         (first..(first + count).min(self.proxies.all.len()))
-            .take_while(move |&at| self.proxies.all[at].geom == geom)
+            .take_while(move |&at| geom_of(&self.proxies.all[at]) == geom)
     }
 
     /// Calls `apply` for each proxy of a geom, and updates the pairs of that proxy by the [`ProxyUpdate`] that `apply` returns.
@@ -464,7 +466,8 @@ impl Precise {
         self.has_restitution |= restitution > 0.0;
         let shape = self.add_shape(id, geom, piece);
         Some(Proxy {
-            geom: id,
+            owner: owner_of(id),
+            is_world: false,
             piece: piece as u32,
             list_index: at as u32,
             creation_number: geom.number,
@@ -524,7 +527,7 @@ impl Precise {
         let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
         let at = first? + piece as usize;
         let proxy = self.proxies.all.get(at)?;
-        (proxy.geom == geom && proxy.piece == piece).then_some(at as u32)
+        (geom_of(proxy) == geom && proxy.piece == piece).then_some(at as u32)
     }
 
     /// Inserts a new proxy into the broad phase: computes its fat AABB and lists the proxy for the next search of pairs.
@@ -556,17 +559,6 @@ fn is_simulated(id: BodyId, objects: &Objects) -> bool {
     };
     (entry.body.is_integrated() && objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed))
         || has_geoms()
-}
-
-/// Returns the friction and the restitution coefficient of a geom, dimensionless.
-fn surface_coefficients(geom: &Geom) -> [f32; 2] {
-    [geom.friction_coefficient(), geom.restitution_coefficient()].map(without_negative_zero)
-}
-
-/// Returns `value`, with +0 in place of -0. Imports copy only values that compare unequal, so both zeros must have the same
-/// bits.
-fn without_negative_zero(value: f32) -> f32 {
-    value + 0.0
 }
 
 /// Changes of a proxy by an import, which determine the update of its pairs.

@@ -27,6 +27,7 @@ mod continuous_collision;
 pub(crate) mod depth;
 mod direct_solver;
 mod fingerprint;
+mod geom_import;
 mod ids;
 mod import;
 mod integration;

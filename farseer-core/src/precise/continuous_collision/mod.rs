@@ -20,7 +20,6 @@ pub(super) mod time_of_impact;
 use super::Precise;
 use super::bodies::BodySet;
 use super::depth::FeatureGate;
-use super::depth::interface::is_geom;
 use super::island::sleep::SleepState;
 use super::scaled_parameters::{Parameters, StepContext};
 use crate::geom::GeomId;
@@ -28,6 +27,7 @@ use crate::math::plane::length;
 use crate::objects::Objects;
 use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
+use crate::precise::ids::geom_of;
 use crate::precise::parameters::narrow_phase::{CCD_MAX_COORDINATE, TOI_PENETRATION_RATIO};
 use crate::storage::order::{packed_key, sort_by_number};
 use joined_impacts::{clamp_joined_bodies, scale_joined_velocity};
@@ -72,7 +72,7 @@ fn is_fast([x, y, turned, z]: [f32; 4], max_extent: f32, min_extent: f32) -> boo
 /// Returns whether a proxy belongs to a kinematic body and moves in the step by more than the speculative distance. `dt` is the
 /// step in seconds. False for displacements from [`CCD_MAX_COORDINATE`] on.
 pub(super) fn is_fast_kinematic(proxy: &Proxy, bodies: &BodySet, parameters: &Parameters, dt: f32) -> bool {
-    if proxy.body_type != BodyType::Kinematic || !is_geom(proxy.geom) {
+    if proxy.body_type != BodyType::Kinematic || proxy.is_world {
         return false;
     }
     let [x, y, spin, z] = bodies.states[proxy.body as usize].velocity;
@@ -347,7 +347,7 @@ fn record_sensor_passthroughs(
             {
                 let [a, b] = two.map(|proxy| {
                     let proxy = &proxies.all[proxy as usize];
-                    (proxy.creation_number, proxy.geom)
+                    (proxy.creation_number, geom_of(proxy))
                 });
                 passthroughs.push(if a.0 < b.0 { [a, b] } else { [b, a] });
             }

@@ -42,6 +42,7 @@ mod world_boxes;
 use std::ops::Range;
 
 use super::bodies::BodySet;
+use super::ids::geom_of;
 use super::scaled_parameters::{AabbMargin, Parameters};
 use super::shape::ShapeRef;
 use crate::body::BodyId;
@@ -306,7 +307,7 @@ impl DepthState {
         self.intervals.clear();
         self.intervals.resize(proxies.all.len(), DepthInterval::default());
         for proxy in &proxies.all {
-            let extent = self.extent_of(proxy.geom);
+            let extent = self.extent_of(geom_of(proxy));
             self.extents.push(extent);
         }
     }

@@ -6,7 +6,7 @@
 
 use super::DepthState;
 use super::interface::{
-    WorldBox, WorldBoxHinge, WorldBoxMotion, creation_number_of, ground_geom_id, is_geom, world_box_geom_id,
+    WorldBox, WorldBoxHinge, WorldBoxMotion, creation_number_of, ground_geom_id, world_box_geom_id,
 };
 use super::prism_collision::PosedSolid;
 use super::vertical_shapes::{VerticalSolid, clamp_any};
@@ -17,8 +17,10 @@ use crate::math::plane::{Pose, length};
 use crate::math::scalar;
 use crate::precise::Precise;
 use crate::precise::bodies::{BodySet, MotionState};
-use crate::precise::broad_phase::proxies::{BodyType, Proxy, world_box_filter};
+use crate::precise::broad_phase::proxies::{BodyType, Proxy};
 use crate::precise::fingerprint::Fingerprint;
+use crate::precise::geom_import::world_box_filter;
+use crate::precise::ids::owner_of;
 use crate::precise::parameters::depth::WORLD_BOX_MAX_SWEEP;
 use crate::precise::scaled_parameters::Parameters;
 use crate::precise::shape::Shape;
@@ -193,7 +195,7 @@ impl DepthState {
 
     /// Returns the world box of a proxy; `None` for geoms and the ground.
     pub(super) fn world_box_of(&self, proxy: &Proxy) -> Option<&WorldBox> {
-        if is_geom(proxy.geom) { None } else { self.world_boxes.get(proxy.list_index as usize) }
+        if proxy.is_world { self.world_boxes.get(proxy.list_index as usize) } else { None }
     }
 
     /// Returns whether a proxy is a world box that can rotate about the vertical axis.
@@ -460,7 +462,7 @@ impl Precise {
 /// Returns a static proxy without a shape, for the ground or a world box with this id and this body index.
 fn world_proxy(id: GeomId, body: usize) -> Proxy {
     Proxy {
-        geom: id,
+        owner: owner_of(id),
         creation_number: creation_number_of(id),
         body: body as u32,
         body_type: BodyType::Fixed,

@@ -3,7 +3,10 @@
 //! Pairs of removed bodies and geoms are removed in the same order as in [`add_remove`](crate::precise::add_remove), so that
 //! both paths give the same bits.
 
-use super::{EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
+use super::{
+    EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody,
+    SavedTouchEvent,
+};
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
@@ -11,6 +14,7 @@ use crate::precise::body_import::velocity_of;
 use crate::precise::broad_phase::pair_finder::order_pair;
 use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use crate::precise::depth::FeatureGate;
+use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::narrow_phase::TouchEvent;
 use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::order::sort_by_number;
@@ -32,7 +36,7 @@ impl Precise {
         let remaining = |pair: &SavedPair| {
             let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
             current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
-                let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
+                let [one, other] = now.map(|proxy| geom_of(&self.proxies.all[proxy as usize]));
                 order_pair(&self.proxies, self.depth.as_ref().map(FeatureGate::by_ref), now) == Some(now)
                     && (edits == EditPolicy::Defer || self.may_keep_pair((one, other), objects))
             })
@@ -68,11 +72,11 @@ impl Precise {
     /// exists. Causes are a changed filter, a disabled or removed geom, or other convex pieces.
     fn restore_touch_events(&mut self, saved: &Saved, is_lost: impl Fn(usize) -> bool) {
         self.touch_events.clear();
-        self.touch_events.extend_from_slice(&saved.touch_events);
+        self.touch_events.extend(saved.touch_events.iter().map(SavedTouchEvent::event));
         let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_touching && is_lost(at));
         self.touch_events.extend(ended.map(|(_, pair)| {
             let sides = pair.proxies.map(|proxy| &saved.proxies[proxy as usize]);
-            TouchEvent::new(sides.map(|proxy| (proxy.number, proxy.geom)), false)
+            TouchEvent::new(sides.map(|proxy| (proxy.number, owner_of(proxy.geom))), false)
         }));
     }
 
@@ -238,7 +242,7 @@ impl Precise {
             let [filter @ .., responds] = then.filter;
             let proxy = &mut self.proxies.all[proxy_index as usize];
             (proxy.filter, proxy.responds) = (filter, responds != 0);
-            self.edited_geoms.push(proxy.geom);
+            self.edited_geoms.push(geom_of(proxy));
             now.filter = then.filter;
         }
         self.proxies.travel[proxy_index as usize] = saved.travel;

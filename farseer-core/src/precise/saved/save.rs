@@ -1,6 +1,8 @@
 //! Writes the state of the precise set to [`Saved`].
 
-use super::{Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
+use super::{
+    Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody, SavedTouchEvent,
+};
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
@@ -10,6 +12,7 @@ use crate::precise::constraint_graph::{
 };
 use crate::precise::depth::interface::DepthInterval;
 use crate::precise::direct_solver::IslandHistory;
+use crate::precise::ids::geom_of;
 use crate::precise::narrow_phase::TouchEvent;
 use crate::storage::order::sort_by_number;
 
@@ -29,7 +32,7 @@ impl Precise {
         }
         let listed = self.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
         let proxies = listed.map(|(at, proxy)| SavedProxy {
-            geom: proxy.geom,
+            geom: geom_of(proxy),
             number: proxy.creation_number,
             piece: proxy.piece,
             body_type: proxy.body_type,
@@ -64,10 +67,10 @@ impl Precise {
 
     /// Returns the touch events in the order of creation numbers. The order of the events in memory depends on how pairs were
     /// removed.
-    fn save_touch_events(&self) -> Vec<TouchEvent> {
+    fn save_touch_events(&self) -> Vec<SavedTouchEvent> {
         let mut changes = self.touch_events.clone();
         sort_by_number(&mut changes, TouchEvent::sort_key);
-        changes
+        changes.iter().map(SavedTouchEvent::of).collect()
     }
 
     /// Returns the displacements in the last step of bodies with geoms, if there are one-way geoms: x, y (length units),
