@@ -133,7 +133,7 @@ impl Precise {
             self.proxy_flags.resize(count, false);
             self.grid.grow(count);
             self.pairs.grow(count);
-            self.insert_proxy(proxy as u32);
+            self.fat_aabbs().insert(proxy as u32);
             // The new body may form an island for the direct solver.
             self.direct_solver.timer.is_due = true;
         }

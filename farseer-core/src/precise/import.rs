@@ -9,7 +9,7 @@ use super::Precise;
 use super::body_import::{
     gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
 };
-use super::depth::interface::{DepthInterval, DepthShape, is_geom};
+use super::depth::interface::{DepthShape, is_geom};
 use super::fingerprint::Fingerprint;
 use super::geom_import::{geom_filter, surface_coefficients, without_negative_zero};
 use super::ids::{geom_of, owner_of};
@@ -22,9 +22,9 @@ use crate::geom::filter::{is_valid_pair, may_keep_touching};
 use crate::geom::pieces::Piece;
 use crate::math::plane::Vector;
 use crate::objects::Objects;
-use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
-use crate::precise::broad_phase::proxies::{BodyType, Proxy};
+use crate::precise::broad_phase::pairs::Pairs;
+use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.
@@ -198,62 +198,30 @@ impl Precise {
             self.proxies.one_way_count += usize::from(self.proxies.all[at].one_way.is_some());
             self.proxies.one_way_count -= usize::from(was_one_way);
             if update.moved {
-                self.teleport_proxy(at as u32);
+                self.fat_aabbs().teleport(at as u32);
                 self.proxies.refitted.push(at as u32);
             }
             if update.contacts || update.moved {
                 self.invalidate_pairs(at as u32);
             }
             if update.callbacks {
-                self.update_callbacks(at as u32);
+                update_callbacks(&mut self.pairs, &self.proxies, at as u32);
             }
             if update.one_way {
-                self.reset_one_way_states(at as u32);
+                reset_one_way_states(&mut self.pairs, &self.proxies, at as u32);
             }
         }
-    }
-
-    /// Sets for each pair of a proxy whether a collision handler is called for the pair.
-    fn update_callbacks(&mut self, proxy: u32) {
-        let mut pairs = std::mem::take(&mut self.pair_scratch);
-        pairs.extend(self.pairs.pairs_of(proxy).map(|pair| pair as u32));
-        for pair in pairs.drain(..) {
-            let is_reported = is_pair_reported(&self.proxies, self.pairs.triggers[pair as usize].proxies);
-            self.pairs.set_reported(pair as usize, is_reported);
-        }
-        self.pair_scratch = pairs;
-    }
-
-    /// Resets the one-way states of all pairs of a proxy, after the one-way direction of the proxy has changed.
-    pub(super) fn reset_one_way_states(&mut self, proxy: u32) {
-        let mut pairs = std::mem::take(&mut self.pair_scratch);
-        pairs.extend(self.pairs.pairs_of(proxy).map(|pair| pair as u32));
-        for pair in pairs.drain(..) {
-            self.pairs.all[pair as usize].one_way_state =
-                initial_one_way_state(&self.proxies, &self.pairs, pair as usize);
-        }
-        self.pair_scratch = pairs;
-    }
-
-    /// Moves a proxy to the new pose of its body at once: computes a new fat AABB, and raises the travel so that all pairs of
-    /// the proxy become due for an update.
-    pub(super) fn teleport_proxy(&mut self, proxy: u32) {
-        let motion = &mut self.proxies.travel[proxy as usize];
-        *motion = motion.wrapping_add(1 << 30);
-        self.enlarge_aabb(proxy);
     }
 
     /// Invalidates the pairs of a proxy: the next step updates their contacts in full, wakes sleeping partners and may select
     /// solvers anew.
     pub(super) fn invalidate_pairs(&mut self, proxy: u32) {
         self.direct_solver.timer.may_be_due = true;
-        let mut pairs = std::mem::take(&mut self.pair_scratch);
-        pairs.extend(self.pairs.pairs_of(proxy).map(|pair| pair as u32));
-        for pair in pairs.drain(..) {
-            self.pairs.invalidate(pair as usize);
-            self.sleep.support_of_pair_removed(self.pairs.bodies_of(&self.proxies, pair as usize));
-        }
-        self.pair_scratch = pairs;
+        let Precise { pairs, proxies, sleep, .. } = self;
+        pairs.for_each_index_of(proxy, |pairs, pair| {
+            pairs.invalidate(pair);
+            sleep.support_of_pair_removed(pairs.bodies_of(proxies, pair));
+        });
     }
 
     /// First stage of a step: applies edits, additions and removals of bodies and geoms to the lists.
@@ -529,25 +497,21 @@ impl Precise {
         let proxy = self.proxies.all.get(at)?;
         (geom_of(proxy) == geom && proxy.piece == piece).then_some(at as u32)
     }
+}
 
-    /// Inserts a new proxy into the broad phase: computes its fat AABB and lists the proxy for the next search of pairs.
-    pub(super) fn insert_proxy(&mut self, proxy: u32) {
-        self.proxies.refitted.push(proxy);
-        self.enlarge_aabb(proxy);
-    }
+/// Sets for each pair of a proxy whether a collision handler is called for the pair.
+fn update_callbacks(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
+    pairs.for_each_index_of(proxy, |pairs, pair| {
+        let is_reported = is_pair_reported(proxies, pairs.triggers[pair].proxies);
+        pairs.set_reported(pair, is_reported);
+    });
+}
 
-    /// Inserts a proxy into the broad phase with a saved fat AABB (`bounds`) and fat interval along z (`depths`), length units.
-    pub(super) fn insert_proxy_with_aabb(&mut self, proxy: u32, bounds: PackedAabb, depths: DepthInterval) {
-        self.proxies.fat_aabbs[proxy as usize] = bounds;
-        let may_stop = self.proxies.all[proxy as usize].may_stop();
-        let Some(space) = self.depth.as_deref_mut() else {
-            return self.grid.insert_or_move(proxy, &bounds, may_stop);
-        };
-        space.set_interval(proxy, depths);
-        if space.is_in_grid(proxy) {
-            self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds), may_stop);
-        }
-    }
+/// Resets the one-way states of all pairs of a proxy, after the one-way direction of the proxy has changed.
+pub(super) fn reset_one_way_states(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
+    pairs.for_each_index_of(proxy, |pairs, pair| {
+        pairs.all[pair].one_way_state = initial_one_way_state(proxies, pairs, pair);
+    });
 }
 
 /// Returns whether a body is simulated. It is enabled, and it is dynamic or kinematic in the simulator's list of bodies or has

@@ -61,6 +61,7 @@ pub use island_report::{AwakeReason, Island};
 use saved::Saved;
 pub(crate) use scaled_parameters::StepContext;
 
+use crate::precise::broad_phase::fat_aabbs::FatAabbs;
 use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::Proxies;
@@ -240,6 +241,18 @@ impl Precise {
             new_pairs: Vec::new(),
             proxy_flags: Vec::new(),
             touching_scratch: Vec::new(),
+        }
+    }
+
+    /// Returns the parts that the fat AABBs of proxies depend on, and those that store them.
+    fn fat_aabbs(&mut self) -> FatAabbs<'_> {
+        FatAabbs {
+            bodies: &self.bodies,
+            proxies: &mut self.proxies,
+            grid: &mut self.grid,
+            depth: self.depth.as_mut().map(FeatureGate::by_mut),
+            parameters: &self.parameters,
+            dt: self.dt,
         }
     }
 

@@ -10,19 +10,16 @@ use wide::f32x4;
 use super::Precise;
 use super::bodies::BodySet;
 use super::body_import::{BodyForces, pose_of, read_body};
+use super::broad_phase::fat_aabbs::FatAabbs;
 use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
-use super::integration::{find_escaped_proxies, integrate_free_flight, integrate_poses};
+use super::integration::{integrate_free_flight, integrate_poses};
 use super::narrow_phase::NarrowPhaseStats;
-use super::scaled_parameters::AabbMargin;
 pub(crate) use super::scaled_parameters::StepContext;
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::contact_solver::soft_step::{update_circle_contact, update_circle_contacts};
 use crate::report::{Event, Report};
-
-/// AABB of the ground of `twohalf` (low x, low y, high x, high y, length units): all points with y >= 0, since y points down.
-const GROUND_BOUNDS: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
 
 /// Returns the lanes of `numbers`, with 0 in place of each lane that is not finite.
 fn zero_unless_finite(numbers: f32x4) -> f32x4 {
@@ -399,51 +396,8 @@ impl Precise {
     /// End of the sixth stage of a step: computes a new fat AABB for each proxy whose tight AABB has left its fat AABB. The
     /// broad phase of the next step searches the pairs of these proxies.
     pub(crate) fn refit_aabbs(&mut self) {
-        find_escaped_proxies(&mut self.proxies, &self.bodies, &self.sleep.awake_proxy_runs, &self.parameters);
-        if let Some(space) = &self.depth {
-            space.collect_escaped(
-                &mut self.proxies,
-                &self.bodies,
-                &self.sleep.awake_proxy_runs,
-                &self.parameters,
-            );
-        }
-        for at in 0..self.proxies.refitted.len() {
-            let proxy = self.proxies.refitted[at];
-            let extent = self.proxies.all[proxy as usize].shape.max_extent;
-            let margin = match self.pairs.pairs_of(proxy).next() {
-                None => self.parameters.margin_without_pairs(extent),
-                Some(_) => self.parameters.margin_for_extent(extent),
-            };
-            self.enlarge_aabb_by(proxy, margin);
-        }
-    }
-
-    /// Computes and stores the fat AABB of a proxy, and moves the proxy in the hash grid. The margin is always the one for
-    /// proxies that are in pairs ([`Parameters::margin_for_extent`](super::scaled_parameters::Parameters::margin_for_extent)).
-    pub(super) fn enlarge_aabb(&mut self, proxy: u32) {
-        self.enlarge_aabb_by(
-            proxy,
-            self.parameters.margin_for_extent(self.proxies.all[proxy as usize].shape.max_extent),
-        );
-    }
-
-    /// Computes and stores the fat AABB of a proxy with `margin`, and moves the proxy in the hash grid.
-    fn enlarge_aabb_by(&mut self, proxy: u32, margin: AabbMargin) {
-        let bounds = self.proxies.fat_aabb(proxy as usize, &self.bodies, &self.parameters, margin, self.dt);
-        self.proxies.fat_aabbs[proxy as usize] = bounds;
-        let may_stop = self.proxies.all[proxy as usize].may_stop();
-        let Some(depth) = &mut self.depth else {
-            return self.grid.insert_or_move(proxy, &bounds, may_stop);
-        };
-        if proxy == depth.ground_proxy {
-            self.proxies.fat_aabbs[proxy as usize] = GROUND_BOUNDS;
-        }
-        let body = self.proxies.all[proxy as usize].body;
-        let speed = self.bodies.states.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
-        depth.set_fat_interval(proxy, body, speed * self.dt, margin, self.parameters.speculative_distance);
-        if depth.is_in_grid(proxy) {
-            self.grid.insert_or_move(proxy, &depth.grid_bounds(proxy, &bounds), may_stop);
-        }
+        let Precise { bodies, proxies, grid, depth, parameters, sleep, pairs, .. } = self;
+        let depth = depth.as_mut().map(FeatureGate::by_mut);
+        FatAabbs { bodies, proxies, grid, depth, parameters, dt: self.dt }.refit(sleep, pairs);
     }
 }

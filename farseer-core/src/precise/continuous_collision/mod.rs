@@ -213,7 +213,7 @@ impl Precise {
         if motion.contains_sweep(proxy, &swept, dz) {
             return false;
         }
-        self.enlarge_aabb(proxy);
+        self.fat_aabbs().enlarge(proxy);
         let body = self.proxies.all[proxy as usize].body;
         let may_stop = self.proxies.all[proxy as usize].may_stop();
         let bounds = aabb_union(&self.proxies.fat_aabbs[proxy as usize], &swept);

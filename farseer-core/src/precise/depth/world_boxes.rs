@@ -401,7 +401,7 @@ impl Precise {
         let [x, y, _, z] = self.bodies.states[one.body as usize].velocity.map(|velocity| velocity * dt);
         let motion = self.swept_motion();
         if !motion.contains_sweep(proxy, &motion.swept_aabb(proxy, [x, y, 0.0, z]), z) {
-            self.insert_proxy(proxy);
+            self.fat_aabbs().insert(proxy);
         }
         let Precise { pairs, pair_scratch: lost, .. } = self;
         lost.extend(

@@ -15,6 +15,7 @@ use crate::precise::broad_phase::pair_finder::order_pair;
 use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use crate::precise::depth::FeatureGate;
 use crate::precise::ids::{geom_of, owner_of};
+use crate::precise::import::reset_one_way_states;
 use crate::precise::narrow_phase::TouchEvent;
 use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::order::sort_by_number;
@@ -137,7 +138,7 @@ impl Precise {
             if let Some(place) =
                 place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.imported.one_way)
             {
-                self.reset_one_way_states(place);
+                reset_one_way_states(&mut self.pairs, &self.proxies, place);
             }
         }
     }
@@ -226,7 +227,7 @@ impl Precise {
         }
         for at in (0..self.proxies.all.len()).filter(|&at| !is_known[at]) {
             if !self.proxies.all[at].is_empty() {
-                self.insert_proxy(at as u32);
+                self.fat_aabbs().insert(at as u32);
                 // A new body may form an island for the direct solver.
                 self.direct_solver.timer.is_due = true;
             }
@@ -246,7 +247,7 @@ impl Precise {
             now.filter = then.filter;
         }
         self.proxies.travel[proxy_index as usize] = saved.travel;
-        self.insert_proxy_with_aabb(proxy_index, saved.fat_aabb, saved.depth_interval);
+        self.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
         let has_moved = then.pose != now.pose;
         // The saved AABB and manifolds belong to the former shape.
         let is_reshaped = then.fingerprint != now.fingerprint;
@@ -254,7 +255,7 @@ impl Precise {
             self.bodies.clear_delta_pose(self.proxies.all[proxy_index as usize].body as usize);
         }
         if has_moved || is_reshaped {
-            self.teleport_proxy(proxy_index);
+            self.fat_aabbs().teleport(proxy_index);
         }
         if saved.is_refitted || has_moved || is_reshaped || then.filter != now.filter {
             self.proxies.refitted.push(proxy_index);
