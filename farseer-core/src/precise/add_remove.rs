@@ -8,9 +8,10 @@
 use super::Precise;
 use super::body_import::listed_body;
 use super::ids::geom_of;
+use super::listed::Listed;
 use crate::body::BodyId;
-use crate::geom::GeomId;
 use crate::objects::Objects;
+use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::broad_phase::query_candidates::AlwaysTested;
 use crate::precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 
@@ -34,8 +35,9 @@ impl Precise {
     /// Applies additions and removals of bodies and geoms to the lists. Returns whether that was possible. If it returns false,
     /// nothing is changed and a rebuild is needed: there are other changes, too, or the lists have no capacity left.
     pub(super) fn apply_add_remove(&mut self, objects: &Objects) -> bool {
-        let diff = MembershipDiff::new(self, objects)
-            .filter(|diff| !diff.involves_one_way(self, objects) && diff.has_capacity(self, objects));
+        let listed = self.listed(objects);
+        let diff = MembershipDiff::new(&listed, self.world_proxy_count())
+            .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.grid));
         let Some(members) = diff else { return false };
         self.remove_members(&members);
         for &id in &members.added_bodies {
@@ -117,22 +119,16 @@ impl Precise {
             let index = self.bodies.add_static(&listed_body(&objects.bodies[geom.body].body, false));
             self.ids.add_body(index, geom.body);
         }
-        for piece in 0..geom.pieces().len() {
-            let Some(proxy) = self.make_proxy(at, piece, objects).and_then(|proxy| self.proxies.add(proxy))
-            else {
-                continue;
-            };
-            if piece == 0 {
-                self.ids.add_geom(id, proxy);
-            }
+        self.proxy_import(objects).add(at);
+        let count = self.proxies.all.len();
+        self.proxy_flags.resize(count, false);
+        self.grid.grow(count);
+        self.pairs.grow(count);
+        for proxy in self.ids.proxies_of_geom(&self.proxies, id) {
             if let Some(space) = self.depth.as_deref_mut() {
                 space.add_proxy(proxy, id);
             }
             self.fix_rotation_of_proxy(proxy as u32);
-            let count = self.proxies.all.len();
-            self.proxy_flags.resize(count, false);
-            self.grid.grow(count);
-            self.pairs.grow(count);
             self.fat_aabbs().insert(proxy as u32);
             // The new body may form an island for the direct solver.
             self.direct_solver.timer.is_due = true;
@@ -156,7 +152,7 @@ impl Precise {
         let first = if is_shifted { 0 } else { diff.added_geoms.first().copied().unwrap_or(usize::MAX) };
         for (at, &geom) in objects.geoms.list().iter().enumerate().skip(first) {
             let list_index = at as u32;
-            let pieces = self.proxy_range(geom);
+            let pieces = self.ids.proxies_of_geom(&self.proxies, geom);
             let was_always_tested = known.next_if(|loose| loose.geom == geom).is_some();
             if was_always_tested || pieces.is_empty() || added_always_tested.binary_search(&at).is_ok() {
                 self.always_tested.push(AlwaysTested { list_index, geom });
@@ -164,25 +160,19 @@ impl Precise {
             self.proxies.all[pieces].iter_mut().for_each(|proxy| proxy.list_index = list_index);
         }
     }
-
-    /// Returns the range of the proxy indices of a geom; empty if the geom has no proxy.
-    fn proxy_range(&self, geom: GeomId) -> std::ops::Range<usize> {
-        let Some(first) = self.proxy_of(geom, 0).map(|first| first as usize) else { return 0..0 };
-        let count = self.proxies.all[first..].iter().take_while(|proxy| geom_of(proxy) == geom).count();
-        first..first + count
-    }
 }
 
 impl MembershipDiff {
     /// Returns whether a one-way geom exists or is added.
-    fn involves_one_way(&self, precise: &Precise, objects: &Objects) -> bool {
-        let new = || self.added_geoms.iter().filter_map(|&at| objects.geoms.at(at));
-        precise.proxies.one_way_count > 0 || new().any(|(_, geom)| geom.one_way.is_some())
+    fn involves_one_way(&self, listed: &Listed<'_>) -> bool {
+        let new = || self.added_geoms.iter().filter_map(|&at| listed.objects.geoms.at(at));
+        listed.proxies.one_way_count > 0 || new().any(|(_, geom)| geom.one_way.is_some())
     }
 
-    /// Returns the bodies and geoms that were added and removed. `None` if the remaining bodies or geoms have changed their
+    /// Returns the bodies and geoms that were added and removed. `world_proxies`: number of proxies of world boxes and the
+    /// ground. `None` if the remaining bodies or geoms have changed their
     /// type or order.
-    fn new(precise: &Precise, objects: &Objects) -> Option<Self> {
+    fn new(listed: &Listed<'_>, world_proxies: usize) -> Option<Self> {
         let mut diff = MembershipDiff {
             removed_bodies: Vec::new(),
             removed_proxies: Vec::new(),
@@ -191,17 +181,17 @@ impl MembershipDiff {
             disabled_bodies: Vec::new(),
             has_geoms_of_disabled: false,
         };
-        diff.compare_bodies(precise, objects)?;
-        diff.compare_geoms(precise, objects)?;
-        diff.is_complete(precise, objects).then_some(diff)
+        diff.compare_bodies(listed)?;
+        diff.compare_geoms(listed, world_proxies)?;
+        diff.is_complete(listed, world_proxies).then_some(diff)
     }
 
     /// Finds removed, added and disabled bodies. Returns `None` if the remaining bodies have changed their type or order.
-    fn compare_bodies(&mut self, precise: &Precise, objects: &Objects) -> Option<()> {
-        let bodies = &precise.bodies;
+    fn compare_bodies(&mut self, listed: &Listed<'_>) -> Option<()> {
+        let bodies = &listed.bodies;
         let (mut last, mut known_count) = (0, 0);
-        for (at, &id) in objects.bodies.list().iter().enumerate() {
-            let index = precise.body_index(id);
+        for (at, &id) in listed.objects.bodies.list().iter().enumerate() {
+            let index = listed.ids.body_index(id);
             if let Some(number) = index.filter(|&number| number < bodies.first_static()) {
                 if number <= last || !self.added_bodies.is_empty() {
                     return None;
@@ -209,7 +199,7 @@ impl MembershipDiff {
                 (last, known_count) = (number, known_count + 1);
                 continue;
             }
-            let (_, entry) = objects.bodies.at(at)?;
+            let (_, entry) = listed.objects.bodies.at(at)?;
             if entry.body.is_integrated() {
                 if index.is_some() {
                     return None;
@@ -221,8 +211,9 @@ impl MembershipDiff {
         }
         if known_count < bodies.movable_count {
             let is_removed = |&number: &usize| {
-                let is_listed = |id| objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed);
-                precise.ids.bodies[number].is_some_and(|id| !is_listed(id))
+                let is_listed =
+                    |id| listed.objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed);
+                listed.ids.bodies[number].is_some_and(|id| !is_listed(id))
             };
             self.removed_bodies.extend((1..=bodies.last_movable).filter(is_removed));
         }
@@ -230,14 +221,15 @@ impl MembershipDiff {
     }
 
     /// Finds removed proxies and added geoms. Returns `None` if the order of the remaining geoms has changed.
-    fn compare_geoms(&mut self, precise: &Precise, objects: &Objects) -> Option<()> {
-        let proxies = &precise.proxies;
+    fn compare_geoms(&mut self, listed: &Listed<'_>, world_proxies: usize) -> Option<()> {
+        let proxies = &listed.proxies;
         let (mut last, mut known_count) = ([0; 2], 0);
-        for (at, &id) in objects.geoms.list().iter().enumerate() {
-            let pieces = precise.proxy_range(id);
+        for (at, &id) in listed.objects.geoms.list().iter().enumerate() {
+            let pieces = listed.ids.proxies_of_geom(proxies, id);
             if pieces.is_empty() {
-                let (_, geom) = objects.geoms.at(at)?;
-                let is_enabled = objects.bodies.get(geom.body).is_some_and(|entry| entry.body.enabled());
+                let (_, geom) = listed.objects.geoms.at(at)?;
+                let is_enabled =
+                    listed.objects.bodies.get(geom.body).is_some_and(|entry| entry.body.enabled());
                 self.added_geoms.extend(is_enabled.then_some(at));
                 self.has_geoms_of_disabled |= !is_enabled;
                 continue;
@@ -248,12 +240,16 @@ impl MembershipDiff {
             }
             (*last, known_count) = (pieces.end, known_count + pieces.len());
         }
-        let live = proxies.live_count - precise.world_proxy_count();
+        let live = proxies.live_count - world_proxies;
         if known_count < live {
             let is_removed = |&at: &usize| {
                 let proxy = &proxies.all[at];
                 let is_listed = proxy.is_world
-                    || objects.geoms.lifecycle_state(geom_of(proxy)).is_some_and(|life| life.is_listed);
+                    || listed
+                        .objects
+                        .geoms
+                        .lifecycle_state(geom_of(proxy))
+                        .is_some_and(|life| life.is_listed);
                 !(proxy.is_empty() || is_listed)
             };
             self.removed_proxies.extend((0..proxies.all.len()).filter(is_removed).map(|at| at as u32));
@@ -262,34 +258,34 @@ impl MembershipDiff {
     }
 
     /// Returns whether each dynamic or kinematic body that was added or removed was so with all of its geoms.
-    fn is_complete(&self, precise: &Precise, objects: &Objects) -> bool {
+    fn is_complete(&self, listed: &Listed<'_>, world_proxies: usize) -> bool {
         let is_removed = |proxy: u32| self.removed_proxies.binary_search(&proxy).is_ok();
         let has_removed_body = |proxy: &u32| {
-            let body = precise.proxies.all[*proxy as usize].body as usize;
-            body >= precise.bodies.first_static() || self.removed_bodies.binary_search(&body).is_ok()
+            let body = listed.proxies.all[*proxy as usize].body as usize;
+            body >= listed.bodies.first_static() || self.removed_bodies.binary_search(&body).is_ok()
         };
         let has_new_or_static_body = |&at: &usize| {
-            let body = objects.geoms.at(at).map(|(_, geom)| geom.body);
-            let known = body.and_then(|body| precise.body_index(body));
-            known.is_none_or(|number| number >= precise.bodies.first_static())
+            let body = listed.objects.geoms.at(at).map(|(_, geom)| geom.body);
+            let known = body.and_then(|body| listed.ids.body_index(body));
+            known.is_none_or(|number| number >= listed.bodies.first_static())
         };
         // Proxies of static geoms are listed before those of world boxes, so that no static geom can be appended.
         let is_new = |&at: &usize| {
-            objects.geoms.at(at).is_some_and(|(_, geom)| self.added_bodies.contains(&geom.body))
+            listed.objects.geoms.at(at).is_some_and(|(_, geom)| self.added_bodies.contains(&geom.body))
         };
-        if precise.world_proxy_count() > 0 && !self.added_geoms.iter().all(is_new) {
+        if world_proxies > 0 && !self.added_geoms.iter().all(is_new) {
             return false;
         }
-        self.removed_bodies.iter().all(|&number| precise.proxies.proxies_of(number).all(is_removed))
+        self.removed_bodies.iter().all(|&number| listed.proxies.proxies_of(number).all(is_removed))
             && self.removed_proxies.iter().all(has_removed_body)
             && self.added_geoms.iter().all(has_new_or_static_body)
     }
 
     /// Returns whether the lists have capacity for the additions, and whether enough positions are used after the removals.
     /// Enough means that twice the used positions plus [`MIN_EMPTY_POSITIONS_TO_COMPACT`] are at least all positions.
-    fn has_capacity(&self, precise: &Precise, objects: &Objects) -> bool {
-        let Precise { bodies, proxies, grid, .. } = precise;
-        let pieces = self.added_geoms.iter().filter_map(|&at| objects.geoms.at(at));
+    fn has_capacity(&self, listed: &Listed<'_>, grid: &HashGrid) -> bool {
+        let Listed { bodies, proxies, .. } = listed;
+        let pieces = self.added_geoms.iter().filter_map(|&at| listed.objects.geoms.at(at));
         let pieces: usize = pieces.map(|(_, geom)| geom.pieces().len()).sum();
         let positions = proxies.all.len() - (proxies.first_fixed - proxies.movable_end);
         let is_full_enough = |live: usize, removed: usize, places: usize| {

@@ -2,7 +2,9 @@
 //!
 //! The solver knows bodies and proxies by their indices. This table translates an index to an id and back.
 
-use super::broad_phase::proxies::Proxy;
+use std::ops::Range;
+
+use super::broad_phase::proxies::{Proxies, Proxy};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::storage::reusing_clone::reusing_clone;
@@ -31,6 +33,12 @@ pub(super) fn owner_of(geom: GeomId) -> u64 {
 /// Returns the geom that a proxy belongs to, or the id that stands for a world box or the ground.
 pub(super) fn geom_of(proxy: &Proxy) -> GeomId {
     GeomId::from_bits(proxy.owner)
+}
+
+/// Returns `at` if the proxy with this index is the given convex piece of a geom; else `None`.
+pub(super) fn piece_at(proxies: &Proxies, at: usize, (geom, piece): (GeomId, u32)) -> Option<u32> {
+    let proxy = proxies.all.get(at)?;
+    (proxy.owner == owner_of(geom) && proxy.piece == piece).then_some(at as u32)
 }
 
 /// Sets the entry `slot` of a table to `value`. Lengthens the table with [`NOT_LISTED`] as needed.
@@ -94,5 +102,14 @@ impl IdTable {
     /// belong to a former geom of the slot.
     pub(super) fn first_proxy(&self, geom: GeomId) -> Option<usize> {
         entry_of(&self.first_proxies, geom.slot())
+    }
+
+    /// Returns the range of the proxy indices of a geom; empty if the geom has no proxy.
+    pub(super) fn proxies_of_geom(&self, proxies: &Proxies, geom: GeomId) -> Range<usize> {
+        let first = self.first_proxy(geom).and_then(|first| piece_at(proxies, first, (geom, 0)));
+        let Some(first) = first.map(|first| first as usize) else { return 0..0 };
+        let owner = owner_of(geom);
+        let count = proxies.all[first..].iter().take_while(|proxy| proxy.owner == owner).count();
+        first..first + count
     }
 }

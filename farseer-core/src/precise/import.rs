@@ -6,25 +6,21 @@
 //! objects and writes bodies, proxies, pairs and sleep.
 
 use super::Precise;
-use super::body_import::{
-    gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
-};
-use super::depth::interface::{DepthShape, is_geom};
-use super::fingerprint::Fingerprint;
-use super::geom_import::{geom_filter, surface_coefficients, without_negative_zero};
-use super::ids::{geom_of, owner_of};
+use super::bodies::BodySet;
+use super::body_import::{gyration_radius, listed_body, pose_of, velocity_of, was_moved};
+use super::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
+use super::broad_phase::pairs::Pairs;
+use super::broad_phase::proxies::{Proxies, Proxy};
+use super::depth::FeatureGate;
+use super::depth::interface::is_geom;
+use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, surface_velocity};
+use super::ids::piece_at;
+use super::listed::{Listed, is_simulated};
 use super::saved::{EditPolicy, Saved};
-use super::shape::Shape;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
-use crate::geom::entry::GeomEntry;
 use crate::geom::filter::{is_valid_pair, may_keep_touching};
-use crate::geom::pieces::Piece;
-use crate::math::plane::Vector;
 use crate::objects::Objects;
-use crate::precise::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
-use crate::precise::broad_phase::pairs::Pairs;
-use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.
@@ -53,35 +49,6 @@ impl Precise {
         self.edited_geoms.push(geom);
     }
 
-    /// Returns whether an edit has changed the type of a body. The type is static, kinematic, dynamic or not simulated, and
-    /// whether mass and inertia are infinite.
-    fn type_changed(&self, id: BodyId, objects: &Objects) -> bool {
-        let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { return false };
-        // Added bodies are handled by `apply_add_remove`.
-        let Some(index) = self.body_index(id) else {
-            return !self.has_membership_changes && is_simulated(id, objects);
-        };
-        let is_movable = index < self.bodies.first_static();
-        let inverses = if is_movable { inverse_mass_inertia_of(body) } else { [0.0; 2] };
-        // Bodies of infinite mass and inertia use no graph colours, so that this property is part of the type.
-        let is_same_type = body.enabled()
-            && is_movable == body.is_integrated()
-            && self.bodies.is_kinematic(index) == (is_movable && body.is_kinematic())
-            && (inverses == [0.0; 2]) == (self.bodies.inverse_mass_inertia[index] == [0.0; 2]);
-        !is_same_type
-    }
-
-    /// Returns whether an edit has changed the collision filter of a geom or its collision response, whether its contacts exert
-    /// impulses.
-    fn filter_changed(&self, id: GeomId, objects: &Objects) -> bool {
-        let Some(entry) = objects.geoms.get(id) else { return false };
-        let (filter, responds) = (geom_filter(entry), entry.geom.collision_response_enabled());
-        self.proxies_of_geom(id, objects).any(|at| {
-            let proxy = &self.proxies.all[at];
-            proxy.filter != filter || proxy.responds != responds
-        })
-    }
-
     /// Copies pose, velocity, mass, gravity scale and surface velocity of an edited body to `bodies` and its proxies. Requests
     /// that a sleeping body wakes if it was moved, has another mass or is not at rest.
     fn import_body(&mut self, id: BodyId, objects: &Objects) {
@@ -89,7 +56,8 @@ impl Precise {
         let body = &entry.body;
         let is_movable = index < self.bodies.first_static();
         let inverses = if is_movable { self.inverse_mass_and_inertia(index, body) } else { [0.0; 2] };
-        let velocity = self.surface_velocity(id, is_movable, body);
+        let depth = self.depth.as_ref().map(FeatureGate::by_ref);
+        let velocity = if is_movable { [0.0; 4] } else { surface_velocity(body, id, depth) };
         let has_moved = was_moved(&self.bodies, index, body) || self.was_moved_along_z(index, id);
         let has_mass_changed = inverses != self.bodies.inverse_mass_inertia[index];
         let is_at_rest = body.is_at_rest_under(self.bodies.gravity_scales[index]) && self.rests_along_z(id);
@@ -100,7 +68,7 @@ impl Precise {
         }
         self.bodies.inverse_mass_inertia[index] = inverses;
         if is_movable {
-            self.compute_geomless_extent(index, objects);
+            set_geomless_extent(&mut self.bodies, &self.proxies, index, body);
         }
         if has_mass_changed {
             self.invalidate_joints();
@@ -117,7 +85,7 @@ impl Precise {
         self.import_body_z(index, id);
         self.fix_rotation_if_vertical(index);
         for &geom in &entry.geoms {
-            self.update_proxies(geom, objects, |proxy| {
+            self.update_proxies(geom, |proxy| {
                 let is_belt_changed = proxy.surface_velocity != velocity;
                 proxy.surface_velocity = velocity;
                 let contacts = has_mass_changed || is_belt_changed;
@@ -133,18 +101,10 @@ impl Precise {
         let shapes = proxies.proxies_of(index).map(|proxy| proxies.all[proxy as usize].shape);
         bodies.compute_extents(index, shapes.map(|shape| (shape, proxies.vertices.min_extent(shape))));
         if let Some(space) = self.depth.as_deref_mut() {
-            space.update_is_ball(index, &self.proxies);
+            space.update_is_ball(index, proxies);
         }
-        self.compute_geomless_extent(index, objects);
-    }
-
-    /// Sets the greatest extent of a body without geoms to its radius of gyration, length units.
-    fn compute_geomless_extent(&mut self, index: usize, objects: &Objects) {
-        let body = self.ids.bodies[index].and_then(|id| objects.bodies.get(id));
-        if let Some(entry) = body.filter(|entry| !entry.body.is_kinematic())
-            && self.proxies.proxies_of(index).next().is_none()
-        {
-            self.bodies.max_extents[index] = gyration_radius(&entry.body);
+        if let Some(entry) = self.ids.bodies[index].and_then(|id| objects.bodies.get(id)) {
+            set_geomless_extent(bodies, proxies, index, &entry.body);
         }
     }
 
@@ -152,11 +112,11 @@ impl Precise {
     /// pairs.
     fn import_geom(&mut self, id: GeomId, objects: &Objects) {
         let Some(entry) = objects.geoms.get(id) else { return };
-        let (geom, one_way) = (&entry.geom, self.one_way_direction(entry));
+        let (geom, one_way) = (&entry.geom, one_way_direction(entry, self.depth.is_some()));
         let [friction, restitution] = surface_coefficients(geom);
         let is_reported = geom.collision_callbacks_enabled();
         self.has_restitution |= restitution > 0.0;
-        self.update_proxies(id, objects, |proxy| {
+        self.update_proxies(id, |proxy| {
             let have_coefficients_changed = proxy.friction != friction || proxy.restitution != restitution;
             (proxy.friction, proxy.restitution) = (friction, restitution);
             let callbacks = std::mem::replace(&mut proxy.is_reported, is_reported) != is_reported;
@@ -170,29 +130,9 @@ impl Precise {
         });
     }
 
-    /// Returns the outward direction of the solid side of a one-way geom, a unit vector in the frame of its body. `None` for
-    /// all other geoms, and in three axes.
-    fn one_way_direction(&self, geom: &GeomEntry) -> Option<Vector> {
-        geom.one_way.filter(|_| self.depth.is_none()).map(|direction| [direction.x, direction.y])
-    }
-
-    /// Returns the indices of the proxies of a geom.
-    fn proxies_of_geom(&self, geom: GeomId, objects: &Objects) -> impl Iterator<Item = usize> + use<'_> {
-        let first = self.ids.first_proxy(geom).unwrap_or(self.proxies.all.len());
-        let count = objects.geoms.get(geom).map_or(0, |entry| entry.pieces().len());
-        (first..(first + count).min(self.proxies.all.len()))
-            .take_while(move |&at| geom_of(&self.proxies.all[at]) == geom)
-    }
-
     /// Calls `apply` for each proxy of a geom, and updates the pairs of that proxy by the [`ProxyUpdate`] that `apply` returns.
-    fn update_proxies(
-        &mut self,
-        geom: GeomId,
-        objects: &Objects,
-        mut apply: impl FnMut(&mut Proxy) -> ProxyUpdate,
-    ) {
-        let Some(first) = self.proxies_of_geom(geom, objects).next() else { return };
-        for at in first..first + self.proxies_of_geom(geom, objects).count() {
+    fn update_proxies(&mut self, geom: GeomId, mut apply: impl FnMut(&mut Proxy) -> ProxyUpdate) {
+        for at in self.ids.proxies_of_geom(&self.proxies, geom) {
             let was_one_way = self.proxies.all[at].one_way.is_some();
             let update = apply(&mut self.proxies.all[at]);
             self.proxies.one_way_count += usize::from(self.proxies.all[at].one_way.is_some());
@@ -243,9 +183,7 @@ impl Precise {
     fn apply_edits(&mut self, objects: &Objects) {
         let (mut bodies, mut geoms) =
             (std::mem::take(&mut self.edited_bodies), std::mem::take(&mut self.edited_geoms));
-        self.needs_rebuild = self.needs_rebuild
-            || bodies.iter().any(|&body| self.type_changed(body, objects))
-            || geoms.iter().any(|&geom| self.filter_changed(geom, objects));
+        self.needs_rebuild = self.needs_rebuild || self.must_rebuild_for(&bodies, &geoms, objects);
         let has_new_members = std::mem::take(&mut self.has_membership_changes);
         let had_one_way = self.proxies.one_way_count > 0;
         let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
@@ -283,6 +221,25 @@ impl Precise {
         );
     }
 
+    /// Returns the listed bodies and proxies, for a comparison with `objects`.
+    pub(super) fn listed<'a>(&'a self, objects: &'a Objects) -> Listed<'a> {
+        Listed { ids: &self.ids, bodies: &self.bodies, proxies: &self.proxies, objects }
+    }
+
+    /// Returns whether one of the edited `bodies` has changed its type, or one of the edited `geoms` its filter. Added bodies
+    /// are handled by `apply_add_remove`.
+    fn must_rebuild_for(&self, bodies: &[BodyId], geoms: &[GeomId], objects: &Objects) -> bool {
+        let listed = self.listed(objects);
+        let is_new = |id: BodyId| !self.has_membership_changes && is_simulated(id, objects);
+        let has_changed_type = |&id: &BodyId| listed.has_changed_type(id).unwrap_or_else(|| is_new(id));
+        bodies.iter().any(has_changed_type) || geoms.iter().any(|&geom| listed.has_changed_filter(geom))
+    }
+
+    /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.
+    fn has_unmarked_change(&self, objects: &Objects) -> bool {
+        self.listed(objects).has_unmarked_change(&self.disabled_bodies)
+    }
+
     /// Returns whether this state equals the result of a rebuild from the saved state `before`. For debug assertions.
     fn equals_rebuild(&self, objects: &Objects, before: &Saved) -> bool {
         let mut rebuilt = self.clone();
@@ -290,22 +247,6 @@ impl Precise {
         rebuilt.wake_for_changed_joints(objects);
         rebuilt.wake_up();
         rebuilt.save() == self.save()
-    }
-
-    /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.
-    fn has_unmarked_change(&self, objects: &Objects) -> bool {
-        let ids = &self.ids.bodies[1..];
-        let has_changed = |(at, id): (usize, &Option<BodyId>)| {
-            let is_movable = at < self.bodies.last_movable;
-            id.is_some_and(|id| {
-                objects
-                    .bodies
-                    .get(id)
-                    .is_none_or(|entry| !entry.body.enabled() || (is_movable && !entry.body.is_integrated()))
-            })
-        };
-        let has_returned = |&id: &BodyId| is_simulated(id, objects);
-        ids.iter().enumerate().any(has_changed) || self.disabled_bodies.iter().any(has_returned)
     }
 
     /// Rebuilds all lists from the simulated bodies and geoms, and restores the state of known bodies and pairs from `saved`.
@@ -392,110 +333,39 @@ impl Precise {
         self.ids.clear_geoms();
         self.proxy_flags.clear();
         self.has_restitution = false;
-        let first_fixed = self.bodies.first_static() as u32;
+        let first_fixed = self.bodies.first_static();
         self.add_moving_box_proxies();
-        self.add_proxies(objects, |body| body < first_fixed);
+        self.proxy_import(objects).push_all(|body| body < first_fixed);
         self.proxies.add_spare_positions();
-        self.add_proxies(objects, |body| body >= first_fixed);
+        self.proxy_import(objects).push_all(|body| body >= first_fixed);
         self.add_ground_and_static_proxies();
         self.proxies.link_bodies(self.bodies.poses.len());
         self.proxy_flags.resize(self.proxies.all.len(), false);
     }
 
-    /// Appends the proxies of all geoms for whose body index `is_wanted` returns true.
-    fn add_proxies(&mut self, objects: &Objects, is_wanted: impl Fn(u32) -> bool) {
-        for at in 0..objects.geoms.list().len() {
-            let Some((id, geom)) = objects.geoms.at(at) else { continue };
-            let Some(body) = self.ids.body_index(geom.body) else { continue };
-            if !is_wanted(body as u32) {
-                continue;
-            }
-            self.ids.add_geom(id, self.proxies.all.len());
-            for piece in 0..geom.pieces().len() {
-                if let Some(proxy) = self.make_proxy(at, piece, objects) {
-                    self.proxies.push(proxy);
-                }
-            }
+    /// Returns the parts from which the proxies of geoms follow.
+    pub(super) fn proxy_import<'a>(&'a mut self, objects: &'a Objects) -> ProxyImport<'a> {
+        ProxyImport {
+            ids: &mut self.ids,
+            bodies: &self.bodies,
+            proxies: &mut self.proxies,
+            depth: self.depth.as_ref().map(FeatureGate::by_ref),
+            has_restitution: &mut self.has_restitution,
+            objects,
         }
-    }
-
-    /// Returns the proxy of one convex piece of a geom in its current state; `None` if its body is not listed. `at`: position
-    /// of the geom in the simulator's list.
-    pub(super) fn make_proxy(&mut self, at: usize, piece: usize, objects: &Objects) -> Option<Proxy> {
-        let (id, geom) = objects.geoms.at(at)?;
-        let body = self.body_index(geom.body)?;
-        let is_movable = body < self.bodies.first_static();
-        let body_type = match is_movable {
-            false => BodyType::Fixed,
-            true if self.bodies.is_kinematic(body) => BodyType::Kinematic,
-            true => BodyType::Dynamic,
-        };
-        let [friction, restitution] = surface_coefficients(&geom.geom);
-        self.has_restitution |= restitution > 0.0;
-        let shape = self.add_shape(id, geom, piece);
-        Some(Proxy {
-            owner: owner_of(id),
-            is_world: false,
-            piece: piece as u32,
-            list_index: at as u32,
-            creation_number: geom.number,
-            body: body as u32,
-            body_type,
-            shape,
-            fingerprint: self.fingerprint_of(id, shape),
-            friction,
-            restitution,
-            responds: geom.geom.collision_response_enabled(),
-            is_reported: geom.geom.collision_callbacks_enabled(),
-            filter: geom_filter(geom),
-            surface_velocity: self.surface_velocity(geom.body, is_movable, &objects.bodies[geom.body].body),
-            one_way: self.one_way_direction(geom),
-        })
-    }
-
-    /// Returns the surface velocity of a static body, a conveyor belt if it is not 0: x, y (length units/s), angular velocity
-    /// (radians/s), z (length units/s). All 0 for movable bodies.
-    fn surface_velocity(&self, id: BodyId, is_movable: bool, body: &Body) -> [f32; 4] {
-        let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
-        let along_depth = self.depth.as_ref().map_or(0.0, |space| space.body(id).velocity);
-        if is_movable {
-            [0.0; 4]
-        } else {
-            [velocity.x, velocity.y, spin, along_depth].map(without_negative_zero)
-        }
-    }
-
-    /// Adds the shape of a convex piece, in the frame of its body, to the vertex pool. Returns the shape.
-    fn add_shape(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
-        match self.depth.as_ref().map(|space| space.shape(id)) {
-            Some(DepthShape { vertical: Some(upright), .. }) => {
-                let ([x, y], half) = upright.front_box();
-                self.proxies.vertices.add_box_at([geom.offset.x + x, geom.offset.y + y], half)
-            }
-            Some(DepthShape { is_sphere: true, half_depth, .. }) => {
-                let circle = Piece::Circle { centre: [0.0; 2], radius: half_depth };
-                self.proxies.vertices.add(&circle, geom)
-            }
-            _ => self.proxies.vertices.add(&geom.pieces()[piece], geom),
-        }
-    }
-
-    /// Returns the [fingerprint](super::fingerprint) of a listed `shape` of a geom, with its depth shape in three axes.
-    fn fingerprint_of(&self, id: GeomId, shape: Shape) -> u64 {
-        let mut fingerprint = Fingerprint::default();
-        fingerprint.add_outline(self.proxies.vertices.shape_ref(shape));
-        if let Some(space) = &self.depth {
-            fingerprint.add_depth_shape(&space.shape(id));
-        }
-        fingerprint.bits()
     }
 
     /// Returns the index of the proxy of a geom's convex piece; `None` if there is none.
     pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
         let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
-        let at = first? + piece as usize;
-        let proxy = self.proxies.all.get(at)?;
-        (geom_of(proxy) == geom && proxy.piece == piece).then_some(at as u32)
+        piece_at(&self.proxies, first? + piece as usize, (geom, piece))
+    }
+}
+
+/// Sets the greatest extent of a dynamic body without geoms to its radius of gyration, length units.
+fn set_geomless_extent(bodies: &mut BodySet, proxies: &Proxies, index: usize, body: &Body) {
+    if !body.is_kinematic() && proxies.proxies_of(index).next().is_none() {
+        bodies.max_extents[index] = gyration_radius(body);
     }
 }
 
@@ -512,17 +382,6 @@ pub(super) fn reset_one_way_states(pairs: &mut Pairs, proxies: &Proxies, proxy: 
     pairs.for_each_index_of(proxy, |pairs, pair| {
         pairs.all[pair].one_way_state = initial_one_way_state(proxies, pairs, pair);
     });
-}
-
-/// Returns whether a body is simulated. It is enabled, and it is dynamic or kinematic in the simulator's list of bodies or has
-/// a geom in the simulator's list of geoms.
-fn is_simulated(id: BodyId, objects: &Objects) -> bool {
-    let Some(entry) = objects.bodies.get(id).filter(|entry| entry.body.enabled()) else { return false };
-    let has_geoms = || {
-        entry.geoms.iter().any(|&geom| objects.geoms.lifecycle_state(geom).is_some_and(|life| life.is_listed))
-    };
-    (entry.body.is_integrated() && objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed))
-        || has_geoms()
 }
 
 /// Changes of a proxy by an import, which determine the update of its pairs.

@@ -48,9 +48,9 @@ impl Listed<'_> {
         let has_changed = |(at, id): (usize, &Option<BodyId>)| {
             let is_movable = at < self.bodies.last_movable;
             id.is_some_and(|id| {
-                bodies.get(id).is_none_or(|entry| {
-                    !entry.body.enabled() || (is_movable && !entry.body.is_integrated())
-                })
+                bodies
+                    .get(id)
+                    .is_none_or(|entry| !entry.body.enabled() || (is_movable && !entry.body.is_integrated()))
             })
         };
         let has_returned = |&id: &BodyId| is_simulated(id, self.objects);

@@ -34,6 +34,7 @@ mod integration;
 mod island;
 mod island_report;
 mod joints;
+mod listed;
 mod minimum_degree;
 mod narrow_phase;
 mod parameters;
