@@ -1,4 +1,4 @@
-//! Addition and removal of bodies and geoms without a rebuild of all lists.
+//! Adapter: addition and removal of bodies and geoms without a rebuild of all lists.
 //!
 //! New bodies and proxies are appended; removed ones leave an empty position. The state is bit-identical to that after a
 //! [rebuild](Precise::rebuild), and the cost is proportional to the number of changes, beside one scan of the lists. With
@@ -52,7 +52,7 @@ impl Precise {
             }
         }
         self.update_list_positions(&members, objects);
-        self.disabled_bodies = members.disabled_bodies;
+        self.edits.disabled_bodies = members.disabled_bodies;
         self.invalidate_joints();
         self.drop_joints_of_awake();
         self.sleep.update_runs(&self.proxies);

@@ -1,4 +1,4 @@
-//! Import of edits: moved and changed bodies and geoms, and the rebuild of all lists.
+//! Adapter: import of edits, which are moved and changed bodies and geoms, and the rebuild of all lists.
 //!
 //! The simulator marks edited bodies and geoms. [`import_edits`](Precise::import_edits) runs at the start of a step. It copies
 //! changed properties, invalidates affected pairs and wakes sleeping bodies. If a body or geom has changed its type or filter,
@@ -21,11 +21,31 @@ use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::filter::{is_valid_pair, may_keep_touching};
 use crate::objects::Objects;
+use crate::storage::reusing_clone::reusing_clone;
 
-impl Precise {
-    /// Returns the index of a body into `bodies`; `None` if the body is not listed.
-    pub(crate) fn body_index(&self, body: BodyId) -> Option<usize> {
-        self.ids.body_index(body)
+/// Edits of the game since the last import, and what that import has to know of earlier ones.
+#[derive(Debug, Default)]
+pub(crate) struct PendingEdits {
+    /// Whether the next import must list all bodies and proxies anew, for example because a body changed its type.
+    pub(super) needs_rebuild: bool,
+    /// Whether bodies or geoms were added or removed since the last import.
+    pub(super) has_membership_changes: bool,
+    /// Ids of bodies that the game borrowed for editing since the last import; the next import copies their properties.
+    pub(super) bodies: Vec<BodyId>,
+    /// Ids of geoms that the game borrowed for editing since the last import; the next import copies their properties.
+    pub(super) geoms: Vec<GeomId>,
+    /// Ids of bodies that the game asked to wake since the last update.
+    pub(super) wake_requests: Vec<BodyId>,
+    /// Ids of the bodies that were disabled at the last import. They have no body index.
+    pub(super) disabled_bodies: Vec<BodyId>,
+}
+
+reusing_clone! { PendingEdits { needs_rebuild, has_membership_changes, bodies, geoms, wake_requests, disabled_bodies } }
+
+impl PendingEdits {
+    /// Returns the edits of an empty engine, whose first import lists everything.
+    pub(super) fn new() -> Self {
+        PendingEdits { needs_rebuild: true, ..PendingEdits::default() }
     }
 
     /// Requests a rebuild of all lists by the next import, because a body or geom has changed its type.
@@ -33,20 +53,27 @@ impl Precise {
         self.needs_rebuild = true;
     }
 
-    /// Requests that the next import compares the engine's lists of bodies and geoms with those of the simulator, because some were
-    /// added or removed.
+    /// Requests that the next import compares the engine's lists of bodies and geoms with those of the simulator, because some
+    /// were added or removed.
     pub(crate) fn mark_membership_changed(&mut self) {
         self.has_membership_changes = true;
     }
 
-    /// Adds a body to `edited_bodies`. The next import copies the properties that the body has then.
+    /// Adds a body whose properties the next import copies, as they are then.
     pub(crate) fn mark_body_edited(&mut self, body: BodyId) {
-        self.edited_bodies.push(body);
+        self.bodies.push(body);
     }
 
-    /// Adds a geom to `edited_geoms`. The next import copies the properties that the geom has then.
+    /// Adds a geom whose properties the next import copies, as they are then.
     pub(crate) fn mark_geom_edited(&mut self, geom: GeomId) {
-        self.edited_geoms.push(geom);
+        self.geoms.push(geom);
+    }
+}
+
+impl Precise {
+    /// Returns the index of a body into `bodies`; `None` if the body is not listed.
+    pub(crate) fn body_index(&self, body: BodyId) -> Option<usize> {
+        self.ids.body_index(body)
     }
 
     /// Copies pose, velocity, mass, gravity scale and surface velocity of an edited body to `bodies` and its proxies. Requests
@@ -169,8 +196,8 @@ impl Precise {
     /// If a body or geom has changed its type or filter, everything is rebuilt from the state before all edits, as after
     /// loading a snapshot.
     pub(crate) fn import_edits(&mut self, objects: &Objects) {
-        let has_edits = !(self.edited_bodies.is_empty() && self.edited_geoms.is_empty());
-        if has_edits || self.needs_rebuild || self.has_membership_changes {
+        let has_edits = !(self.edits.bodies.is_empty() && self.edits.geoms.is_empty());
+        if has_edits || self.edits.needs_rebuild || self.edits.has_membership_changes {
             return self.apply_edits(objects);
         }
         debug_assert!(!self.has_unmarked_change(objects), "what comes, goes and changes is noted");
@@ -182,20 +209,21 @@ impl Precise {
     /// Applies edits, additions and removals of bodies and geoms to the lists: see [`import_edits`](Self::import_edits).
     fn apply_edits(&mut self, objects: &Objects) {
         let (mut bodies, mut geoms) =
-            (std::mem::take(&mut self.edited_bodies), std::mem::take(&mut self.edited_geoms));
-        self.needs_rebuild = self.needs_rebuild || self.must_rebuild_for(&bodies, &geoms, objects);
-        let has_new_members = std::mem::take(&mut self.has_membership_changes);
+            (std::mem::take(&mut self.edits.bodies), std::mem::take(&mut self.edits.geoms));
+        self.edits.needs_rebuild =
+            self.edits.needs_rebuild || self.must_rebuild_for(&bodies, &geoms, objects);
+        let has_new_members = std::mem::take(&mut self.edits.has_membership_changes);
         let had_one_way = self.proxies.one_way_count > 0;
         let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
         if has_new_members {
-            self.needs_rebuild =
-                self.needs_rebuild || self.loaded.is_some() || !self.apply_add_remove(objects);
+            self.edits.needs_rebuild =
+                self.edits.needs_rebuild || self.loaded.is_some() || !self.apply_add_remove(objects);
         }
         debug_assert!(
-            self.needs_rebuild || !self.has_unmarked_change(objects),
+            self.edits.needs_rebuild || !self.has_unmarked_change(objects),
             "what comes, goes and changes is noted"
         );
-        if self.needs_rebuild {
+        if self.edits.needs_rebuild {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.rebuild(objects, &saved, EditPolicy::Apply);
         } else {
@@ -212,7 +240,7 @@ impl Precise {
         }
         bodies.clear();
         geoms.clear();
-        (self.edited_bodies, self.edited_geoms) = (bodies, geoms);
+        (self.edits.bodies, self.edits.geoms) = (bodies, geoms);
         self.wake_for_changed_joints(objects);
         self.wake_up();
         debug_assert!(
@@ -230,14 +258,14 @@ impl Precise {
     /// are handled by `apply_add_remove`.
     fn must_rebuild_for(&self, bodies: &[BodyId], geoms: &[GeomId], objects: &Objects) -> bool {
         let listed = self.listed(objects);
-        let is_new = |id: BodyId| !self.has_membership_changes && is_simulated(id, objects);
+        let is_new = |id: BodyId| !self.edits.has_membership_changes && is_simulated(id, objects);
         let has_changed_type = |&id: &BodyId| listed.has_changed_type(id).unwrap_or_else(|| is_new(id));
         bodies.iter().any(has_changed_type) || geoms.iter().any(|&geom| listed.has_changed_filter(geom))
     }
 
     /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.
     fn has_unmarked_change(&self, objects: &Objects) -> bool {
-        self.listed(objects).has_unmarked_change(&self.disabled_bodies)
+        self.listed(objects).has_unmarked_change(&self.edits.disabled_bodies)
     }
 
     /// Returns whether this state equals the result of a rebuild from the saved state `before`. For debug assertions.
@@ -252,7 +280,7 @@ impl Precise {
     /// Rebuilds all lists from the simulated bodies and geoms, and restores the state of known bodies and pairs from `saved`.
     /// `edits`: when edits made since that state take effect.
     pub(super) fn rebuild(&mut self, objects: &Objects, saved: &Saved, edits: EditPolicy) {
-        (self.needs_rebuild, self.has_membership_changes) = (false, false);
+        (self.edits.needs_rebuild, self.edits.has_membership_changes) = (false, false);
         // Indices of proxies change here, also if a handler has caused the rebuild in the middle of an update.
         self.rolling_contacts.clear();
         self.invalidate_joints();
@@ -315,8 +343,10 @@ impl Precise {
         self.rebuild_world_boxes();
         // The ground and the static boxes follow all bodies, and have no ids.
         self.ids.bodies.resize(self.bodies.poses.len(), None);
-        self.disabled_bodies.clear();
-        self.disabled_bodies.extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
+        self.edits.disabled_bodies.clear();
+        self.edits
+            .disabled_bodies
+            .extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
         if let Some(space) = self.depth.as_deref_mut() {
             // A force along the depth axis on a body that a handler has made static is in no snapshot, so it is removed here,
             // too.

@@ -5,13 +5,15 @@
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | 1 | imports edited objects | [`import`], [`add_remove`] |
+//! | 1 | imports edited objects | [`import`], [`add_remove`], [`geom_import`] |
 //! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`] |
 //! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`], [`constraint_graph`] |
 //! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`], [`joints`], [`island`] |
 //! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`], [`continuous_collision`] |
 //! | 6 | writes bodies, refits AABBs | [`step`], [`integration`] |
-//! | 7 | puts islands at rest to sleep | [`island`] |
+//! | 7 | puts islands at rest to sleep | [`sleep_stages`], [`island`] |
+//!
+//! Files whose first line begins with "Adapter" name ids and objects of the game; [`ids`] translates them to indices.
 //!
 //! For `twohalf`, an engine on top of this one, all stages work in three axes ([`depth`]). Lengths are in the user's unit.
 //! Parameters are multiples of one length unit ([`scaled_parameters`]).
@@ -75,6 +77,7 @@ use continuous_collision::FastBody;
 use depth::{DepthState, FeatureGate};
 use direct_solver::DirectSolver;
 use ids::IdTable;
+use import::PendingEdits;
 use joints::JointSystem;
 use joints::springs::SpringRows;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
@@ -99,10 +102,8 @@ pub(crate) struct Precise {
     gravity_delta: crate::math::plane::Vector,
     /// State of a loaded snapshot until the next rebuild restores it; else `None`.
     loaded: Option<Saved>,
-    /// Whether the next import must list all bodies and proxies anew, for example because a body changed its type.
-    needs_rebuild: bool,
-    /// Whether bodies or geoms were added or removed since the last import.
-    has_membership_changes: bool,
+    /// Edits of the game since the last import.
+    pub(crate) edits: PendingEdits,
     /// Whether any geom has, or any handler has set, a restitution coefficient above 0; else the solver skips restitution.
     has_restitution: bool,
     /// How the friction coefficients of two geoms combine to that of their contact.
@@ -137,14 +138,6 @@ pub(crate) struct Precise {
     ids: IdTable,
     /// Geoms that every AABB query tests without the hash grid, in the order of the simulator's list of geoms.
     always_tested: Vec<AlwaysTested>,
-    /// Ids of the disabled bodies, which have no entry in `bodies`.
-    disabled_bodies: Vec<BodyId>,
-    /// Ids of bodies that the game borrowed for editing since the last import; the next import copies their properties.
-    edited_bodies: Vec<BodyId>,
-    /// Ids of geoms that the game borrowed for editing since the last import; the next import copies their properties.
-    edited_geoms: Vec<GeomId>,
-    /// Ids of bodies that the game asked to wake since the last update.
-    wake_requests: Vec<BodyId>,
     /// Touch events that the game has not received yet: pairs of convex pieces that began or ceased to touch.
     touch_events: Vec<TouchEvent>,
     /// Contacts with static bodies that ended in this narrow phase: dynamic body, and penetration in length units. Empty
@@ -181,9 +174,9 @@ pub(crate) struct Precise {
 
 reusing_clone! {
     Precise {
-        parameters, impulse_substep, dt, step_context, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
-        grid, pairs, constraints, color_usage, joints, springs, sleep, sleeping_joints, direct_solver, depth, ids, always_tested, disabled_bodies,
-        edited_bodies, edited_geoms, wake_requests, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
+        parameters, impulse_substep, dt, step_context, gravity_delta, loaded, edits, has_restitution, friction, max_contacts, bodies, proxies,
+        grid, pairs, constraints, color_usage, joints, springs, sleep, sleeping_joints, direct_solver, depth, ids, always_tested,
+        touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
         pair_scratch, new_pairs,
         proxy_flags, touching_scratch
     }
@@ -205,8 +198,7 @@ impl Precise {
             step_context: None,
             gravity_delta: [0.0; 2],
             loaded: None,
-            needs_rebuild: true,
-            has_membership_changes: false,
+            edits: PendingEdits::new(),
             has_restitution: false,
             friction: FrictionType::default(),
             max_contacts: 2,
@@ -224,10 +216,6 @@ impl Precise {
             depth: None,
             ids: IdTable::default(),
             always_tested: Vec::new(),
-            disabled_bodies: Vec::new(),
-            edited_bodies: Vec::new(),
-            edited_geoms: Vec::new(),
-            wake_requests: Vec::new(),
             touch_events: Vec::new(),
             ended_static_contacts: Vec::new(),
             narrow_phase_stats: NarrowPhaseStats::default(),

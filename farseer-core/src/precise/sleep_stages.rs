@@ -158,8 +158,8 @@ impl Precise {
     pub(crate) fn wake(&mut self, body: BodyId) {
         if let Some(loaded) = &mut self.loaded {
             loaded.wake(body);
-        } else if self.is_asleep(body) && !self.wake_requests.contains(&body) {
-            self.wake_requests.push(body);
+        } else if self.is_asleep(body) && !self.edits.wake_requests.contains(&body) {
+            self.edits.wake_requests.push(body);
         }
     }
 
@@ -168,7 +168,7 @@ impl Precise {
     /// The order of pairs depends on the order of waking.
     #[inline]
     pub(super) fn wake_requested_by_game(&mut self) {
-        if !self.wake_requests.is_empty() {
+        if !self.edits.wake_requests.is_empty() {
             self.process_wake_requests_of_game();
         }
     }
@@ -176,7 +176,7 @@ impl Precise {
     fn process_wake_requests_of_game(&mut self) {
         let others = std::mem::take(&mut self.sleep.wake_requests);
         let mut has_woken = false;
-        for body in std::mem::take(&mut self.wake_requests) {
+        for body in std::mem::take(&mut self.edits.wake_requests) {
             if let Some(number) = self.ids.body_index(body) {
                 self.sleep.request_wake(number);
                 if !self.sleep.wake_requests.is_empty() {

@@ -99,7 +99,7 @@ impl Precise {
         step: &StepContext,
         report: &mut Report,
     ) {
-        let Precise { bodies, ids, sleep, needs_rebuild, depth, .. } = self;
+        let Precise { bodies, ids, sleep, edits, depth, .. } = self;
         let substeps = f32x4::splat(step.substeps as f32);
         for run in &sleep.awake_body_runs {
             let (states, initial_velocities) =
@@ -125,7 +125,7 @@ impl Precise {
                     read = BodyForces::default();
                     entry.body.set_enabled(false);
                     report.push(Event::NotFinite { body: id, disabled: true });
-                    *needs_rebuild = true;
+                    edits.needs_rebuild = true;
                 }
                 (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
                 (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
@@ -279,7 +279,7 @@ impl Precise {
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);
                 entry.body.clear_target();
-                self.needs_rebuild = true;
+                self.edits.needs_rebuild = true;
             }
             report.push(Event::NotFinite { body, disabled });
         }

@@ -160,7 +160,7 @@ pub(in crate::precise) struct Proxies {
     pub(in crate::precise) fat_aabbs: Vec<PackedAabb>,
     /// Path length of each proxy since it was added: a bound for all of its points, in 2^-26 length units. The counter wraps.
     pub(in crate::precise) travel: Vec<u32>,
-    /// Indices of the proxies with a new fat AABB. [`find_pairs`](crate::precise::Precise::find_pairs) searches their pairs.
+    /// Indices of the proxies with a new fat AABB. The next broad phase searches their pairs.
     pub(in crate::precise) refitted: Vec<u32>,
     /// Index of the first proxy of each body, or [`NO_PROXY`].
     heads: Vec<u32>,

@@ -31,7 +31,7 @@ impl Precise {
     pub(crate) fn set_depth_body(&mut self, id: BodyId, state: DepthBodyState) {
         let Some(space) = self.depth.as_deref_mut() else { return };
         *space.body_mut(id) = state;
-        self.edited_bodies.push(id);
+        self.edits.bodies.push(id);
     }
 
     /// Adds the acceleration `along_depth` by a force, in length units/s^2, to the depth state of a body. The body is also
@@ -73,7 +73,7 @@ impl Precise {
         let known = space.shape_mut(id);
         if *known != shape {
             *known = shape;
-            self.needs_rebuild |= self.proxy_of(id, 0).is_some();
+            self.edits.needs_rebuild |= self.proxy_of(id, 0).is_some();
         }
     }
 

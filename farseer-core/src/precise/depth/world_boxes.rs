@@ -151,7 +151,7 @@ impl Precise {
         let moving_boxes = (0..).zip(&space.world_boxes).filter(|(_, world_box)| world_box.motion.is_some());
         space.moving_boxes.clear();
         space.moving_boxes.extend(moving_boxes.map(|(place, _)| place));
-        self.needs_rebuild = true;
+        self.edits.needs_rebuild = true;
     }
 
     /// Sets the motion of the moving box with this id; an unknown id is ignored. A hinged box wakes if its motion or its hinge
@@ -162,7 +162,7 @@ impl Precise {
         let known = space.world_boxes[place].motion.replace(motion);
         let body_index = space.moving_boxes.binary_search(&(place as u32)).map_or(0, |at| at + 1);
         if let Some(hot) =
-            self.bodies.states.get_mut(body_index).filter(|_| body_index > 0 && !self.needs_rebuild)
+            self.bodies.states.get_mut(body_index).filter(|_| body_index > 0 && !self.edits.needs_rebuild)
         {
             hot.velocity = solver_velocity(&motion);
             if motion.hinge().is_some() && known != Some(motion) {

@@ -361,10 +361,10 @@ impl Precise {
         swap_states(&mut others, objects, true);
         self.rebuild(objects, &saved, EditPolicy::Defer);
         swap_states(&mut others, objects, false);
-        self.edited_bodies.extend(others.into_iter().map(|(id, _)| id));
+        self.edits.bodies.extend(others.into_iter().map(|(id, _)| id));
         // The engine above sends all data of the depth axis again.
         if self.has_depth() || self.save() != saved {
-            self.needs_rebuild = true;
+            self.edits.needs_rebuild = true;
             self.loaded = Some(saved);
         }
     }

@@ -64,8 +64,8 @@ impl Precise {
         edited_proxies.into_iter().for_each(|proxy| self.invalidate_pairs(proxy));
         self.restore_constraints(constraints);
         self.sleep_pairs();
-        self.wake_requests.clear();
-        self.wake_requests.extend_from_slice(&saved.woken);
+        self.edits.wake_requests.clear();
+        self.edits.wake_requests.extend_from_slice(&saved.woken);
         self.wake_requested_by_game();
     }
 
@@ -243,7 +243,7 @@ impl Precise {
             let [filter @ .., responds] = then.filter;
             let proxy = &mut self.proxies.all[proxy_index as usize];
             (proxy.filter, proxy.responds) = (filter, responds != 0);
-            self.edited_geoms.push(geom_of(proxy));
+            self.edits.geoms.push(geom_of(proxy));
             now.filter = then.filter;
         }
         self.proxies.travel[proxy_index as usize] = saved.travel;

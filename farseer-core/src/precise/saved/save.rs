@@ -60,7 +60,7 @@ impl Precise {
             reselection_timer: self.direct_solver.timer,
             is_in_space: self.depth.is_some(),
             delta_poses: self.save_delta_poses().collect(),
-            woken: self.wake_requests.clone(),
+            woken: self.edits.wake_requests.clone(),
             touch_events: self.save_touch_events(),
         }
     }
