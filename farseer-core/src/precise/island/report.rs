@@ -9,6 +9,7 @@ use crate::math::plane::{Vector, difference, dot};
 use crate::methods::SolverChoice;
 use crate::objects::Objects;
 use crate::precise::Precise;
+use crate::precise::direct_solver::selection::IslandCensus;
 use crate::precise::island::union_find::UnionFind;
 use crate::precise::narrow_phase::manifold::{Manifold, collide};
 use crate::storage::order::{packed_key, sort_by_number};
@@ -197,16 +198,15 @@ impl Precise {
 
     /// Returns the report of each body, in the order of body indices.
     fn body_reports(&self) -> Vec<BodyReport> {
-        let (mut unions, mut stats_by_root) = (UnionFind::default(), Vec::new());
-        self.count_islands(&mut unions, &mut stats_by_root, &|body| {
-            self.bodies.initial_velocity[body as usize]
-        });
+        let mut census = IslandCensus::default();
+        self.solver_selection()
+            .count_islands(&mut census, &|body| self.bodies.initial_velocity[body as usize]);
         let substeps =
             if self.impulse_substep > 0.0 { (self.dt / self.impulse_substep).round() as u32 } else { 0 };
         let rows = self.rows_by_body();
         let mut reports: Vec<BodyReport> = (0..self.bodies.states.len())
             .map(|body| {
-                let stats = &stats_by_root[unions.find(body as u32) as usize];
+                let stats = census.stats_of(body as u32);
                 if self.sleep.is_asleep(body) {
                     BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
                 } else if self.direct_solver.is_direct(body) {
