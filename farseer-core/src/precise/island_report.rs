@@ -6,6 +6,7 @@ use super::Precise;
 use super::bodies::BodySet;
 use super::broad_phase::pairs::Pairs;
 use super::broad_phase::proxies::Proxies;
+use super::direct_solver::selection::IslandCensus;
 use super::ids::IdTable;
 use super::island::falling_asleep::unite_islands;
 use super::island::report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
@@ -169,16 +170,15 @@ impl Precise {
 
     /// Returns the report of each body, in the order of body indices.
     fn body_reports(&self) -> Vec<BodyReport> {
-        let (mut unions, mut stats_by_root) = (UnionFind::default(), Vec::new());
-        self.count_islands(&mut unions, &mut stats_by_root, &|body| {
-            self.bodies.initial_velocity[body as usize]
-        });
+        let mut census = IslandCensus::default();
+        self.solver_selection()
+            .count_islands(&mut census, &|body| self.bodies.initial_velocity[body as usize]);
         let substeps =
             if self.impulse_substep > 0.0 { (self.dt / self.impulse_substep).round() as u32 } else { 0 };
         let rows = rows_by_body(&self.bodies, &self.proxies, &self.pairs, &self.sleep);
         let mut reports: Vec<BodyReport> = (0..self.bodies.states.len())
             .map(|body| {
-                let stats = &stats_by_root[unions.find(body as u32) as usize];
+                let stats = census.stats_of(body as u32);
                 if self.sleep.is_asleep(body) {
                     BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
                 } else if self.direct_solver.is_direct(body) {

@@ -55,6 +55,7 @@ use serde::Deserialize;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
+use crate::methods::SolverChoice;
 pub use crate::precise::island::report::IslandCost;
 pub use crate::precise::island::report::IslandResidual;
 pub use crate::precise::island::report::IslandSolver;
@@ -71,11 +72,13 @@ use crate::precise::broad_phase::proxies::Proxies;
 use crate::precise::broad_phase::query_candidates::AlwaysTested;
 use crate::precise::contact_solver::rolling::RollingContact;
 use crate::precise::island::sleep::SleepState;
+use crate::precise::parameters::direct::IMMEDIATE_RESELECTION_BODIES;
 use bodies::BodySet;
 use constraint_graph::{ColorUsage, ConstraintGraph};
 use continuous_collision::FastBody;
 use depth::{DepthState, FeatureGate};
 use direct_solver::DirectSolver;
+use direct_solver::selection::SolverSelection;
 use ids::IdTable;
 use import::PendingEdits;
 use joints::JointSystem;
@@ -243,6 +246,33 @@ impl Precise {
             parameters: &self.parameters,
             dt: self.dt,
         }
+    }
+
+    /// Returns the parts that solver selection reads.
+    fn solver_selection(&self) -> SolverSelection<'_> {
+        SolverSelection {
+            bodies: &self.bodies,
+            proxies: &self.proxies,
+            pairs: &self.pairs,
+            constraints: &self.constraints,
+            color_usage: &self.color_usage,
+            joints: &self.joints,
+            springs: &self.springs,
+            sleep: &self.sleep,
+            parameters: &self.parameters,
+            history: &self.direct_solver.history,
+            gravity_delta: self.gravity_delta,
+            dt: self.dt,
+            has_restitution: self.has_restitution,
+            has_few_awake_bodies: self.bodies.movable_count.saturating_sub(self.asleep_count())
+                <= IMMEDIATE_RESELECTION_BODIES,
+            has_depth: self.depth.is_some(),
+        }
+    }
+
+    /// Sets the user's choice of solvers, from this update on.
+    pub(crate) fn set_solver_choice(&mut self, choice: SolverChoice) {
+        self.direct_solver.set_choice(choice);
     }
 
     /// Returns the narrow phase, which borrows the bodies, proxies, pairs and constraints that it reads and writes.

@@ -12,8 +12,10 @@ use super::bodies::BodySet;
 use super::body_import::{BodyForces, pose_of, read_body};
 use super::broad_phase::fat_aabbs::FatAabbs;
 use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
+use super::direct_solver::island_io::IslandSolver;
 use super::integration::{integrate_free_flight, integrate_poses};
 use super::narrow_phase::NarrowPhaseStats;
+use super::scaled_parameters::LoadAdaptation;
 pub(crate) use super::scaled_parameters::StepContext;
 use crate::math::Vector2;
 use crate::objects::Objects;
@@ -342,11 +344,80 @@ impl Precise {
             self.store_rolling_contacts();
         }
         self.joints.store(&mut self.bodies, step);
-        self.store_direct(step);
+        self.direct_solver.store(&mut self.bodies, step.dt);
         if let Some(space) = &mut self.depth {
             let constraints = (&self.color_usage, self.constraints.has_overflow());
             let unit = self.parameters.length_unit;
             finish_hinges(space, &mut self.bodies, &mut self.sleep, constraints, unit, step);
+        }
+    }
+
+    /// Solver selection: computes islands and selects a solver for each island, if the selection is due. Otherwise it lists the
+    /// contacts and joints of the islands where these have changed. `learning` scales the rest impulses of constraints that
+    /// return to the iterative solver.
+    fn select_solvers(&mut self, learning: &LoadAdaptation) {
+        let has_depth = self.depth.is_some();
+        if (self.has_restitution || has_depth) && self.solver_selection().has_rejected_contact() {
+            self.direct_solver.timer.is_due = true;
+        }
+        if has_depth {
+            self.direct_solver.check_listed_contacts(&self.constraints);
+        } else if self.direct_solver.count_friction_checks(&self.sleep, self.bodies.last_movable)
+            && self.solver_selection().has_slipping_contact()
+        {
+            self.direct_solver.timer.is_due = true;
+        }
+        let is_quick = self.direct_solver.timer.may_be_due
+            && self.solver_selection().is_quick(self.direct_solver.choice());
+        let selects = self.direct_solver.begin_selection(is_quick);
+        if selects || !self.direct_solver.is_listed() {
+            self.list_direct_islands(selects, learning);
+        }
+    }
+
+    /// Computes the islands, and lists those of the direct solver with their contacts and joints. With `selects` solvers are
+    /// selected anew, and contact constraints move between the solvers; `learning` is as in
+    /// [`select_solvers`](Self::select_solvers).
+    fn list_direct_islands(&mut self, selects: bool, learning: &LoadAdaptation) {
+        let mut census = std::mem::take(&mut self.direct_solver.census);
+        self.solver_selection()
+            .count_islands(&mut census, &|body| self.bodies.states[body as usize].velocity);
+        self.direct_solver.census = census;
+        self.direct_solver.choose_members(selects, &self.sleep, self.bodies.last_movable);
+        let Precise { direct_solver, pairs, proxies, joints, springs, .. } = self;
+        direct_solver.plan_islands(selects, pairs, proxies, (joints, springs));
+        if selects {
+            self.move_constraints(learning);
+        }
+        self.direct_solver.list_contacts(&self.pairs, &self.proxies, &mut self.constraints);
+        if self.depth.is_none() {
+            self.direct_solver.list_joints(&self.joints, &self.springs);
+        }
+        self.direct_solver.mark_listed();
+    }
+
+    /// Moves contact constraints between the graph colours and the direct solver, as selected; `learning` is as in
+    /// [`select_solvers`](Self::select_solvers).
+    fn move_constraints(&mut self, learning: &LoadAdaptation) {
+        let Precise { direct_solver, pairs, proxies, constraints, impulse_substep, .. } = self;
+        direct_solver.move_constraints(pairs, proxies, constraints, learning, *impulse_substep);
+    }
+
+    /// Solves all islands of the direct solver. The contact constraints of islands without an acceptable solution move to the
+    /// iterative solver.
+    fn solve_direct(&mut self, step: &StepContext) {
+        let solver = IslandSolver {
+            bodies: &self.bodies,
+            constraints: &mut self.constraints,
+            joints: &mut self.joints,
+            springs: &mut self.springs,
+            parameters: &self.parameters,
+            step,
+            choice: self.direct_solver.choice(),
+            has_depth: self.depth.is_some(),
+        };
+        if self.direct_solver.solve(solver) {
+            self.move_constraints(&step.load_adaptation);
         }
     }
 

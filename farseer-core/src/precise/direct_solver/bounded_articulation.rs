@@ -10,9 +10,8 @@
 //! accurate to second order in the length of an interval. Steady motors and forces move bodies as far as in continuous time.
 
 use super::cost_model::max_newton_steps;
-use super::island_io::{DirectIsland, RowReader};
+use super::island_io::{DirectIsland, IslandSolver, RowReader};
 use super::island_newton::{IslandSystem, SolveStats, max_or_nan};
-use crate::precise::Precise;
 use crate::precise::joints::articulation_step::{SubstepPlan, momentum_conserving_stiffness};
 use crate::precise::joints::island_rows::StepInterval;
 use crate::precise::joints::{JointSystem, mass_of_inverse};
@@ -176,17 +175,12 @@ impl DirectIsland {
     }
 }
 
-impl Precise {
+impl IslandSolver<'_> {
     /// Solves an island that is a [free articulation](DirectIsland::is_free_articulation), in intervals of the step. Returns
-    /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted. `unit` is the length
-    /// unit.
-    pub(super) fn solve_articulation(
-        &mut self,
-        island: &mut DirectIsland,
-        step: &StepContext,
-        unit: f64,
-    ) -> SolveStats {
-        let Precise { bodies, joints, parameters: tuning, .. } = self;
+    /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted.
+    pub(super) fn solve_articulation(&mut self, island: &mut DirectIsland) -> SolveStats {
+        let unit = self.length_unit();
+        let IslandSolver { bodies, joints, parameters, step, .. } = self;
         let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
         let slop = island.load_bodies(bodies, 0.0, unit);
         island.is_released = false;
@@ -234,7 +228,7 @@ impl Precise {
             }
         }
         island.displacements.clone_from(&island.total_displacements);
-        let max_correction = f64::from(tuning.recovery_speed) * dt;
+        let max_correction = f64::from(parameters.recovery_speed) * dt;
         let gap = island.solve_positions(joints, (dt, 0.0), [slop, max_correction, 0.0], 0.0, None);
         total.is_solved = gap <= ACCEPTED_JOINT_ERROR * unit;
         island.was_articulation = total.is_solved;

@@ -10,8 +10,9 @@
 
 use super::block_ldlt::BlockLdlt;
 use super::island_io::DirectIsland;
+use super::island_newton::SolveStats;
+use super::{IslandHistory, ReselectionTimer};
 use crate::methods::SolverChoice;
-use crate::precise::Precise;
 use crate::precise::parameters::direct::{
     BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, FACTOR_BLOCK_COST, FACTOR_PRODUCT_COST,
     FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST, ITERATIVE_ISLAND_COST,
@@ -19,45 +20,47 @@ use crate::precise::parameters::direct::{
     NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT, UPDATE_NEWTON_STEPS,
 };
 
-impl Precise {
-    /// Charges the modelled cost of an update to the budget of an island, and stores its new island history for all members.
-    /// `steps` is the number of Newton steps; `is_solved` tells whether the solution was accepted.
-    ///
-    /// An island that overdraws its budget, or that is released because its joints have no solution, gets a pause: it goes to
-    /// the iterative solver.
-    pub(super) fn update_budget(&mut self, island: &DirectIsland, steps: usize, is_solved: bool) {
-        let timer = &mut self.direct_solver.timer;
-        let mut history = self.direct_solver.history[island.system.members[0].body as usize];
-        history.was_iterated = steps > 0;
-        history.has_accepted_solution |= island.has_joints() && !island.is_released;
-        let cost = match is_solved {
-            // The motion demands the intervals of an articulation: the iterative solver is not cheaper at equal accuracy.
-            true if island.was_articulation => 0.0,
-            true => relative_cost(island, steps),
-            false => relative_cost(island, steps) + FAILED_SOLUTION_COST,
-        };
-        let (income, overdraft) = match island.has_joints() {
-            true if island.has_large_mass_ratio() => (MASS_RATIO_BUDGET, BUDGET_OVERDRAFT),
-            true => (JOINTED_BUDGET, BUDGET_OVERDRAFT),
-            false => (CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT / iterative_update_cost(island)),
-        };
-        // The budget is a fraction, since islands with different overdrafts may merge.
-        let budget = f64::from(history.budget) + (income - cost) / overdraft;
-        let is_overdrawn = budget < -1.0;
-        // Adding 0 keeps a negative zero out of snapshots.
-        history.budget = if is_overdrawn { -0.5 } else { budget.min(0.0) + 0.0 } as f32;
-        let is_optional = timer.choice != SolverChoice::Direct;
-        if (is_overdrawn || island.is_released) && is_optional {
-            history.back_off = history.back_off.saturating_mul(2).max(FIRST_BUDGET_PAUSE);
-            history.pause = history.back_off;
-            timer.has_paused = true;
-            timer.is_due |= !island.is_released;
-        } else if steps == 0 {
-            history.back_off = history.back_off.saturating_sub(1);
-        }
-        for member in &island.system.members {
-            self.direct_solver.history[member.body as usize] = history;
-        }
+/// Charges the modelled cost of an update to the budget of an island, and stores its new island history for all members.
+/// `histories` are indexed by body.
+///
+/// An island that overdraws its budget, or that is released because its joints have no solution, gets a pause: it goes to the
+/// iterative solver.
+pub(super) fn update_budget(
+    histories: &mut [IslandHistory],
+    timer: &mut ReselectionTimer,
+    island: &DirectIsland,
+    SolveStats { newton_steps: steps, is_solved, .. }: SolveStats,
+) {
+    let mut history = histories[island.system.members[0].body as usize];
+    history.was_iterated = steps > 0;
+    history.has_accepted_solution |= island.has_joints() && !island.is_released;
+    let cost = match is_solved {
+        // The motion demands the intervals of an articulation: the iterative solver is not cheaper at equal accuracy.
+        true if island.was_articulation => 0.0,
+        true => relative_cost(island, steps),
+        false => relative_cost(island, steps) + FAILED_SOLUTION_COST,
+    };
+    let (income, overdraft) = match island.has_joints() {
+        true if island.has_large_mass_ratio() => (MASS_RATIO_BUDGET, BUDGET_OVERDRAFT),
+        true => (JOINTED_BUDGET, BUDGET_OVERDRAFT),
+        false => (CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT / iterative_update_cost(island)),
+    };
+    // The budget is a fraction, since islands with different overdrafts may merge.
+    let budget = f64::from(history.budget) + (income - cost) / overdraft;
+    let is_overdrawn = budget < -1.0;
+    // Adding 0 keeps a negative zero out of snapshots.
+    history.budget = if is_overdrawn { -0.5 } else { budget.min(0.0) + 0.0 } as f32;
+    let is_optional = timer.choice != SolverChoice::Direct;
+    if (is_overdrawn || island.is_released) && is_optional {
+        history.back_off = history.back_off.saturating_mul(2).max(FIRST_BUDGET_PAUSE);
+        history.pause = history.back_off;
+        timer.has_paused = true;
+        timer.is_due |= !island.is_released;
+    } else if steps == 0 {
+        history.back_off = history.back_off.saturating_sub(1);
+    }
+    for member in &island.system.members {
+        histories[member.body as usize] = history;
     }
 }
 

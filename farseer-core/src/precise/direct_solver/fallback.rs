@@ -9,16 +9,14 @@
 use super::DirectSolver;
 use super::island_newton::{IslandBody, IslandSystem};
 use super::mat3::Vec3;
-use crate::precise::Precise;
-use crate::precise::scaled_parameters::LoadAdaptation;
 
-impl Precise {
-    /// Moves the contact constraints of all released islands to the graph colours, where the iterative solver solves them in
-    /// this update. `learning` scales their rest impulses.
-    pub(super) fn release_unsolved(&mut self, learning: &LoadAdaptation) {
-        let DirectSolver { islands, count, history, is_listed, .. } = &mut self.direct_solver;
+impl DirectSolver {
+    /// Hands all released islands over to the iterative solver. Returns whether there was one: then contact constraints must
+    /// [move](Self::move_constraints) to the graph colours before the iterative solver runs.
+    pub(super) fn release_unsolved(&mut self) -> bool {
+        let DirectSolver { islands, count, history, is_listed, .. } = self;
         if !islands[..*count].iter().any(|island| island.is_released) {
-            return;
+            return false;
         }
         let mut solved = 0;
         for at in 0..*count {
@@ -32,7 +30,7 @@ impl Precise {
         }
         // Constraints move, so the handles of the other islands are listed again.
         (*count, *is_listed) = (solved, false);
-        self.move_constraints(learning);
+        true
     }
 }
 

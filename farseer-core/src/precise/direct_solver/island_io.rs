@@ -4,28 +4,29 @@
 //! Most islands are at rest: their stored impulses still satisfy all constraints. The residual of the stored constraints shows
 //! it, and no rows are built for them. An island with a larger residual is solved by [`island_newton`](super::island_newton).
 
-use super::IslandHistory;
 use super::constraint::{BodyIndices, FIXED, Jacobian};
 use super::contact::{
     ContactRows, FRICTION, allowed_approach_speed, is_penetration_corrected, step_impulses,
 };
+use super::cost_model::update_budget;
 use super::island_newton::{IslandBody, IslandSystem, SolveStats, Tolerances, max_or_nan};
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
+use super::{DirectSolver, IslandHistory, ReselectionTimer};
 use crate::math::plane::Pose;
 use crate::methods::SolverChoice;
-use crate::precise::Precise;
 use crate::precise::bodies::BodySet;
 use crate::precise::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactPoint, ParkedConstraint};
 use crate::precise::joints::joint_constraint::JointConstraint;
-use crate::precise::joints::mass_of_inverse;
+use crate::precise::joints::springs::SpringRows;
+use crate::precise::joints::{JointSystem, mass_of_inverse};
 use crate::precise::parameters::direct::{
     ACCEPTED_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_FRACTION, CYCLIC_PENETRATION_SPEED,
     CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, LATERAL_SLIP_MIN_SPEED,
     MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, PENETRATION_SLOP,
     PENETRATION_SLOP_PER_COORDINATE, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
-use crate::precise::scaled_parameters::StepContext;
+use crate::precise::scaled_parameters::{Parameters, StepContext};
 use crate::storage::reusing_clone::reusing_clone;
 
 /// One island of the direct solver: its system of equations, and its contact constraints, joints and springs. Lists stay
@@ -370,47 +371,87 @@ impl DirectIsland {
     }
 }
 
-impl Precise {
-    /// Solves all islands of the direct solver. [`store_direct`](Self::store_direct) later writes the solved velocities to the
-    /// bodies. Islands without an acceptable solution go to the iterative solver.
-    pub(in crate::precise) fn solve_direct(&mut self, step: &StepContext) {
-        let unit = f64::from(self.parameters.length_unit);
-        let seconds = [step.dt, step.h];
-        let has_changed = self.constraints.take_direct_change()
-            | (std::mem::replace(&mut self.direct_solver.step_lengths, seconds) != seconds);
-        for at in 0..self.direct_solver.count {
-            let mut island = std::mem::take(&mut self.direct_solver.islands[at]);
+/// The parts of the engine that the direct solver reads and writes for its islands.
+pub(in crate::precise) struct IslandSolver<'a> {
+    pub(in crate::precise) bodies: &'a BodySet,
+    pub(in crate::precise) constraints: &'a mut ConstraintGraph,
+    pub(in crate::precise) joints: &'a mut JointSystem,
+    pub(in crate::precise) springs: &'a mut SpringRows,
+    pub(in crate::precise) parameters: &'a Parameters,
+    pub(in crate::precise) step: &'a StepContext,
+    /// The user's choice of solvers for all islands.
+    pub(in crate::precise) choice: SolverChoice,
+    /// Whether the simulator has a depth axis (2.5D).
+    pub(in crate::precise) has_depth: bool,
+}
+
+impl DirectSolver {
+    /// Solves all islands of the direct solver. [`store`](Self::store) later writes the solved velocities to the bodies. Islands
+    /// without an acceptable solution go to the iterative solver. Returns whether there was one, so that contact constraints
+    /// must [move](Self::move_constraints).
+    pub(in crate::precise) fn solve(&mut self, mut solver: IslandSolver<'_>) -> bool {
+        let seconds = [solver.step.dt, solver.step.h];
+        let has_changed = solver.constraints.take_direct_change()
+            | (std::mem::replace(&mut self.step_lengths, seconds) != seconds);
+        let DirectSolver { islands, count, history, timer, .. } = self;
+        for island in &mut islands[..*count] {
             island.has_impulse_sum &= !has_changed;
-            let stats = self.solve_island(&mut island, step, unit);
-            self.record_stats(&island, stats);
+            let stats = solver.solve_island(island, history[island.system.members[0].body as usize]);
+            record_stats(history, timer, island, stats, solver.has_depth);
             island.newton_steps = stats.newton_steps;
-            self.direct_solver.islands[at] = island;
         }
-        self.release_unsolved(&step.load_adaptation);
+        self.release_unsolved()
     }
 
-    /// Solves one island: as a free articulation, as an island with joints, or as an island of contacts. Returns Newton steps,
-    /// residual and acceptance of the solution. `unit` is the length unit.
-    fn solve_island(&mut self, island: &mut DirectIsland, step: &StepContext, unit: f64) -> SolveStats {
-        island.was_articulation = false;
-        if island.has_joints() {
-            let steps = match island.is_free_articulation(&self.joints) {
-                true => match self.solve_articulation(island, step, unit) {
-                    stats if stats.is_solved => return stats,
-                    stats => stats.newton_steps,
-                },
-                false => 0,
-            };
-            let stats = self.solve_jointed_island(island, step, unit);
-            return SolveStats { newton_steps: steps + stats.newton_steps, ..stats };
+    /// Writes the velocities and displacements of the members of all islands to `bodies`, after a step of `dt` seconds.
+    pub(in crate::precise) fn store(&self, bodies: &mut BodySet, dt: f32) {
+        for DirectIsland { system, displacements, .. } in &self.islands[..self.count] {
+            for (member, displacement) in system.members.iter().zip(displacements) {
+                // Adding 0 removes negative zeros, which a body that cannot rotate may get here and a loaded snapshot never
+                // has.
+                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
+                let depth = member.depth_velocity as f32 + 0.0;
+                bodies.states[member.body as usize].velocity = [x, y, spin, depth];
+                let [x, y, turned] = displacement.map(|component| component as f32);
+                bodies.delta_pose[member.body as usize] = [x, y, turned, depth * dt];
+            }
         }
-        let Precise { bodies, constraints: rows, .. } = self;
-        let (dt, substeps, has_depth) = (f64::from(step.dt), f64::from(step.substeps), self.depth.is_some());
+    }
+}
+
+impl IslandSolver<'_> {
+    /// Returns the length unit, in the user's unit of length, > 0.
+    pub(super) fn length_unit(&self) -> f64 {
+        f64::from(self.parameters.length_unit)
+    }
+
+    /// Solves one island: as a free articulation, as an island with joints, or as an island of contacts. `history` is that of
+    /// its members. Returns Newton steps, residual and acceptance of the solution.
+    fn solve_island(&mut self, island: &mut DirectIsland, history: IslandHistory) -> SolveStats {
+        island.was_articulation = false;
+        if !island.has_joints() {
+            return self.solve_contact_island(island, history);
+        }
+        let steps = match island.is_free_articulation(self.joints) {
+            true => match self.solve_articulation(island) {
+                stats if stats.is_solved => return stats,
+                stats => stats.newton_steps,
+            },
+            false => 0,
+        };
+        let stats = self.solve_jointed_island(island, history.has_accepted_solution);
+        SolveStats { newton_steps: steps + stats.newton_steps, ..stats }
+    }
+
+    /// Solves an island of contacts, without joints and springs. `history` is that of its members. Returns Newton steps,
+    /// residual and acceptance of the solution.
+    fn solve_contact_island(&mut self, island: &mut DirectIsland, history: IslandHistory) -> SolveStats {
+        let unit = self.length_unit();
+        let IslandSolver { bodies, constraints: rows, parameters, step, has_depth, choice, .. } = self;
+        let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
         let slop = island.load_bodies(bodies, substeps, unit);
-        let IslandHistory { was_iterated, formed_by_motion, .. } =
-            self.direct_solver.history[island.system.members[0].body as usize];
         let velocity_tolerance =
-            unit * if was_iterated { MOVING_VELOCITY_ERROR } else { RESTING_VELOCITY_ERROR };
+            unit * if history.was_iterated { MOVING_VELOCITY_ERROR } else { RESTING_VELOCITY_ERROR };
         island.is_released = false;
         let reader = RowReader {
             bodies,
@@ -422,7 +463,7 @@ impl Precise {
             velocity_tolerance,
         };
         island.apply_warm_start(rows, &reader);
-        if !has_depth {
+        if !*has_depth {
             let [residual, deepest] = island.residual(rows, &reader);
             if residual <= velocity_tolerance && deepest <= slop {
                 island.keep_solution(rows, step, substeps);
@@ -431,44 +472,28 @@ impl Precise {
             }
             island.undo_residual(rows);
         }
-        island.make_contacts(rows, &reader, has_depth);
+        island.make_contacts(rows, &reader, *has_depth);
         let residual = island.system.begin_solve(dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
         let stats = if residual > velocity_tolerance {
-            island.system.solve(&Tolerances {
-                initial_residual: residual,
-                acceptable: if residual > unit * ACCEPTED_VELOCITY_ERROR {
-                    residual
-                } else {
-                    unit * ACCEPTED_VELOCITY_ERROR
-                },
-                sufficient: unit * SOLVED_VELOCITY_ERROR,
-                exact: unit * EXACT_VELOCITY_ERROR,
-                resting: unit * RESTING_VELOCITY_ERROR,
-                moving_cycles: unit * CYCLIC_VELOCITY_ERROR,
-                max_newton_steps: 0,
-            })
+            island.system.solve(&contact_tolerances(residual, unit))
         } else {
             SolveStats { newton_steps: 0, residual, is_solved: true }
         };
-        let has_budget = island.has_cyclic_budget(has_depth);
-        island.is_released =
-            self.direct_solver.timer.choice != SolverChoice::Direct && !stats.is_solved && !has_budget;
+        let has_budget = island.has_cyclic_budget(*has_depth);
+        island.is_released = *choice != SolverChoice::Direct && !stats.is_solved && !has_budget;
         if island.is_released {
             island.system.scale_down_impulses(|at| {
                 let [x, y, spin, _] = free_velocity(bodies, at as usize, substeps);
                 [x, y, spin]
             });
         } else {
-            let resolved_fraction = if has_budget || (island.system.has_contact_cycles() && !formed_by_motion)
-            {
-                CYCLIC_PENETRATION_FRACTION
-            } else {
-                1.0
-            };
+            let has_built_cycles = island.system.has_contact_cycles() && !history.formed_by_motion;
+            let resolved_fraction =
+                if has_budget || has_built_cycles { CYCLIC_PENETRATION_FRACTION } else { 1.0 };
             let max_speed = if has_budget {
                 CYCLIC_PENETRATION_SPEED * unit
             } else {
-                f64::from(self.parameters.recovery_speed)
+                f64::from(parameters.recovery_speed)
             };
             let has_corrections =
                 island.system.resolve_penetration(dt, [slop, max_speed * dt], resolved_fraction);
@@ -478,59 +503,59 @@ impl Precise {
         island.store_solution(rows, substeps, step.h);
         stats
     }
+}
 
-    /// Stores the Newton steps or the modelled cost of an update in the island history of each member. An island with too many
-    /// Newton steps, an overdrawn budget or no accepted solution goes to the iterative solver for a pause.
-    ///
-    /// Islands that may jam get no pause below [`DEPTH_NEWTON_LIMIT`]: a direct solution in every other update is better than
-    /// the iterative solver.
-    fn record_stats(
-        &mut self,
-        island: &DirectIsland,
-        SolveStats { newton_steps: steps, is_solved, .. }: SolveStats,
-    ) {
-        let has_depth = self.depth.is_some();
-        if island.has_joints() || island.has_cyclic_budget(has_depth) {
-            return self.update_budget(island, steps, is_solved);
-        }
-        let (system, contacts) = (&island.system, island.contact_handles.len());
-        let bodies = system.members.len();
-        let mut history = self.direct_solver.history[system.members[0].body as usize];
-        history.average_newton_steps +=
-            (steps as f32 - history.average_newton_steps) / NEWTON_AVERAGE_UPDATES;
-        history.was_iterated = steps > 0;
-        let has_cycles = usize::from(contacts > bodies);
-        let by_size = NEWTON_LIMIT[has_cycles] + NEWTON_LIMIT_PER_BODY[has_cycles] * bodies as f32;
-        let max_steps = if has_depth { DEPTH_NEWTON_LIMIT } else { by_size };
-        let timer = &mut self.direct_solver.timer;
-        if (history.average_newton_steps > max_steps || !is_solved) && timer.choice != SolverChoice::Direct {
-            let stays =
-                history.average_newton_steps <= DEPTH_NEWTON_LIMIT && system.may_jam(&island.contact_bodies);
-            timer.is_due |= !(is_solved && stays);
-            if !stays {
-                (history.average_newton_steps, history.pause) = (0.0, BUSY_ISLAND_PAUSE);
-                timer.has_paused = true;
-            }
-        }
-        for member in &system.members {
-            self.direct_solver.history[member.body as usize] = history;
+/// Returns the tolerances of an island of contacts. `residual` is its velocity residual before the solution, length units/s,
+/// and `unit` the length unit.
+fn contact_tolerances(residual: f64, unit: f64) -> Tolerances {
+    let acceptable = unit * ACCEPTED_VELOCITY_ERROR;
+    Tolerances {
+        initial_residual: residual,
+        acceptable: if residual > acceptable { residual } else { acceptable },
+        sufficient: unit * SOLVED_VELOCITY_ERROR,
+        exact: unit * EXACT_VELOCITY_ERROR,
+        resting: unit * RESTING_VELOCITY_ERROR,
+        moving_cycles: unit * CYCLIC_VELOCITY_ERROR,
+        max_newton_steps: 0,
+    }
+}
+
+/// Stores the Newton steps or the modelled cost of an update in the island history of each member. An island with too many
+/// Newton steps, an overdrawn budget or no accepted solution goes to the iterative solver for a pause. `histories` are indexed by
+/// body.
+///
+/// Islands that may jam get no pause below [`DEPTH_NEWTON_LIMIT`]: a direct solution in every other update is better than the
+/// iterative solver.
+fn record_stats(
+    histories: &mut [IslandHistory],
+    timer: &mut ReselectionTimer,
+    island: &DirectIsland,
+    stats: SolveStats,
+    has_depth: bool,
+) {
+    if island.has_joints() || island.has_cyclic_budget(has_depth) {
+        return update_budget(histories, timer, island, stats);
+    }
+    let SolveStats { newton_steps: steps, is_solved, .. } = stats;
+    let (system, contacts) = (&island.system, island.contact_handles.len());
+    let bodies = system.members.len();
+    let mut history = histories[system.members[0].body as usize];
+    history.average_newton_steps += (steps as f32 - history.average_newton_steps) / NEWTON_AVERAGE_UPDATES;
+    history.was_iterated = steps > 0;
+    let has_cycles = usize::from(contacts > bodies);
+    let by_size = NEWTON_LIMIT[has_cycles] + NEWTON_LIMIT_PER_BODY[has_cycles] * bodies as f32;
+    let max_steps = if has_depth { DEPTH_NEWTON_LIMIT } else { by_size };
+    if (history.average_newton_steps > max_steps || !is_solved) && timer.choice != SolverChoice::Direct {
+        let stays =
+            history.average_newton_steps <= DEPTH_NEWTON_LIMIT && system.may_jam(&island.contact_bodies);
+        timer.is_due |= !(is_solved && stays);
+        if !stays {
+            (history.average_newton_steps, history.pause) = (0.0, BUSY_ISLAND_PAUSE);
+            timer.has_paused = true;
         }
     }
-
-    /// Writes the velocities and displacements of the members of all islands of the direct solver to the bodies.
-    pub(in crate::precise) fn store_direct(&mut self, step: &StepContext) {
-        let Precise { direct_solver, bodies, .. } = self;
-        for DirectIsland { system, displacements, .. } in &direct_solver.islands[..direct_solver.count] {
-            for (member, displacement) in system.members.iter().zip(displacements) {
-                // Adding 0 removes negative zeros, which a body that cannot rotate may get here and a loaded snapshot never
-                // has.
-                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
-                let depth = member.depth_velocity as f32 + 0.0;
-                bodies.states[member.body as usize].velocity = [x, y, spin, depth];
-                let [x, y, turned] = displacement.map(|component| component as f32);
-                bodies.delta_pose[member.body as usize] = [x, y, turned, depth * step.dt];
-            }
-        }
+    for member in &system.members {
+        histories[member.body as usize] = history;
     }
 }
 

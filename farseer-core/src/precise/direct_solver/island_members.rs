@@ -3,28 +3,32 @@
 use super::DirectSolver;
 use super::constraint::{BodyIndices, FIXED};
 use super::island_io::DirectIsland;
+use super::island_newton::IslandBody;
 use super::lateral_friction::{clear_impulses, is_planar};
-use crate::precise::Precise;
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::Proxies;
-use crate::precise::constraint_graph::{ConstraintHandle, ContactConstraint};
+use crate::precise::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactConstraint};
 use crate::precise::island::union_find::UnionFind;
 use crate::precise::joints::JointSystem;
 use crate::precise::joints::springs::SpringRows;
 use crate::storage::order::{packed_key, sort_by_number_in};
 
-impl Precise {
+impl DirectSolver {
     /// Lists the contacts of each island of the direct solver, in ascending order of the creation numbers of their geoms. A
     /// contact that is not planar is left out, and its impulses are set to 0.
-    pub(super) fn list_contacts(&mut self) {
-        let Precise { direct_solver, pairs, proxies, constraints: rows, .. } = self;
-        let DirectSolver { islands, union_find, stats, keyed_items, sort_keys, .. } = direct_solver;
+    pub(in crate::precise) fn list_contacts(
+        &mut self,
+        pairs: &Pairs,
+        proxies: &Proxies,
+        rows: &mut ConstraintGraph,
+    ) {
+        let DirectSolver { islands, census, keyed_items, sort_keys, .. } = self;
         keyed_items.clear();
         let all = (0..pairs.awake_count)
             .filter(|&pair| pairs.all[pair].constraint.is_some_and(ConstraintHandle::is_in_direct_solver));
         keyed_items.extend(all.map(|pair| {
             let body = proxies.all[pairs.triggers[pair].proxies[1] as usize].body;
-            (stats[union_find.find(body) as usize].island_index.unwrap_or(0), pair as u32)
+            (census.stats_of(body).island_index.unwrap_or(0), pair as u32)
         }));
         // Island by island, and within an island by creation numbers.
         sort_by_number_in(sort_keys, keyed_items, |&(_, pair)| {
@@ -49,18 +53,18 @@ impl Precise {
         }
     }
 
-    /// Lists the joints and springs of each island of the direct solver in 2D, in the order of the joint list.
-    pub(super) fn list_joints(&mut self) {
-        let Precise { direct_solver, joints, springs, depth, .. } = self;
-        let DirectSolver { islands, union_find, stats, history, .. } = direct_solver;
+    /// Lists the joints and springs of each island of the direct solver, in the order of the joint list. It is called in 2D
+    /// only.
+    pub(in crate::precise) fn list_joints(&mut self, joints: &JointSystem, springs: &SpringRows) {
+        let DirectSolver { islands, census, history, .. } = self;
         let of_joints = joints.candidates().map(|joint| (joint, false));
         let all = of_joints.chain(springs.candidates().map(|spring| (spring, true)));
-        for (joint, is_spring) in all.filter(|_| depth.is_none()) {
+        for (joint, is_spring) in all {
             let Some(body) = joint.first_dynamic_body() else { continue };
             if !history.get(body as usize).is_some_and(|entry| entry.is_direct) {
                 continue;
             }
-            let Some(place) = stats[union_find.find(body) as usize].island_index else { continue };
+            let Some(place) = census.stats_of(body).island_index else { continue };
             let DirectIsland { system, joints, joint_bodies, springs, spring_bodies, .. } =
                 &mut islands[place as usize];
             let member_of = |body: u32| system.members.binary_search_by_key(&body, |member| member.body);
@@ -71,6 +75,23 @@ impl Precise {
             list.push(joint.joint);
             ends.push(BodyIndices { bodies, block: entry });
         }
+    }
+}
+
+impl DirectIsland {
+    /// Clears all lists of the island, and makes `members` its members: pairs of the union-find root and a body index.
+    pub(super) fn begin(&mut self, members: &[(u32, u32)]) {
+        self.contact_handles.clear();
+        self.contact_bodies.clear();
+        self.joints.clear();
+        self.joint_bodies.clear();
+        self.springs.clear();
+        self.spring_bodies.clear();
+        self.has_impulse_sum = false;
+        self.resting_bodies.clear();
+        let members = members.iter().map(|&(_, body)| IslandBody { body, ..IslandBody::default() });
+        self.system.members.clear();
+        self.system.members.extend(members);
     }
 }
 

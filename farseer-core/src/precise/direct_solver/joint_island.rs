@@ -9,12 +9,11 @@
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_constraint_impulses;
 use super::cost_model::max_newton_steps;
-use super::island_io::{DirectIsland, RestingBody, RowReader};
+use super::island_io::{DirectIsland, IslandSolver, RestingBody, RowReader};
 use super::island_newton::{IslandBody, IslandSystem, SolveStats, Tolerances, dot, max_or_nan};
 use super::joint::JointRows;
 use super::mat3::Vec3;
 use crate::methods::SolverChoice;
-use crate::precise::Precise;
 use crate::precise::bodies::BodySet;
 use crate::precise::constraint_graph::{ConstraintGraph, ContactConstraint};
 use crate::precise::joints::island_rows::StepInterval;
@@ -27,18 +26,13 @@ use crate::precise::parameters::direct::{
     JOINT_ERROR_PROGRESS, JOINTED_PENETRATION_RATE, JOINTED_PENETRATION_SPEED, LATERAL_SLIP_MIN_SPEED,
     MOVING_VELOCITY_ERROR, POSITION_CORRECTIONS, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
-use crate::precise::scaled_parameters::StepContext;
 
-impl Precise {
-    /// Solves an island with joints. `unit` is the length unit. Returns the number of Newton steps, the velocity residual and
-    /// whether the solution is accepted.
-    pub(super) fn solve_jointed_island(
-        &mut self,
-        island: &mut DirectIsland,
-        step: &StepContext,
-        unit: f64,
-    ) -> SolveStats {
-        let Precise { bodies, constraints: rows, joints, springs, direct_solver, parameters, .. } = self;
+impl IslandSolver<'_> {
+    /// Solves an island with joints. `was_solved` is its [`has_accepted_solution`](super::IslandHistory::has_accepted_solution).
+    /// Returns the number of Newton steps, the velocity residual and whether the solution is accepted.
+    pub(super) fn solve_jointed_island(&mut self, island: &mut DirectIsland, was_solved: bool) -> SolveStats {
+        let (unit, is_optional) = (self.length_unit(), self.choice != SolverChoice::Direct);
+        let IslandSolver { bodies, constraints: rows, joints, springs, parameters, step, .. } = self;
         if island.is_unchanged_at_rest(bodies, joints, rows) {
             island.joints.iter().for_each(|&at| joints.mark_solved(at));
             return SolveStats { newton_steps: 0, residual: 0.0, is_solved: true };
@@ -48,8 +42,6 @@ impl Precise {
         island.resting_bodies.reserve(island.system.members.len());
         island.separations.reserve(island.contact_handles.len().saturating_sub(island.separations.len()));
         let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
-        let is_optional = direct_solver.timer.choice != SolverChoice::Direct;
-        let was_solved = direct_solver.history[island.system.members[0].body as usize].has_accepted_solution;
         let slop = island.load_bodies(bodies, substeps, unit);
         let mut reader = RowReader {
             bodies,

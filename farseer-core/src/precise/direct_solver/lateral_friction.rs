@@ -14,7 +14,6 @@ use super::contact::FRICTION;
 use super::island_io::finite_or_zero;
 use super::island_newton::{IslandBody, IslandSystem};
 use crate::math::plane::{Vector, dot};
-use crate::precise::Precise;
 use crate::precise::constraint_graph::{ContactConstraint, ContactConstraintZ};
 use crate::precise::parameters::direct::{
     HEAVY_MASS_RATIO, LATERAL_FRICTION_CONVERGED, LATERAL_FRICTION_SWEEPS, SUPPORT_NORMAL_SQUARED,
@@ -155,25 +154,21 @@ impl IslandSystem {
     }
 }
 
-impl Precise {
-    /// Returns whether a contact excludes a solution of its island in the plane: it is not planar, and its bodies approach so
-    /// fast that one more step would make its penetration greater than `separation_refresh_distance`. `velocities` are those of
-    /// A and B: x, y (length units/s), angular (radians/s), depth axis (length units/s).
-    #[inline(never)]
-    pub(super) fn blocks_planar_solution(
-        &self,
-        contact: &ContactConstraint,
-        velocities: [[f32; 4]; 2],
-    ) -> bool {
-        if is_planar(contact) {
-            return false;
-        }
-        // Angular velocities are left out: rotation hardly moves bodies towards such contacts.
-        let [[ax, ay, _, az], [bx, by, _, bz]] = velocities;
-        let along = dot(contact.normal, [bx - ax, by - ay]) + contact.depth.normal_z * (bz - az);
-        contact
-            .points
-            .iter()
-            .any(|point| point.separation + self.dt * along < -self.parameters.separation_refresh_distance)
+/// Returns whether a contact excludes a solution of its island in the plane: it is not planar, and its bodies approach too fast.
+/// Then its penetration would exceed `max_penetration` (length units) after a further step of `dt` seconds. `velocities` are
+/// those of A and B: x, y (length units/s), angular (radians/s), depth axis (length units/s).
+#[inline(never)]
+pub(super) fn blocks_planar_solution(
+    contact: &ContactConstraint,
+    velocities: [[f32; 4]; 2],
+    dt: f32,
+    max_penetration: f32,
+) -> bool {
+    if is_planar(contact) {
+        return false;
     }
+    // Angular velocities are left out: rotation hardly moves bodies towards such contacts.
+    let [[ax, ay, _, az], [bx, by, _, bz]] = velocities;
+    let along = dot(contact.normal, [bx - ax, by - ay]) + contact.depth.normal_z * (bz - az);
+    contact.points.iter().any(|point| point.separation + dt * along < -max_penetration)
 }

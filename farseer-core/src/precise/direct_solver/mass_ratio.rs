@@ -15,7 +15,7 @@ use super::IslandStats;
 use super::constraint::{BodyIndices, FIXED};
 use super::island_newton::IslandSystem;
 use super::lateral_friction::is_heavy_on_light;
-use crate::precise::Precise;
+use super::selection::SolverSelection;
 use crate::precise::constraint_graph::ContactConstraint;
 use crate::precise::parameters::direct::{
     CYCLIC_DEPTH_ISLAND_BODIES, HEAVY_MASS_RATIO, JAMMING_MASS_RATIO, LOADED_TOWER_BODIES,
@@ -50,14 +50,14 @@ impl IslandSystem {
     }
 }
 
-impl Precise {
+impl SolverSelection<'_> {
     /// Returns two facts about a contact. The first is whether a heavy body lies on a light one. The second, only in 2D, is
     /// whether a body above [`JAMMING_MASS_RATIO`] presses on a light one from any side.
     ///
     /// In 2D the light body must have other constraints: two bodies that meet in the air do well in the iterative solver.
     pub(super) fn classify_load(&self, contact: &ContactConstraint) -> [bool; 2] {
         let [a, b] = contact.inverse_masses;
-        if self.depth.is_some() {
+        if self.has_depth {
             return [is_heavy_on_light([a, b], contact.normal, self.gravity_delta), false];
         }
         let light = if a < b { contact.b } else { contact.a };
@@ -75,11 +75,7 @@ impl Precise {
     /// sizes heavy bodies come to lie on light ones in every update; solver selection for them would take half as long as all
     /// other stages of the update.
     pub(super) fn heavy_mass_ratio(&self) -> f32 {
-        if self.depth.is_some() || self.has_few_awake_bodies() {
-            HEAVY_MASS_RATIO
-        } else {
-            JAMMING_MASS_RATIO
-        }
+        if self.has_depth || self.has_few_awake_bodies { HEAVY_MASS_RATIO } else { JAMMING_MASS_RATIO }
     }
 
     /// Returns whether a contact of the iterative solver has a heavy body on a light one or may jam, by
@@ -91,7 +87,7 @@ impl Precise {
                 let differs = || {
                     let inverse_masses = self
                         .pairs
-                        .bodies_of(&self.proxies, pair)
+                        .bodies_of(self.proxies, pair)
                         .map(|(body, _)| self.bodies.inverse_mass_inertia[body][0]);
                     exceeds_mass_ratio(inverse_masses, HEAVY_MASS_RATIO)
                 };

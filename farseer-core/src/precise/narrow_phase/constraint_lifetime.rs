@@ -5,8 +5,10 @@
 
 use super::NarrowPhase;
 use crate::math::plane::Vector;
-use crate::precise::broad_phase::pairs::UPDATED_BY_SOLVER;
-use crate::precise::constraint_graph::{ConstraintHandle, ContactConstraint, ParkedConstraint};
+use crate::precise::broad_phase::pairs::{Pairs, UPDATED_BY_SOLVER};
+use crate::precise::constraint_graph::{
+    ConstraintGraph, ConstraintHandle, ContactConstraint, ParkedConstraint,
+};
 use crate::precise::direct_solver::{is_heavy_on_light, is_support_normal};
 
 impl NarrowPhase<'_> {
@@ -34,7 +36,7 @@ impl NarrowPhase<'_> {
         self.palette.set_color(kind, [a, b], color, false);
         self.direct.note_constraint_change([a, b], self.depth.is_some());
         self.constraints.remove(kind, handle);
-        self.update_moved_handles();
+        update_moved_handles(self.pairs, self.constraints);
     }
 
     /// Returns whether a heavy body of the pair would rest on a light one with the contact normal `normal` (unit, from A to B).
@@ -55,14 +57,6 @@ impl NarrowPhase<'_> {
             self.bodies.inverse_mass_inertia[body as usize][0]
         });
         is_heavy_on_light(inverse_masses, normal, self.gravity_delta)
-    }
-
-    /// Stores in the pairs the new handles of contact constraints that the constraint graph has moved to fill gaps in its
-    /// lists.
-    fn update_moved_handles(&mut self) {
-        for (pair, handle) in self.constraints.drain_moved() {
-            self.pairs.all[pair as usize].constraint = Some(handle);
-        }
     }
 
     /// Removes a pair with its contact constraint, and emits an end-touch event if the pair touched. Sleeping bodies of a pair
@@ -159,28 +153,7 @@ impl NarrowPhase<'_> {
             && (self.depth.is_none()
                 || handle.is_in_direct_solver()
                 || self.is_heavy_on_light(pair, self.pairs.manifolds[pair].normal));
-        self.set_handle(pair, moved);
-    }
-
-    /// Parks the contact constraint of a pair for the direct solver if `is_direct`, else returns it to the constraint graph of
-    /// the iterative solver. `h` is the length of the present substeps in seconds. A parked constraint stores it, and on the
-    /// return the impulses of the constraint are scaled to it.
-    pub(in crate::precise) fn move_to_direct_solver(&mut self, pair: usize, is_direct: bool, h: f32) {
-        let kind = self.pairs.all[pair].kind;
-        let Some(handle) = self.pairs.all[pair].constraint else { return };
-        let moved = if is_direct {
-            self.constraints.park(kind, handle, true, h)
-        } else {
-            self.constraints.unpark(kind, handle, h)
-        };
-        self.set_handle(pair, moved);
-    }
-
-    /// Stores in a pair the new handle of its contact constraint, which was moved, and then the handles of constraints that
-    /// filled the gap.
-    fn set_handle(&mut self, pair: usize, handle: ConstraintHandle) {
-        self.pairs.all[pair].constraint = Some(handle);
-        self.update_moved_handles();
+        set_handle(self.pairs, self.constraints, pair, moved);
     }
 
     /// Restores the contact constraint of a pair from a snapshot, with its graph colour `color`; `set` fills in the stored
@@ -221,5 +194,36 @@ impl NarrowPhase<'_> {
             }
         };
         self.pairs.all[pair].constraint = Some(handle);
+    }
+}
+
+/// Parks the contact constraint of a pair for the direct solver if `is_direct`, else returns it to the constraint graph of the
+/// iterative solver. `h` is the length of the present substeps in seconds. A parked constraint stores it, and on the return the
+/// impulses of the constraint are scaled to it.
+pub(in crate::precise) fn move_to_direct_solver(
+    pairs: &mut Pairs,
+    constraints: &mut ConstraintGraph,
+    pair: usize,
+    is_direct: bool,
+    h: f32,
+) {
+    let kind = pairs.all[pair].kind;
+    let Some(handle) = pairs.all[pair].constraint else { return };
+    let moved =
+        if is_direct { constraints.park(kind, handle, true, h) } else { constraints.unpark(kind, handle, h) };
+    set_handle(pairs, constraints, pair, moved);
+}
+
+/// Stores in a pair the new handle of its contact constraint, which was moved, and then the handles of constraints that filled
+/// the gap.
+fn set_handle(pairs: &mut Pairs, constraints: &mut ConstraintGraph, pair: usize, handle: ConstraintHandle) {
+    pairs.all[pair].constraint = Some(handle);
+    update_moved_handles(pairs, constraints);
+}
+
+/// Stores in the pairs the new handles of contact constraints that the constraint graph has moved to fill gaps in its lists.
+fn update_moved_handles(pairs: &mut Pairs, constraints: &mut ConstraintGraph) {
+    for (pair, handle) in constraints.drain_moved() {
+        pairs.all[pair as usize].constraint = Some(handle);
     }
 }

@@ -14,7 +14,7 @@
 mod box_prefilter;
 mod build_constraint;
 pub(super) mod capsule;
-mod constraint_lifetime;
+pub(super) mod constraint_lifetime;
 mod contact_recycling;
 pub(super) mod flush_geoms;
 pub(super) mod ghost_filter;
