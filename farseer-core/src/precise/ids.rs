@@ -113,3 +113,24 @@ impl IdTable {
         first..first + count
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::IdTable;
+    use crate::body::BodyId;
+    use crate::storage::arena::Id;
+
+    #[test]
+    fn a_body_is_found_only_while_it_is_listed() {
+        let mut ids = IdTable::default();
+        ids.clear_bodies(4);
+        let (first, reused) = (BodyId::new(7, 0), BodyId::new(7, 1));
+        ids.add_body(2, first);
+        assert_eq!((ids.body_index(first), ids.body_index(reused)), (Some(2), None));
+        ids.remove_body(2);
+        assert_eq!(ids.body_index(first), None);
+        ids.add_body(5, reused);
+        assert_eq!((ids.body_index(first), ids.body_index(reused)), (None, Some(5)));
+        assert_eq!(ids.bodies, [None, None, None, None, None, Some(reused)]);
+    }
+}
