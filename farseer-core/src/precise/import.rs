@@ -366,7 +366,8 @@ impl Precise {
         self.sleep.reset(&self.bodies.ids[..self.bodies.first_static()]);
         self.keep_moving_boxes_awake();
         self.direct_solver.reset(self.bodies.states.len());
-        self.springs.clear_body_indices();
+        // The body indices in the springs have become invalid.
+        self.springs.clear();
         (1..=self.bodies.last_movable).for_each(|number| self.compute_extents(number, objects));
         self.restore(saved, objects, edits);
     }

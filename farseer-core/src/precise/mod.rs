@@ -29,6 +29,7 @@ mod fingerprint;
 mod import;
 mod integration;
 pub(crate) mod island;
+mod joint_import;
 mod joints;
 mod minimum_degree;
 mod narrow_phase;
@@ -37,13 +38,16 @@ mod saved;
 mod scaled_parameters;
 mod shape;
 mod sparse_ordering;
+mod spring_import;
 mod step;
 
 use serde::Deserialize;
 
 use crate::body::BodyId;
+use crate::body::entry::Bodies;
 use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
+use crate::joints::JointId;
 use crate::methods::SolverChoice;
 pub use crate::precise::island::report::Island;
 pub use crate::precise::island::report::IslandCost;
@@ -68,6 +72,7 @@ use continuous_collision::FastBody;
 use depth::{DepthState, FeatureGate};
 use direct_solver::DirectSolver;
 use direct_solver::selection::SolverSelection;
+use joint_import::{JointImport, JointTable};
 use joints::JointSystem;
 use joints::springs::SpringRows;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
@@ -115,6 +120,8 @@ pub(crate) struct Precise {
     color_usage: ColorUsage,
     /// Joints with their constraints and solvers.
     joints: JointSystem,
+    /// Ids of the joints in `joints`, and the springs that became constraint rows in this update.
+    joint_table: JointTable,
     /// Springs that the solvers treat as constraint rows in this update.
     springs: SpringRows,
     /// Sleep state of bodies and islands: rest times, rings of sleeping bodies, requests to wake.
@@ -174,7 +181,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         parameters, impulse_substep, dt, step_context, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
-        grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, body_indices, first_proxies, always_tested, disabled_bodies,
+        grid, pairs, constraints, color_usage, joints, joint_table, springs, sleep, direct_solver, depth, body_indices, first_proxies, always_tested, disabled_bodies,
         edited_bodies, edited_geoms, wake_requests, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
         pair_scratch, new_pairs,
         proxy_flags, touching_scratch
@@ -209,6 +216,7 @@ impl Precise {
             constraints: ConstraintGraph::default(),
             color_usage: ColorUsage::default(),
             joints: JointSystem::default(),
+            joint_table: JointTable::default(),
             springs: SpringRows::default(),
             sleep: SleepState::default(),
             direct_solver: DirectSolver::default(),
@@ -257,6 +265,27 @@ impl Precise {
                 <= IMMEDIATE_RESELECTION_BODIES,
             has_depth: self.depth.is_some(),
         }
+    }
+
+    /// Returns the import of joints and springs from the bodies `objects` of the game.
+    pub(crate) fn joint_import<'a>(&'a self, objects: &'a Bodies) -> JointImport<'a> {
+        JointImport::new(objects, (&self.bodies, &self.body_indices), &self.sleep, self.depth.as_ref())
+    }
+
+    /// Marks the joints as edited, so that the next step imports them again.
+    pub(crate) fn invalidate_joints(&mut self) {
+        self.joint_table.invalidate();
+    }
+
+    /// Returns whether some joint may break: it has a finite breakpoint (limit of its position error), or edited joints have
+    /// not been imported yet.
+    pub(crate) fn may_break_joints(&self) -> bool {
+        self.joint_table.may_break()
+    }
+
+    /// Returns the joint that was active in this update with this index; `None` if there is none.
+    pub(crate) fn joint_at(&self, index: usize) -> Option<JointId> {
+        self.joint_table.joint_at(index)
     }
 
     /// Sets the user's choice of solvers, from this update on.

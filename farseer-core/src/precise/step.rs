@@ -12,14 +12,17 @@ use super::bodies::{BodyForces, BodySet, read_body};
 use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
 use super::direct_solver::island_io::IslandSolver;
 use super::integration::{find_escaped_proxies, integrate_free_flight, integrate_poses};
+use super::joint_import::{JointImport, export_joints};
 use super::narrow_phase::NarrowPhaseStats;
 pub(crate) use super::scaled_parameters::StepContext;
 use super::scaled_parameters::{AabbMargin, LoadAdaptation};
+use super::spring_import::{SpringChoice, import_springs};
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::contact_solver::soft_step::{update_circle_contact, update_circle_contacts};
 use crate::report::{Event, Report};
+use crate::springs::{SpringForce, SpringId};
 
 /// AABB of the ground of `twohalf` (low x, low y, high x, high y, length units): all points with y >= 0, since y points down.
 const GROUND_BOUNDS: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
@@ -351,6 +354,70 @@ impl Precise {
             let unit = self.parameters.length_unit;
             finish_hinges(space, &mut self.bodies, &mut self.sleep, constraints, unit, step);
         }
+    }
+
+    /// Fourth stage of a step: moves the joint constraints to the poses of this step, prepares their solvers, and builds the
+    /// springs that are rows. Imports the joints first if one was edited.
+    pub(crate) fn import_joints(&mut self, objects: &Objects, step: &StepContext) {
+        let Precise { joint_table, joints, springs, bodies, body_indices, sleep, depth, .. } = self;
+        let import = JointImport::new(&objects.bodies, (bodies, body_indices), sleep, depth.as_ref());
+        let springs_signature = import_springs(joint_table, springs, import, objects);
+        joints.begin_update(self.parameters.length_unit);
+        import.reimport_joints(joint_table, joints, objects);
+        let (joints_signature, are_indices_new) = joint_table.take_signature();
+        self.direct_solver.note_joints(joints_signature ^ springs_signature, are_indices_new);
+        springs.begin_step(bodies, step.dt);
+        if joints.is_empty() {
+            return;
+        }
+        let all_touched = self.constraints.has_overflow();
+        let is_touched = |body: usize| {
+            all_touched || !self.color_usage.has_no_constraint(body) || springs.is_attached_to(body)
+        };
+        let import = JointImport::new(&objects.bodies, (bodies, body_indices), sleep, depth.as_ref());
+        import.prepare_joints(joint_table, joints, objects, step, is_touched);
+    }
+
+    /// Starts the springs of an update: clears the list of springs that are rows, and imports edited joints, by which
+    /// [`constrain_spring`](Self::constrain_spring) decides.
+    pub(crate) fn begin_springs(&mut self, objects: &Objects) {
+        let Precise { joint_table, joints, bodies, body_indices, sleep, depth, .. } = self;
+        joint_table.row_springs.clear();
+        if depth.is_none() && !objects.springs.list().is_empty() {
+            JointImport::new(&objects.bodies, (bodies, body_indices), sleep, None).reimport_joints(
+                joint_table,
+                joints,
+                objects,
+            );
+        }
+    }
+
+    /// Decides whether a spring is a row in this update, and adds it to the list of rows if so. Returns whether it is a row;
+    /// the caller must not apply the explicit forces `pushes` then.
+    pub(crate) fn constrain_spring(
+        &mut self,
+        id: SpringId,
+        pushes: [Option<SpringForce>; 2],
+        objects: &Objects,
+    ) -> bool {
+        if self.depth.is_some() {
+            return false;
+        }
+        let choice = SpringChoice {
+            import: self.joint_import(&objects.bodies),
+            joints: &self.joints,
+            pairs: &self.pairs,
+            proxies: &self.proxies,
+        };
+        let accelerations = choice.row_accelerations(&objects.springs[id], pushes);
+        self.joint_table.row_springs.extend(accelerations.map(|accelerations| (id, accelerations)));
+        accelerations.is_some()
+    }
+
+    /// Writes error, anchors and force to the joints in `objects`. Joints whose load exceeds their greatest force or torque
+    /// break, and `report` gets an event for each.
+    pub(crate) fn export_joints(&mut self, objects: &mut Objects, report: &mut Report) {
+        export_joints(&mut self.joint_table, &mut self.joints, objects, report);
     }
 
     /// Solver selection: computes islands and selects a solver for each island, if the selection is due. Otherwise it lists the

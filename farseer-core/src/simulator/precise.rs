@@ -177,7 +177,7 @@ impl PhysicsSimulator {
             if kept_joint.breakpoint() == f32::MAX || !kept_joint.enabled() {
                 continue;
             }
-            let Some(error) = precise.joint_error((joint, &*kept_joint), &objects.bodies) else { continue };
+            let Some(error) = precise.joint_import(&objects.bodies).joint_error(kept_joint) else { continue };
             kept_joint.set_error(error);
             if kept_joint.breaks() {
                 objects.has_edited_joints = true;

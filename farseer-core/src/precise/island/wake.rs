@@ -199,7 +199,7 @@ impl Precise {
     /// Requests that bodies wake whose joints have been added, removed or edited since the bodies fell asleep.
     #[inline]
     pub(in crate::precise) fn wake_for_changed_joints(&mut self, objects: &Objects) {
-        if self.sleep.count > 0 && !self.joints.are_imported() {
+        if self.sleep.count > 0 && !self.joint_table.are_imported() {
             self.wake_unless_joints_are_known(objects);
         }
     }
@@ -263,7 +263,7 @@ impl Precise {
             edited.contains(&second) || first.is_some_and(|first| edited.contains(&first))
         };
         let sleeping = self.sleep.joints.iter().map(|joint| joint.held.bodies);
-        if self.joints.bodies_of_unlisted().chain(sleeping).any(is_of) {
+        if self.joint_table.bodies_of_unlisted(&self.joints).chain(sleeping).any(is_of) {
             self.invalidate_joints();
         }
     }

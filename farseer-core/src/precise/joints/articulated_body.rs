@@ -18,7 +18,7 @@
 //! All numbers are `f64`: along a long chain the reciprocal of the inertia loses half of its digits.
 
 /// A vector in the plane: x and y.
-pub(super) type Vec2 = [f64; 2];
+pub(in crate::precise) type Vec2 = [f64; 2];
 
 /// Returns the scalar product of two vectors.
 #[inline(always)]
@@ -46,7 +46,7 @@ pub(super) fn add_scaled(a: Vec2, b: Vec2, s: f64) -> Vec2 {
 
 /// Degrees of freedom that a joint locks between a body and its parent in the tree, or how the root of a tree is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum LockedDofs {
+pub(in crate::precise) enum LockedDofs {
     /// Locks nothing: the body is the root of a free tree.
     #[default]
     Free,

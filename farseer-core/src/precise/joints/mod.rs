@@ -12,7 +12,7 @@
 //! The module reads joints of the simulator and poses and velocities of its bodies. It writes velocities and displacements of
 //! bodies, and forces of joints.
 
-mod articulated_body;
+pub(super) mod articulated_body;
 pub(super) mod articulation_step;
 mod block_pair;
 mod block_row;
@@ -22,7 +22,6 @@ mod forest;
 mod frame;
 pub(super) mod island_rows;
 pub(super) mod joint_constraint;
-pub(super) mod joint_import;
 mod revolute_tree;
 mod soft_block;
 mod soft_law;
@@ -36,8 +35,6 @@ use super::bodies::BodySet;
 use super::constraint_graph::ContactConstraintSimd;
 use super::direct_solver::joint::JointRows;
 use super::scaled_parameters::StepContext;
-use crate::body::BodyId;
-use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
 use articulated_body::{ArticulatedLink, LockedDofs, dot};
 use forest::{NO_TREE_INDEX, SpanningForest, TreeEntry};
@@ -52,14 +49,6 @@ use springs::SpringRows;
 pub(super) struct JointSystem {
     /// Active joints, which hold at least one dynamic body, in the order of the simulator's list of joints.
     constraints: Vec<JointConstraint>,
-    /// Whether `constraints` is up to date: no joint and no list of joints has been edited since the last import.
-    is_imported: bool,
-    /// Whether the joints were imported anew in this update, so that indices into `constraints` may have changed.
-    are_indices_new: bool,
-    /// [`signature`](Self::signature) of the joints that were imported last: a hash.
-    last_signature: u64,
-    /// Whether some joint has a finite breakpoint (limit of its position error).
-    may_break: bool,
     /// Articulations that are solved in the plane: in 2D all, in three axes those without a distance joint.
     articulation_list: Vec<Articulation>,
     /// For each joint index: index of the joint's articulation in `articulation_list`, or the length of that list if the joint
@@ -79,7 +68,7 @@ pub(super) struct JointSystem {
 
 reusing_clone! {
     JointSystem {
-        constraints, is_imported, are_indices_new, last_signature, may_break, articulation_list, articulation_of, tree_index_of, z_groups, spatial, soft, length_unit
+        constraints, articulation_list, articulation_of, tree_index_of, z_groups, spatial, soft, length_unit
     }
 }
 
@@ -127,12 +116,6 @@ impl JointCandidate {
     pub(super) fn first_dynamic_body(&self) -> Option<u32> {
         self.bodies.into_iter().find(|&body| body != 0)
     }
-}
-
-/// Returns a hash of the ids of the bodies A and B of a joint or spring; `None` is the world. Ids do not change with a restore.
-fn bodies_hash(bodies: [Option<BodyId>; 2]) -> u64 {
-    let [a, b] = bodies.map(|body| body.map_or(u64::MAX, BodyId::to_bits));
-    a.rotate_left(17) ^ b.rotate_left(41)
 }
 
 impl JointSystem {
@@ -201,18 +184,14 @@ impl JointSystem {
         self.constraints.is_empty()
     }
 
-    /// Returns a hash of the active joints, of their bodies and of the joint properties by which the direct solver accepts or
-    /// rejects islands (multiplicative hashing).
-    pub(super) fn signature(&self) -> u64 {
-        self.constraints.iter().fold(self.constraints.len() as u64, |sum, constraint| {
-            let [is_bounded, is_driven, is_row] =
-                [constraint.edge().is_bounded, constraint.drive.is_some(), constraint.fits_direct_solver()]
-                    .map(u64::from);
-            let word =
-                constraint.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
-            let word = word ^ bodies_hash([constraint.bodies.0, Some(constraint.bodies.1)]);
-            (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
-        })
+    /// Returns all active joints, in the order of the simulator's list of joints.
+    pub(super) fn constraints(&self) -> &[JointConstraint] {
+        &self.constraints
+    }
+
+    /// Returns all active joints for a change, in the order of the simulator's list of joints.
+    pub(super) fn constraints_mut(&mut self) -> &mut [JointConstraint] {
+        &mut self.constraints
     }
 
     /// Returns whether some joint holds the body with the index `body`.
@@ -243,7 +222,7 @@ impl JointSystem {
     /// linear. The unit of the speed is length units/s for linear motors and radians/s for rotary ones.
     pub(super) fn motors(&self) -> impl Iterator<Item = ([usize; 2], f32, bool)> + '_ {
         self.constraints.iter().filter_map(|constraint| {
-            let motor = constraint.drive?.motor().filter(|motor| motor.greatest_effort > 0.0)?;
+            let motor = constraint.drive?.motor.filter(|motor| motor.greatest_effort > 0.0)?;
             Some((
                 constraint.anchors.map(|anchor| anchor.pose_body as usize),
                 motor.speed,
@@ -252,24 +231,21 @@ impl JointSystem {
         })
     }
 
-    /// Returns both bodies of each active joint of which a body is not in the simulation; the first is `None` for the world.
-    pub(super) fn bodies_of_unlisted(&self) -> impl Iterator<Item = (Option<BodyId>, BodyId)> + '_ {
-        let is_unlisted = |constraint: &&JointConstraint| {
-            let [first, second] = constraint.anchors.map(|anchor| anchor.pose_body == 0);
-            second || (first && constraint.bodies.0.is_some())
-        };
-        self.constraints.iter().filter(is_unlisted).map(|hold| hold.bodies)
-    }
-
-    /// Returns whether no joint has been edited since the last import.
-    pub(super) fn are_imported(&self) -> bool {
-        self.is_imported
-    }
-
-    /// Returns whether some joint may break: it has a finite breakpoint (limit of its position error), or edited joints have
-    /// not been imported yet.
-    pub(super) fn may_break(&self) -> bool {
-        !self.is_imported || self.may_break
+    /// Replaces all joints by `joints`, at most `count`, and builds their articulations. `is_in_space` tells whether the
+    /// simulator has a depth axis.
+    pub(super) fn replace(
+        &mut self,
+        joints: impl Iterator<Item = JointConstraint>,
+        count: usize,
+        bodies: &BodySet,
+        is_in_space: bool,
+    ) {
+        self.constraints.clear();
+        self.z_groups.clear();
+        self.spatial.clear();
+        self.constraints.reserve(count);
+        self.constraints.extend(joints);
+        self.plan(bodies, is_in_space);
     }
 
     /// Builds the articulations, their trees and the groups in three axes from the imported joints.
@@ -326,8 +302,14 @@ impl JointSystem {
     /// Updates the joints in the plane to the poses of the bodies at the start of a step, and determines which articulations
     /// are free.
     ///
-    /// `is_touched` returns whether contacts or springs act on a body.
-    fn prepare(&mut self, bodies: &BodySet, objects: &Objects, is_touched: impl Fn(usize) -> bool) {
+    /// `is_touched` returns whether contacts or springs act on a body. `read` sets angle, axis and motor of a joint, by its
+    /// index.
+    pub(super) fn prepare(
+        &mut self,
+        bodies: &BodySet,
+        is_touched: impl Fn(usize) -> bool,
+        read: impl Fn(usize, &mut JointConstraint),
+    ) {
         let JointSystem { articulation_list: articulations, constraints, .. } = self;
         for articulation in articulations {
             // A compliant joint yields in every substep, so that it needs the solver's substeps.
@@ -336,35 +318,31 @@ impl JointSystem {
                 !is_soft && !articulation.bodies.iter().any(|&body| is_touched(body as usize));
             articulation.is_solved = false;
             if !articulation.is_free_revolute_tree() {
-                articulation.joints.iter().for_each(|&at| constraints[at as usize].update(bodies, objects));
+                for at in articulation.joints.iter().map(|&at| at as usize) {
+                    constraints[at].update(bodies, |constraint| read(at, constraint));
+                }
             }
         }
     }
 
-    /// Prepares the articulations with distance joints in three axes for a step. `is_touched` returns whether contacts or
-    /// springs act on a body, `depth_of` the position of a body along the depth axis in length units.
-    fn prepare_spatial(
+    /// Prepares the articulations with distance joints in three axes for a step. `is_touched` and `read` are as in
+    /// [`prepare`](Self::prepare). `depth_of` returns the z position of the body on a side (0 or 1) of a joint, by its index, in
+    /// length units.
+    pub(super) fn prepare_spatial(
         &mut self,
-        (bodies, objects): (&BodySet, &Objects),
-        (step, length_unit): (&StepContext, f32),
+        bodies: &BodySet,
+        step: &StepContext,
         is_touched: impl Fn(usize) -> bool,
-        depth_of: impl Fn(BodyId) -> f32,
+        read: impl Fn(usize, &mut JointConstraint),
+        depth_of: impl Fn(usize, usize) -> f32,
     ) {
         let times = [f64::from(step.dt), f64::from(step.h)];
         for group in &mut self.spatial {
-            group.joint_indices().for_each(|at| self.constraints[at].update(bodies, objects));
+            for at in group.joint_indices() {
+                self.constraints[at].update(bodies, |constraint| read(at, constraint));
+            }
             group.update_contact_free(&is_touched);
-            group.prepare(
-                &self.constraints,
-                bodies,
-                times,
-                f64::from(length_unit),
-                |constraint, side| match (side, constraint.bodies) {
-                    (0, (None, _)) => 0.0,
-                    (0, (Some(first), _)) => depth_of(first),
-                    (_, (_, second)) => depth_of(second),
-                },
-            );
+            group.prepare(&self.constraints, bodies, times, self.length_unit, &depth_of);
         }
     }
 
@@ -400,7 +378,7 @@ impl JointSystem {
 
     /// Starts an update: removes all joints and springs from the iterative solver. `length_unit` is the length unit of the
     /// simulator, in the user's units of length.
-    fn begin_update(&mut self, length_unit: f32) {
+    pub(super) fn begin_update(&mut self, length_unit: f32) {
         self.length_unit = f64::from(length_unit);
         self.soft.clear();
     }

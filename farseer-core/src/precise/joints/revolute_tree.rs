@@ -23,7 +23,7 @@ use super::articulation_step::{
     predict_spin_change, rotate, stable_stiffness,
 };
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
-use super::joint_constraint::{JointConstraint, to_vector2};
+use super::joint_constraint::JointConstraint;
 
 /// A link: a body in a tree of revolute joints. Parents come before their children in the list of links; a root is its own
 /// parent.
@@ -426,7 +426,8 @@ impl RevoluteLink {
         let offset = self.anchor_offset(parent);
         self.initial_error = dot(offset, offset).sqrt();
         constraint.error = self.initial_error as f32;
-        constraint.first_arm = to_vector2(if self.is_first { self.arm } else { self.parent_arm });
+        let first_arm = if self.is_first { self.arm } else { self.parent_arm };
+        constraint.first_arm = first_arm.map(|component| component as f32);
         let force = [constraint.force[0] * self.sign, constraint.force[1] * self.sign];
         self.geometric_stiffness = dt * dt * dot(self.arm, force);
         parent.geometric_stiffness -= dt * dt * dot(self.parent_arm, force);
