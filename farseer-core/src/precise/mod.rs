@@ -31,6 +31,7 @@ mod integration;
 pub(crate) mod island;
 mod joint_import;
 mod joints;
+mod mass;
 mod minimum_degree;
 mod narrow_phase;
 mod parameters;

@@ -10,7 +10,7 @@ use wide::f32x4;
 use super::Precise;
 use super::bodies::{BodyForces, BodySet, read_body};
 use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
-use super::direct_solver::island_io::IslandSolver;
+use super::direct_solver::island_solver::IslandSolver;
 use super::integration::{find_escaped_proxies, integrate_free_flight, integrate_poses};
 use super::joint_import::{JointImport, export_joints};
 use super::narrow_phase::NarrowPhaseStats;
@@ -430,7 +430,7 @@ impl Precise {
         }
         if has_depth {
             self.direct_solver.check_listed_contacts(&self.constraints);
-        } else if self.direct_solver.count_friction_checks(&self.sleep, self.bodies.last_movable)
+        } else if self.direct_solver.count_friction_checks(self.sleep.awake_bodies(self.bodies.last_movable))
             && self.solver_selection().has_slipping_contact()
         {
             self.direct_solver.timer.is_due = true;

@@ -9,16 +9,19 @@
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_constraint_impulses;
 use super::cost_model::max_newton_steps;
-use super::island_io::{DirectIsland, IslandSolver, RestingBody, RowReader};
-use super::island_newton::{IslandBody, IslandSystem, SolveStats, Tolerances, dot, max_or_nan};
+use super::island_body::{IslandBody, dot, max_or_nan};
+use super::island_io::{DirectIsland, RestingBody, RowReader};
+use super::island_newton::{IslandSystem, SolveStats, Tolerances};
+use super::island_solver::IslandSolver;
 use super::joint::JointRows;
 use super::mat3::Vec3;
 use crate::methods::SolverChoice;
 use crate::precise::bodies::BodySet;
 use crate::precise::constraint_graph::{ConstraintGraph, ContactConstraint};
+use crate::precise::joints::JointSystem;
 use crate::precise::joints::island_rows::StepInterval;
 use crate::precise::joints::springs::SpringRows;
-use crate::precise::joints::{INFINITE_MASS, JointSystem};
+use crate::precise::mass::INFINITE_MASS;
 use crate::precise::parameters::direct::{
     ACCEPTED_ENERGY_RATIO, ACCEPTED_ENERGY_SLACK, ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL,
     ACCEPTED_RESIDUAL_FRACTION, ACCEPTED_ROTATION, ACCEPTED_VELOCITY_ERROR, CORRECTION_ERROR_RATIO,

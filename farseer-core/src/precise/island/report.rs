@@ -9,7 +9,7 @@ use crate::math::plane::{Vector, difference, dot};
 use crate::methods::SolverChoice;
 use crate::objects::Objects;
 use crate::precise::Precise;
-use crate::precise::direct_solver::selection::IslandCensus;
+use crate::precise::direct_solver::island_stats::IslandCensus;
 use crate::precise::island::union_find::UnionFind;
 use crate::precise::narrow_phase::manifold::{Manifold, collide};
 use crate::storage::order::{packed_key, sort_by_number};

@@ -38,6 +38,12 @@ pub(super) fn perp(arm: Vec2) -> Vec2 {
     [-arm[1], arm[0]]
 }
 
+/// Returns the vector rotated by an angle that is given as cosine and sine.
+#[inline(always)]
+pub(super) fn rotate([c, s]: [f64; 2], [x, y]: Vec2) -> Vec2 {
+    [c * x - s * y, s * x + c * y]
+}
+
 /// Returns a + s b.
 #[inline(always)]
 pub(super) fn add_scaled(a: Vec2, b: Vec2, s: f64) -> Vec2 {

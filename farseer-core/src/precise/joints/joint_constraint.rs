@@ -4,8 +4,7 @@
 //! this folder and the direct solver read them and write their forces.
 
 use super::super::bodies::{BodySet, signed_angle};
-use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot};
-use super::articulation_step::rotate;
+use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot, rotate};
 
 /// One side of a joint: a body or the world, with the anchor on it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -89,6 +88,28 @@ pub(super) struct JointEdge {
     pub(super) bodies: [u32; 2],
     /// Whether the joint is bounded: it has a range of positions or a greatest impulse.
     pub(super) is_bounded: bool,
+}
+
+/// A joint or spring with the properties by which the direct solver decides whether to solve it.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::precise) struct JointCandidate {
+    /// Index of the joint into `JointSystem::constraints`, or of the spring into `SpringRows::constraints`.
+    pub(in crate::precise) joint: u32,
+    /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
+    pub(in crate::precise) bodies: [u32; 2],
+    /// Whether the articulation of the joint is free, so that the articulated-body algorithm can solve it.
+    pub(in crate::precise) is_free_articulation: bool,
+    /// Whether the direct solver can represent the joint by rows.
+    pub(in crate::precise) has_rows: bool,
+    /// Absolute position error of the joint when the step begins. Unit: length units for linear errors, radians for angles.
+    pub(in crate::precise) error: f32,
+}
+
+impl JointCandidate {
+    /// Returns the index of the first dynamic body of the joint; `None` if neither body is dynamic.
+    pub(in crate::precise) fn first_dynamic_body(&self) -> Option<u32> {
+        self.bodies.into_iter().find(|&body| body != 0)
+    }
 }
 
 /// A joint as a constraint in one step. Fields that every step reads and writes come first, so that long chains need few cache

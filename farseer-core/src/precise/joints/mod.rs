@@ -22,6 +22,7 @@ mod forest;
 mod frame;
 pub(super) mod island_rows;
 pub(super) mod joint_constraint;
+mod link_state;
 mod revolute_tree;
 mod soft_block;
 mod soft_law;
@@ -35,10 +36,12 @@ use super::bodies::BodySet;
 use super::constraint_graph::ContactConstraintSimd;
 use super::direct_solver::joint::JointRows;
 use super::scaled_parameters::StepContext;
+use crate::precise::mass::mass_of_inverse;
 use crate::storage::reusing_clone::reusing_clone;
-use articulated_body::{ArticulatedLink, LockedDofs, dot};
+use articulated_body::{ArticulatedLink, LockedDofs};
 use forest::{NO_TREE_INDEX, SpanningForest, TreeEntry};
-use joint_constraint::{JointAnchor, JointConstraint, JointEdge};
+pub(super) use joint_constraint::JointCandidate;
+use joint_constraint::{JointConstraint, JointEdge};
 use revolute_tree::{RevoluteLink, revolute_links};
 use soft_step::SoftJoints;
 use spatial_joints::{SpatialJointGroup, ZGroup, spatial_groups};
@@ -95,28 +98,6 @@ struct Articulation {
 }
 
 reusing_clone! { Articulation { links, bodies, joints, has_loop, revolute_links, is_contact_free, is_solved, substeps } }
-
-/// A joint or spring with the properties by which the direct solver decides whether to solve it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct JointCandidate {
-    /// Index of the joint into `JointSystem::constraints`, or of the spring into `SpringRows::constraints`.
-    pub(super) joint: u32,
-    /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
-    pub(super) bodies: [u32; 2],
-    /// Whether the articulation of the joint is free, so that the articulated-body algorithm can solve it.
-    pub(super) is_free_articulation: bool,
-    /// Whether the direct solver can represent the joint by rows.
-    pub(super) has_rows: bool,
-    /// Absolute position error of the joint when the step begins. Unit: length units for linear errors, radians for angles.
-    pub(super) error: f32,
-}
-
-impl JointCandidate {
-    /// Returns the index of the first dynamic body of the joint; `None` if neither body is dynamic.
-    pub(super) fn first_dynamic_body(&self) -> Option<u32> {
-        self.bodies.into_iter().find(|&body| body != 0)
-    }
-}
 
 impl JointSystem {
     /// Returns whether no joint needs the iterative solver: all articulations are free or solved by the direct solver.
@@ -360,7 +341,13 @@ impl JointSystem {
     pub(super) fn step_free_articulations(&mut self, bodies: &BodySet, step: &StepContext) {
         let has_generic_step = |group: &&mut Articulation| group.is_free() && !group.is_free_revolute_tree();
         for group in self.articulation_list.iter_mut().filter(has_generic_step) {
-            articulation_step::step_free_tree(group, &self.constraints, bodies, step, self.length_unit);
+            group.substeps = articulation_step::step_free_tree(
+                &mut group.links,
+                &self.constraints,
+                bodies,
+                step,
+                self.length_unit,
+            );
         }
         self.spatial.iter_mut().for_each(|group| group.free_step(&self.constraints, bodies, step));
     }
@@ -545,77 +532,4 @@ fn link_of(entry: &TreeEntry, constraints: &[JointConstraint], bodies: &BodySet)
         link.is_first = constraints[joint as usize].anchors[0].body == entry.body;
     }
     link
-}
-
-/// Mass or moment of inertia that stands for an infinite one. Unit: mass units; for a moment of inertia mass units * length
-/// units^2.
-///
-/// The value is so large that no impulse changes a velocity in `f64`. Value chosen; its sensitivity is not measured.
-pub(super) const INFINITE_MASS: f64 = 1e60;
-
-/// Returns a mass (mass units) or moment of inertia (mass units * length units^2) from its reciprocal; [`INFINITE_MASS`] for 0.
-pub(super) fn mass_of_inverse(inverse: f32) -> f64 {
-    if inverse > 0.0 { 1.0 / f64::from(inverse) } else { INFINITE_MASS }
-}
-
-/// Copies poses and velocities of bodies, and anchors and forces of joints, to the links at the start of a step. `h` is the
-/// solver's substep in seconds.
-///
-/// A fixed root takes position and velocity from the anchor of its joint.
-fn begin_links(links: &mut [ArticulatedLink], constraints: &[JointConstraint], bodies: &BodySet, h: f64) {
-    for at in 0..links.len() {
-        let link = &mut links[at];
-        link.begin_step(bodies);
-        if !link.locked.is_joint() {
-            // Rotating a zero arm could flip the sign of a zero.
-            link.arm = [0.0; 2];
-        } else {
-            let anchor = link.attach_to_joint(&constraints[link.joint as usize], h);
-            let (parent, max_arm_squared) = (link.parent as usize, dot(anchor.arm, anchor.arm));
-            links[parent].max_arm_squared = links[parent].max_arm_squared.max(max_arm_squared);
-            if links[parent].locked == LockedDofs::Fixed {
-                (links[parent].position, links[parent].velocity) = (anchor.position, anchor.velocity);
-            }
-        }
-    }
-}
-
-impl ArticulatedLink {
-    /// Returns the sign of the joint force on this body: 1 for the second body of the joint, -1 for the first. Dimensionless.
-    #[inline(always)]
-    fn joint_sign(&self) -> f64 {
-        if self.is_first { -1.0 } else { 1.0 }
-    }
-
-    /// Sets position and velocity of the link to those of its body at the start of a step, and its displacement to 0.
-    #[inline(always)]
-    fn begin_step(&mut self, bodies: &BodySet) {
-        let body = self.body as usize;
-        let ([x, y, ..], [vx, vy, spin, _]) = (bodies.poses[body], bodies.states[body].velocity);
-        self.position = [f64::from(x), f64::from(y)];
-        self.velocity = [vx, vy, spin].map(f64::from);
-        (self.delta_pose, self.max_arm_squared) = ([0.0; 3], 0.0);
-    }
-
-    /// Sets the arms, the target and the initial impulse of the link from its joint. `h` is the solver's substep in seconds, in
-    /// which the last force gives that impulse.
-    ///
-    /// Arms are vectors from the centres of mass to the anchors. Returns the parent's anchor.
-    #[inline(always)]
-    fn attach_to_joint<'a>(&mut self, constraint: &'a JointConstraint, h: f64) -> &'a JointAnchor {
-        let [first, second] = &constraint.anchors;
-        let (parent, child) = if self.is_first { (second, first) } else { (first, second) };
-        (self.arm, self.parent_arm) = (child.arm, parent.arm);
-        self.max_arm_squared = dot(self.arm, self.arm);
-        self.angle_error_or_length = match constraint.locked {
-            LockedDofs::Distance => constraint.range[1],
-            _ => self.joint_sign() * (constraint.angle - constraint.range[1]),
-        };
-        let impulse_of_force = self.joint_sign() * h;
-        self.impulse = constraint.force.map(|force| force * impulse_of_force);
-        self.total_impulse = [0.0; 3];
-        // Values that a snapshot does not contain must not influence the step, so the axis starts from a constant.
-        self.axis = if constraint.locked == LockedDofs::Line { constraint.axis } else { [1.0, 0.0] };
-        parent
-    }
 }

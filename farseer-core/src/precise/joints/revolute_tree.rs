@@ -16,11 +16,11 @@ use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
 use super::articulated_body::{
     ArticulatedInertia, ArticulatedLink, ArticulatedMomentum, LockedDofs, TreeNode, Vec2, add_scaled, cross,
-    dot, for_each_down, for_each_up, perp,
+    dot, for_each_down, for_each_up, perp, rotate,
 };
 use super::articulation_step::{
     SubstepPlan, clamped_remainder, cos_sin, max_spins, momentum_conserving_stiffness, nonlinear_rotation,
-    predict_spin_change, rotate, stable_stiffness,
+    predict_spin_change, stable_stiffness,
 };
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
 use super::joint_constraint::JointConstraint;

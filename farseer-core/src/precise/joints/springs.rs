@@ -23,10 +23,9 @@
 use super::super::bodies::BodySet;
 use super::super::direct_solver::constraint::{BodyIndices, FIXED};
 use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
-use super::JointCandidate;
 use super::articulated_body::LockedDofs;
 use super::frame::JointFrame;
-use super::joint_constraint::JointAnchor;
+use super::joint_constraint::{JointAnchor, JointCandidate};
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Springs that solvers treat as rows in this update, instead of explicit forces.

@@ -3,8 +3,8 @@
 //! The value of a row is a position error, a distance, an angle, or the coordinate that motor and limits act on. Velocities and
 //! Jacobians have four components: x, y, angular about z, and z, along the depth axis.
 
-use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp};
-use super::super::articulation_step::{cos_sin, rotate};
+use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
+use super::super::articulation_step::cos_sin;
 use super::super::forest::NO_TREE_INDEX;
 use super::super::joint_constraint::{JointConstraint, Limits, Motor};
 use crate::precise::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, MAX_POSITION_CORRECTION};
