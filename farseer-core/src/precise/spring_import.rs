@@ -60,7 +60,7 @@ impl SpringChoice<'_> {
 
     /// Returns whether the body with the index `body` has a contact constraint.
     fn has_contact(&self, body: usize) -> bool {
-        self.pairs.pairs_of_body(self.proxies, body).any(|pair| self.pairs.all[pair].constraint.is_some())
+        self.pairs.pairs_of_body(self.proxies, body).any(|pair| self.pairs.has_constraint(pair))
     }
 }
 

@@ -192,6 +192,24 @@ impl Pairs {
         })
     }
 
+    /// Returns kind and handle of the contact constraint of a pair; `None` if the pair has none.
+    #[inline(always)]
+    pub(in crate::precise) fn constraint(&self, pair: usize) -> Option<(ConstraintKind, ConstraintHandle)> {
+        let state = &self.all[pair];
+        state.constraint.map(|handle| (state.kind, handle))
+    }
+
+    /// Returns whether a pair has a contact constraint.
+    #[inline(always)]
+    pub(in crate::precise) fn has_constraint(&self, pair: usize) -> bool {
+        self.all[pair].constraint.is_some()
+    }
+
+    /// Returns the creation numbers of the geoms of a pair, packed: the order of pairs in lists.
+    pub(in crate::precise) fn creation_numbers(&self, proxies: &Proxies, pair: usize) -> u128 {
+        proxies.creation_numbers(self.triggers[pair].proxies)
+    }
+
     /// Returns the indices of the pairs of all proxies of a body. A pair between two proxies of the body does not exist.
     pub(in crate::precise) fn pairs_of_body<'a>(
         &'a self,

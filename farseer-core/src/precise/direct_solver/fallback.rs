@@ -34,7 +34,7 @@ impl DirectSolver {
         h: f32,
     ) {
         for pair in 0..pairs.awake_count {
-            let Some(handle) = pairs.all[pair].constraint else { continue };
+            let Some((_, handle)) = pairs.constraint(pair) else { continue };
             let body = pairs.bodies_of(proxies, pair)[1].0;
             let (is_direct, was_direct) = (self.is_direct(body), handle.is_in_direct_solver());
             if is_direct != was_direct {

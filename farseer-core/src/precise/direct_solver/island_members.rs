@@ -9,7 +9,7 @@ use super::island_io::DirectIsland;
 use super::lateral_friction::{clear_impulses, is_planar};
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::Proxies;
-use crate::precise::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactConstraint};
+use crate::precise::constraint_graph::{ConstraintGraph, ContactConstraint};
 use crate::precise::island::sleep::SleepState;
 use crate::precise::island::union_find::UnionFind;
 use crate::precise::joints::JointSystem;
@@ -138,18 +138,18 @@ impl DirectSolver {
         let DirectSolver { islands, census, keyed_items, sort_keys, .. } = self;
         keyed_items.clear();
         let all = (0..pairs.awake_count)
-            .filter(|&pair| pairs.all[pair].constraint.is_some_and(ConstraintHandle::is_in_direct_solver));
+            .filter(|&pair| pairs.constraint(pair).is_some_and(|(_, handle)| handle.is_in_direct_solver()));
         keyed_items.extend(all.map(|pair| {
-            let body = proxies.all[pairs.triggers[pair].proxies[1] as usize].body;
-            (census.stats_of(body).island_index.unwrap_or(0), pair as u32)
+            let [_, (body, _)] = pairs.bodies_of(proxies, pair);
+            (census.stats_of(body as u32).island_index.unwrap_or(0), pair as u32)
         }));
         // Island by island, and within an island by creation numbers.
         sort_by_number_in(sort_keys, keyed_items, |&(_, pair)| {
-            proxies.creation_numbers(pairs.triggers[pair as usize].proxies)
+            pairs.creation_numbers(proxies, pair as usize)
         });
         sort_by_number_in(sort_keys, keyed_items, |&(place, _)| place.into());
         for &(place, pair) in keyed_items.iter() {
-            let Some(handle) = pairs.all[pair as usize].constraint else { continue };
+            let Some((_, handle)) = pairs.constraint(pair as usize) else { continue };
             let DirectIsland { system, contact_handles, contact_bodies, .. } = &mut islands[place as usize];
             let contact = &mut rows.direct_constraint_mut(handle).constraint;
             if !is_planar(contact) {
@@ -221,9 +221,9 @@ pub(super) fn list_contact_edges(
     edges.clear();
     for (one, &(_, body)) in members.iter().enumerate() {
         for pair in pairs.pairs_of_body(proxies, body as usize) {
-            let [a, b] = pairs.triggers[pair].proxies.map(|proxy| proxies.all[proxy as usize].body);
+            let [a, b] = pairs.bodies_of(proxies, pair).map(|(body, _)| body as u32);
             let other = if a == body { b } else { a };
-            if pairs.all[pair].constraint.is_some() && body < other {
+            if pairs.has_constraint(pair) && body < other {
                 edges.extend(place(other).map(|other| [one as u32, other as u32]));
             }
         }

@@ -76,7 +76,6 @@ impl SolverSelection<'_> {
     pub(super) fn has_unsolved_load(&self) -> bool {
         self.has_large_mass_ratio()
             && (0..self.pairs.awake_count).any(|pair| {
-                let state = &self.pairs.all[pair];
                 let differs = || {
                     let inverse_masses = self
                         .pairs
@@ -84,9 +83,10 @@ impl SolverSelection<'_> {
                         .map(|(body, _)| self.bodies.inverse_mass_inertia[body][0]);
                     exceeds_mass_ratio(inverse_masses, HEAVY_MASS_RATIO)
                 };
-                let handle = state.constraint.filter(|home| !home.is_in_direct_solver() && differs());
-                handle.is_some_and(|handle| {
-                    self.classify_load(&self.constraints.get(state.kind, handle)).contains(&true)
+                let constraint = self.pairs.constraint(pair);
+                let iterative = constraint.filter(|(_, handle)| !handle.is_in_direct_solver() && differs());
+                iterative.is_some_and(|(kind, handle)| {
+                    self.classify_load(&self.constraints.get(kind, handle)).contains(&true)
                 })
             })
     }

@@ -82,18 +82,17 @@ impl SolverSelection<'_> {
     /// Returns whether the contact with index `pair` slips in the iterative solver. The result is false unless its body B is
     /// calm, was due for a friction check in this update, and belongs to an island built in place.
     fn is_slipping(&self, pair: usize) -> bool {
-        let state = self.pairs.all[pair];
         let body = self.pairs.bodies_of(self.proxies, pair)[1].0;
         let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } = self.history[body];
         let was_checked = friction_checks > 1
             && friction_check_in == 1 << (friction_checks - 1).min(FRICTION_CHECK_MAX_DOUBLINGS);
         let velocity = |body: u32| self.bodies.states[body as usize].velocity;
         let is_calm = || !self.exceeds_calm_speed(velocity(body as u32));
-        let handle = state
-            .constraint
-            .filter(|home| was_checked && !formed_by_motion && !home.is_in_direct_solver() && is_calm());
+        let constraint = self.pairs.constraint(pair).filter(|(_, handle)| {
+            was_checked && !formed_by_motion && !handle.is_in_direct_solver() && is_calm()
+        });
         let limit = SLIP_SPEED * self.parameters.length_unit;
-        handle.is_some_and(|home| slips(&self.constraints.get(state.kind, home), &velocity, limit))
+        constraint.is_some_and(|(kind, handle)| slips(&self.constraints.get(kind, handle), &velocity, limit))
     }
 
     /// Returns whether the linear velocity `x`, `y` (length units/s) of a body is faster than [`CALM_ISLAND_MAX_SPEED`].
@@ -133,8 +132,7 @@ impl SolverSelection<'_> {
     fn count_contacts(&self, census: &mut IslandCensus, velocity: &dyn Fn(u32) -> [f32; 4]) {
         let heavy_ratio = self.heavy_mass_ratio();
         for pair in 0..self.pairs.awake_count {
-            let state = self.pairs.all[pair];
-            let Some(handle) = state.constraint else { continue };
+            let Some((kind, handle)) = self.pairs.constraint(pair) else { continue };
             let [(one, mobility), (body, _)] = self.pairs.bodies_of(self.proxies, pair);
             let stats = census.stats_of(body as u32);
             stats.contacts += 1;
@@ -142,14 +140,14 @@ impl SolverSelection<'_> {
             stats.has_depth = self.has_depth;
             if !(stats.slips || stats.has_depth) {
                 stats.slips = slips(
-                    &self.constraints.get(state.kind, handle),
+                    &self.constraints.get(kind, handle),
                     velocity,
                     SLIP_SPEED * self.parameters.length_unit,
                 );
             }
             let inverse_masses = [one, body].map(|body| self.bodies.inverse_mass_inertia[body][0]);
             if self.has_restitution || stats.has_depth || exceeds_mass_ratio(inverse_masses, heavy_ratio) {
-                let contact = self.constraints.get(state.kind, handle);
+                let contact = self.constraints.get(kind, handle);
                 let velocities = [contact.a, contact.b].map(velocity);
                 stats.bounces |= self.bounces(&contact, velocities);
                 stats.has_nonplanar_contact |= self.blocks_planar_solution(&contact, velocities);
@@ -176,7 +174,7 @@ impl SolverSelection<'_> {
     /// Unites in `union_find` the dynamic bodies that contacts connect, and in 2D also those that joints and springs connect.
     fn unite_bodies(&self, union_find: &mut UnionFind) {
         union_find.reset(self.bodies.states.len());
-        for pair in (0..self.pairs.awake_count).filter(|&pair| self.pairs.all[pair].constraint.is_some()) {
+        for pair in (0..self.pairs.awake_count).filter(|&pair| self.pairs.has_constraint(pair)) {
             if let [(a, BodyType::Dynamic), (b, BodyType::Dynamic)] = self.pairs.bodies_of(self.proxies, pair)
             {
                 union_find.unite(a as u32, b as u32);

@@ -160,6 +160,11 @@ impl JointSystem {
         self.articulation_list[self.articulation_of[joint as usize] as usize].is_solved = true;
     }
 
+    /// Marks the articulations of `joints` as solved by the direct solver. `joints` are indices.
+    pub(super) fn mark_all_solved(&mut self, joints: &[u32]) {
+        joints.iter().for_each(|&joint| self.mark_solved(joint));
+    }
+
     /// Returns whether there is no active joint.
     pub(super) fn is_empty(&self) -> bool {
         self.constraints.is_empty()
