@@ -9,10 +9,11 @@
 //! [Springs](springs) at jointed or touched bodies are rows, too, of the direct or of the iterative solver. Articulations with
 //! a distance joint in three axes have solvers of their own: see [`spatial_joints`].
 //!
-//! The module reads joints of the simulator and poses and velocities of its bodies. It writes velocities and displacements of
-//! bodies, and forces of joints.
+//! The module reads joint constraints, and poses and velocities of bodies. It writes velocities and displacements of bodies, and
+//! forces of joints.
 
 pub(super) mod articulated_body;
+mod articulation;
 pub(super) mod articulation_step;
 mod block_pair;
 mod block_row;
@@ -36,13 +37,12 @@ use super::bodies::BodySet;
 use super::constraint_graph::ContactConstraintSimd;
 use super::direct_solver::joint::JointRows;
 use super::scaled_parameters::StepContext;
-use crate::precise::mass::mass_of_inverse;
 use crate::storage::reusing_clone::reusing_clone;
-use articulated_body::{ArticulatedLink, LockedDofs};
-use forest::{NO_TREE_INDEX, SpanningForest, TreeEntry};
+use articulated_body::LockedDofs;
+use articulation::Articulation;
+use forest::{NO_TREE_INDEX, SpanningForest};
 pub(super) use joint_constraint::JointCandidate;
 use joint_constraint::{JointConstraint, JointEdge};
-use revolute_tree::{RevoluteLink, revolute_links};
 use soft_step::SoftJoints;
 use spatial_joints::{SpatialJointGroup, ZGroup, spatial_groups};
 use springs::SpringRows;
@@ -74,30 +74,6 @@ reusing_clone! {
         constraints, articulation_list, articulation_of, tree_index_of, z_groups, spatial, soft, length_unit
     }
 }
-
-/// An articulation: dynamic bodies that joints connect, and these joints.
-#[derive(Debug, Default)]
-struct Articulation {
-    /// The links of the articulation's trees. Empty if a joint is no edge of a tree: it closes a loop, or has a motor, limits
-    /// or a greatest impulse.
-    links: Vec<ArticulatedLink>,
-    /// Indices of the dynamic bodies into the arrays of `BodySet`.
-    bodies: Vec<u32>,
-    /// Indices of the joints into `JointSystem::constraints`.
-    joints: Vec<u32>,
-    /// Whether joints without a range and without a greatest impulse close a loop.
-    has_loop: bool,
-    /// The bodies and joints of `links` as revolute links, if all joints are rigid revolute joints; else empty.
-    revolute_links: Vec<RevoluteLink>,
-    /// Whether no contact, spring or compliant joint acts on a body of the articulation in this step.
-    is_contact_free: bool,
-    /// Whether the direct solver has solved the articulation in this step.
-    is_solved: bool,
-    /// Number of substeps into which the articulation divided its last step without contacts.
-    substeps: u32,
-}
-
-reusing_clone! { Articulation { links, bodies, joints, has_loop, revolute_links, is_contact_free, is_solved, substeps } }
 
 impl JointSystem {
     /// Returns whether no joint needs the iterative solver: all articulations are free or solved by the direct solver.
@@ -227,8 +203,6 @@ impl JointSystem {
         is_in_space: bool,
     ) {
         self.constraints.clear();
-        self.z_groups.clear();
-        self.spatial.clear();
         self.constraints.reserve(count);
         self.constraints.extend(joints);
         self.plan(bodies, is_in_space);
@@ -255,27 +229,8 @@ impl JointSystem {
             // A mark that some joint holds the body; the index itself is not used.
             tree_index_of[body as usize] = 0;
         }
-        let constraints = &self.constraints;
-        let articulation = |plan: forest::ArticulationPlan| {
-            let dynamic_bodies =
-                plan.entries.iter().map(|entry| entry.body).filter(|&body| body != 0).collect();
-            let has_drive = |&at: &u32| constraints[at as usize].drive.is_some();
-            let is_tree = plan.non_tree_joints.is_empty() && !plan.joints.iter().any(has_drive);
-            let entries = if is_tree { &plan.entries[..] } else { &[] };
-            let links: Vec<ArticulatedLink> =
-                entries.iter().map(|seat| link_of(seat, constraints, bodies)).collect();
-            let revolute_links = revolute_links(&links, constraints);
-            let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at as usize].edge().is_bounded);
-            Articulation {
-                links,
-                bodies: dynamic_bodies,
-                joints: plan.joints,
-                has_loop,
-                revolute_links,
-                ..Articulation::default()
-            }
-        };
-        self.articulation_list = plans.into_iter().map(articulation).collect();
+        let articulations = plans.into_iter().map(|plan| Articulation::new(plan, &self.constraints, bodies));
+        self.articulation_list = articulations.collect();
         self.articulation_of.clear();
         self.articulation_of.resize(self.constraints.len(), self.articulation_list.len() as u32);
         for (at, group) in self.articulation_list.iter().enumerate() {
@@ -494,47 +449,4 @@ impl JointSystem {
             }
         }
     }
-}
-
-impl Articulation {
-    /// Returns whether the articulation moves as a free tree of revolute joints in this step.
-    fn is_free_revolute_tree(&self) -> bool {
-        self.is_free() && !self.revolute_links.is_empty()
-    }
-
-    /// Returns whether all joints of the articulation are edges of trees: none closes a loop or has a motor, limits or a
-    /// greatest impulse.
-    fn is_tree(&self) -> bool {
-        !self.links.is_empty()
-    }
-
-    /// Returns whether the direct and the iterative solver leave the articulation to the articulated-body algorithm: it is a
-    /// tree, it has no contacts, and the direct solver has not solved it.
-    fn is_free(&self) -> bool {
-        self.is_contact_free && self.is_tree() && !self.is_solved
-    }
-
-    /// Returns whether the iterative solver solves the joints of the articulation in this step.
-    fn is_iterative(&self) -> bool {
-        !(self.is_solved || self.is_free())
-    }
-}
-
-/// Returns the link of a tree entry: masses and indices of its body, and the degrees of freedom that its joint locks.
-fn link_of(entry: &TreeEntry, constraints: &[JointConstraint], bodies: &BodySet) -> ArticulatedLink {
-    let [mass, inertia] = bodies.inverse_mass_inertia[entry.body as usize].map(mass_of_inverse);
-    let mut link = ArticulatedLink {
-        body: entry.body,
-        parent: entry.parent,
-        locked: if entry.body == 0 { LockedDofs::Fixed } else { LockedDofs::Free },
-        mass,
-        inertia,
-        ..ArticulatedLink::default()
-    };
-    if let Some(joint) = entry.joint {
-        (link.joint, link.locked) = (joint, constraints[joint as usize].locked);
-        // The joint's force acts on its second body. In a tree it acts on the child.
-        link.is_first = constraints[joint as usize].anchors[0].body == entry.body;
-    }
-    link
 }
