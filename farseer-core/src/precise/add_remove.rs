@@ -1,4 +1,4 @@
-//! Addition and removal of bodies and geoms without a rebuild of all lists.
+//! Adapter: addition and removal of bodies and geoms without a rebuild of all lists.
 //!
 //! New bodies and proxies are appended; removed ones leave an empty position. The state is bit-identical to that after a
 //! [rebuild](Precise::rebuild), and the cost is proportional to the number of changes, beside one scan of the lists. With
@@ -6,11 +6,12 @@
 //! the simulator and writes bodies, proxies, pairs, constraints and sleep.
 
 use super::Precise;
-use super::depth::interface::is_geom;
-use super::import::{NOT_LISTED, set_entry};
+use super::body_import::listed_body;
+use super::ids::geom_of;
+use super::listed::Listed;
 use crate::body::BodyId;
-use crate::geom::GeomId;
 use crate::objects::Objects;
+use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::broad_phase::query_candidates::AlwaysTested;
 use crate::precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 
@@ -34,8 +35,9 @@ impl Precise {
     /// Applies additions and removals of bodies and geoms to the lists. Returns whether that was possible. If it returns false,
     /// nothing is changed and a rebuild is needed: there are other changes, too, or the lists have no capacity left.
     pub(super) fn apply_add_remove(&mut self, objects: &Objects) -> bool {
-        let diff = MembershipDiff::new(self, objects)
-            .filter(|diff| !diff.involves_one_way(self, objects) && diff.has_capacity(self, objects));
+        let listed = self.listed(objects);
+        let diff = MembershipDiff::new(&listed, self.world_proxy_count())
+            .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.grid));
         let Some(members) = diff else { return false };
         self.remove_members(&members);
         for &id in &members.added_bodies {
@@ -50,11 +52,9 @@ impl Precise {
             }
         }
         self.update_list_positions(&members, objects);
-        self.disabled_bodies = members.disabled_bodies;
+        self.edits.disabled_bodies = members.disabled_bodies;
         self.invalidate_joints();
-        let mut joints = std::mem::take(&mut self.sleep.joints);
-        joints.retain(|joint| self.holds_sleeping_body(joint));
-        self.sleep.joints = joints;
+        self.drop_joints_of_awake();
         self.sleep.update_runs(&self.proxies);
         true
     }
@@ -71,7 +71,7 @@ impl Precise {
         pairs.dedup();
         for pair in pairs.into_iter().rev() {
             if self.pairs.all[pair].constraint.is_some() {
-                self.pair_support_removed(pair);
+                self.sleep.support_of_pair_removed(self.pairs.bodies_of(&self.proxies, pair));
             }
             self.narrow_phase().end_touch_event(pair);
             self.narrow_phase().delete_pair(pair);
@@ -79,10 +79,10 @@ impl Precise {
         self.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
         for &proxy in removed_proxies {
             let (geom, body) =
-                (self.proxies.all[proxy as usize].geom, self.proxies.all[proxy as usize].body as usize);
+                (geom_of(&self.proxies.all[proxy as usize]), self.proxies.all[proxy as usize].body as usize);
             self.grid.remove(proxy);
             self.proxies.remove(proxy);
-            self.first_proxies[geom.slot()] = NOT_LISTED;
+            self.ids.remove_geom(geom);
             // A static body without geoms is not listed.
             if body >= self.bodies.first_static() && self.proxies.proxies_of(body).next().is_none() {
                 self.remove_body(body);
@@ -93,9 +93,7 @@ impl Precise {
 
     /// Removes the body at `index` from `bodies`, the direct solver and the graph colours.
     fn remove_body(&mut self, index: usize) {
-        if let Some(id) = self.bodies.ids[index] {
-            self.body_indices[id.slot()] = NOT_LISTED;
-        }
+        self.ids.remove_body(index);
         if index < self.bodies.first_static() {
             self.direct_solver.forget_body(index);
             self.color_usage.remove_body(index);
@@ -106,8 +104,8 @@ impl Precise {
     /// Appends a dynamic or kinematic body to `bodies`, the graph colours and the sleep state.
     fn add_body(&mut self, id: BodyId, objects: &Objects) {
         let body = &objects.bodies[id].body;
-        let Some(index) = self.bodies.add_movable(id, body) else { return };
-        set_entry(&mut self.body_indices, id.slot(), index as u32);
+        let Some(index) = self.bodies.add_movable(&listed_body(body, true)) else { return };
+        self.ids.add_body(index, id);
         self.color_usage.add_body(index, self.bodies.inverse_mass_inertia[index]);
         self.sleep.add_body(index);
         self.add_body_z(index, id);
@@ -118,26 +116,20 @@ impl Precise {
     fn add_geom(&mut self, at: usize, objects: &Objects) {
         let Some((id, geom)) = objects.geoms.at(at) else { return };
         if self.body_index(geom.body).is_none() {
-            self.bodies.add_static(geom.body, &objects.bodies[geom.body].body);
-            set_entry(&mut self.body_indices, geom.body.slot(), self.bodies.ids.len() as u32 - 1);
+            let index = self.bodies.add_static(&listed_body(&objects.bodies[geom.body].body, false));
+            self.ids.add_body(index, geom.body);
         }
-        for piece in 0..geom.pieces().len() {
-            let Some(proxy) = self.make_proxy(at, piece, objects).and_then(|proxy| self.proxies.add(proxy))
-            else {
-                continue;
-            };
-            if piece == 0 {
-                set_entry(&mut self.first_proxies, id.slot(), proxy as u32);
-            }
+        self.proxy_import(objects).add(at);
+        let count = self.proxies.all.len();
+        self.proxy_flags.resize(count, false);
+        self.grid.grow(count);
+        self.pairs.grow(count);
+        for proxy in self.ids.proxies_of_geom(&self.proxies, id) {
             if let Some(space) = self.depth.as_deref_mut() {
                 space.add_proxy(proxy, id);
             }
             self.fix_rotation_of_proxy(proxy as u32);
-            let count = self.proxies.all.len();
-            self.proxy_flags.resize(count, false);
-            self.grid.grow(count);
-            self.pairs.grow(count);
-            self.insert_proxy(proxy as u32);
+            self.fat_aabbs().insert(proxy as u32);
             // The new body may form an island for the direct solver.
             self.direct_solver.timer.is_due = true;
         }
@@ -160,7 +152,7 @@ impl Precise {
         let first = if is_shifted { 0 } else { diff.added_geoms.first().copied().unwrap_or(usize::MAX) };
         for (at, &geom) in objects.geoms.list().iter().enumerate().skip(first) {
             let list_index = at as u32;
-            let pieces = self.proxy_range(geom);
+            let pieces = self.ids.proxies_of_geom(&self.proxies, geom);
             let was_always_tested = known.next_if(|loose| loose.geom == geom).is_some();
             if was_always_tested || pieces.is_empty() || added_always_tested.binary_search(&at).is_ok() {
                 self.always_tested.push(AlwaysTested { list_index, geom });
@@ -168,25 +160,19 @@ impl Precise {
             self.proxies.all[pieces].iter_mut().for_each(|proxy| proxy.list_index = list_index);
         }
     }
-
-    /// Returns the range of the proxy indices of a geom; empty if the geom has no proxy.
-    fn proxy_range(&self, geom: GeomId) -> std::ops::Range<usize> {
-        let Some(first) = self.proxy_of(geom, 0).map(|first| first as usize) else { return 0..0 };
-        let count = self.proxies.all[first..].iter().take_while(|proxy| proxy.geom == geom).count();
-        first..first + count
-    }
 }
 
 impl MembershipDiff {
     /// Returns whether a one-way geom exists or is added.
-    fn involves_one_way(&self, precise: &Precise, objects: &Objects) -> bool {
-        let new = || self.added_geoms.iter().filter_map(|&at| objects.geoms.at(at));
-        precise.proxies.one_way_count > 0 || new().any(|(_, geom)| geom.one_way.is_some())
+    fn involves_one_way(&self, listed: &Listed<'_>) -> bool {
+        let new = || self.added_geoms.iter().filter_map(|&at| listed.objects.geoms.at(at));
+        listed.proxies.one_way_count > 0 || new().any(|(_, geom)| geom.one_way.is_some())
     }
 
-    /// Returns the bodies and geoms that were added and removed. `None` if the remaining bodies or geoms have changed their
+    /// Returns the bodies and geoms that were added and removed. `world_proxies`: number of proxies of world boxes and the
+    /// ground. `None` if the remaining bodies or geoms have changed their
     /// type or order.
-    fn new(precise: &Precise, objects: &Objects) -> Option<Self> {
+    fn new(listed: &Listed<'_>, world_proxies: usize) -> Option<Self> {
         let mut diff = MembershipDiff {
             removed_bodies: Vec::new(),
             removed_proxies: Vec::new(),
@@ -195,17 +181,17 @@ impl MembershipDiff {
             disabled_bodies: Vec::new(),
             has_geoms_of_disabled: false,
         };
-        diff.compare_bodies(precise, objects)?;
-        diff.compare_geoms(precise, objects)?;
-        diff.is_complete(precise, objects).then_some(diff)
+        diff.compare_bodies(listed)?;
+        diff.compare_geoms(listed, world_proxies)?;
+        diff.is_complete(listed, world_proxies).then_some(diff)
     }
 
     /// Finds removed, added and disabled bodies. Returns `None` if the remaining bodies have changed their type or order.
-    fn compare_bodies(&mut self, precise: &Precise, objects: &Objects) -> Option<()> {
-        let bodies = &precise.bodies;
+    fn compare_bodies(&mut self, listed: &Listed<'_>) -> Option<()> {
+        let bodies = &listed.bodies;
         let (mut last, mut known_count) = (0, 0);
-        for (at, &id) in objects.bodies.list().iter().enumerate() {
-            let index = precise.body_index(id);
+        for (at, &id) in listed.objects.bodies.list().iter().enumerate() {
+            let index = listed.ids.body_index(id);
             if let Some(number) = index.filter(|&number| number < bodies.first_static()) {
                 if number <= last || !self.added_bodies.is_empty() {
                     return None;
@@ -213,7 +199,7 @@ impl MembershipDiff {
                 (last, known_count) = (number, known_count + 1);
                 continue;
             }
-            let (_, entry) = objects.bodies.at(at)?;
+            let (_, entry) = listed.objects.bodies.at(at)?;
             if entry.body.is_integrated() {
                 if index.is_some() {
                     return None;
@@ -225,8 +211,9 @@ impl MembershipDiff {
         }
         if known_count < bodies.movable_count {
             let is_removed = |&number: &usize| {
-                let is_listed = |id| objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed);
-                bodies.ids[number].is_some_and(|id| !is_listed(id))
+                let is_listed =
+                    |id| listed.objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed);
+                listed.ids.bodies[number].is_some_and(|id| !is_listed(id))
             };
             self.removed_bodies.extend((1..=bodies.last_movable).filter(is_removed));
         }
@@ -234,14 +221,15 @@ impl MembershipDiff {
     }
 
     /// Finds removed proxies and added geoms. Returns `None` if the order of the remaining geoms has changed.
-    fn compare_geoms(&mut self, precise: &Precise, objects: &Objects) -> Option<()> {
-        let proxies = &precise.proxies;
+    fn compare_geoms(&mut self, listed: &Listed<'_>, world_proxies: usize) -> Option<()> {
+        let proxies = &listed.proxies;
         let (mut last, mut known_count) = ([0; 2], 0);
-        for (at, &id) in objects.geoms.list().iter().enumerate() {
-            let pieces = precise.proxy_range(id);
+        for (at, &id) in listed.objects.geoms.list().iter().enumerate() {
+            let pieces = listed.ids.proxies_of_geom(proxies, id);
             if pieces.is_empty() {
-                let (_, geom) = objects.geoms.at(at)?;
-                let is_enabled = objects.bodies.get(geom.body).is_some_and(|entry| entry.body.enabled());
+                let (_, geom) = listed.objects.geoms.at(at)?;
+                let is_enabled =
+                    listed.objects.bodies.get(geom.body).is_some_and(|entry| entry.body.enabled());
                 self.added_geoms.extend(is_enabled.then_some(at));
                 self.has_geoms_of_disabled |= !is_enabled;
                 continue;
@@ -252,12 +240,16 @@ impl MembershipDiff {
             }
             (*last, known_count) = (pieces.end, known_count + pieces.len());
         }
-        let live = proxies.live_count - precise.world_proxy_count();
+        let live = proxies.live_count - world_proxies;
         if known_count < live {
             let is_removed = |&at: &usize| {
                 let proxy = &proxies.all[at];
-                let is_listed = !is_geom(proxy.geom)
-                    || objects.geoms.lifecycle_state(proxy.geom).is_some_and(|life| life.is_listed);
+                let is_listed = proxy.is_world
+                    || listed
+                        .objects
+                        .geoms
+                        .lifecycle_state(geom_of(proxy))
+                        .is_some_and(|life| life.is_listed);
                 !(proxy.is_empty() || is_listed)
             };
             self.removed_proxies.extend((0..proxies.all.len()).filter(is_removed).map(|at| at as u32));
@@ -266,34 +258,34 @@ impl MembershipDiff {
     }
 
     /// Returns whether each dynamic or kinematic body that was added or removed was so with all of its geoms.
-    fn is_complete(&self, precise: &Precise, objects: &Objects) -> bool {
+    fn is_complete(&self, listed: &Listed<'_>, world_proxies: usize) -> bool {
         let is_removed = |proxy: u32| self.removed_proxies.binary_search(&proxy).is_ok();
         let has_removed_body = |proxy: &u32| {
-            let body = precise.proxies.all[*proxy as usize].body as usize;
-            body >= precise.bodies.first_static() || self.removed_bodies.binary_search(&body).is_ok()
+            let body = listed.proxies.all[*proxy as usize].body as usize;
+            body >= listed.bodies.first_static() || self.removed_bodies.binary_search(&body).is_ok()
         };
         let has_new_or_static_body = |&at: &usize| {
-            let body = objects.geoms.at(at).map(|(_, geom)| geom.body);
-            let known = body.and_then(|body| precise.body_index(body));
-            known.is_none_or(|number| number >= precise.bodies.first_static())
+            let body = listed.objects.geoms.at(at).map(|(_, geom)| geom.body);
+            let known = body.and_then(|body| listed.ids.body_index(body));
+            known.is_none_or(|number| number >= listed.bodies.first_static())
         };
         // Proxies of static geoms are listed before those of world boxes, so that no static geom can be appended.
         let is_new = |&at: &usize| {
-            objects.geoms.at(at).is_some_and(|(_, geom)| self.added_bodies.contains(&geom.body))
+            listed.objects.geoms.at(at).is_some_and(|(_, geom)| self.added_bodies.contains(&geom.body))
         };
-        if precise.world_proxy_count() > 0 && !self.added_geoms.iter().all(is_new) {
+        if world_proxies > 0 && !self.added_geoms.iter().all(is_new) {
             return false;
         }
-        self.removed_bodies.iter().all(|&number| precise.proxies.proxies_of(number).all(is_removed))
+        self.removed_bodies.iter().all(|&number| listed.proxies.proxies_of(number).all(is_removed))
             && self.removed_proxies.iter().all(has_removed_body)
             && self.added_geoms.iter().all(has_new_or_static_body)
     }
 
     /// Returns whether the lists have capacity for the additions, and whether enough positions are used after the removals.
     /// Enough means that twice the used positions plus [`MIN_EMPTY_POSITIONS_TO_COMPACT`] are at least all positions.
-    fn has_capacity(&self, precise: &Precise, objects: &Objects) -> bool {
-        let Precise { bodies, proxies, grid, .. } = precise;
-        let pieces = self.added_geoms.iter().filter_map(|&at| objects.geoms.at(at));
+    fn has_capacity(&self, listed: &Listed<'_>, grid: &HashGrid) -> bool {
+        let Listed { bodies, proxies, .. } = listed;
+        let pieces = self.added_geoms.iter().filter_map(|&at| listed.objects.geoms.at(at));
         let pieces: usize = pieces.map(|(_, geom)| geom.pieces().len()).sum();
         let positions = proxies.all.len() - (proxies.first_fixed - proxies.movable_end);
         let is_full_enough = |live: usize, removed: usize, places: usize| {

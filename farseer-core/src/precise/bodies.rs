@@ -1,4 +1,4 @@
-//! State of all bodies in arrays, as the solvers read and write it, and the velocity changes by forces, gravity and drag.
+//! State of all bodies in arrays, as the solvers read and write it.
 //!
 //! | indices | bodies |
 //! |---|---|
@@ -9,8 +9,8 @@
 //! | from `first_static()` on | static bodies and static boxes, with poses but without states |
 //!
 //! Bodies of the second and third row are called movable. A removed body leaves an empty entry until the next rebuild. Between
-//! updates and in callbacks the [`Body`] objects hold the valid state: a step copies it to these arrays before the
-//! solver and back after it.
+//! updates and in callbacks the objects of the game hold the valid state: a step copies it to these arrays before the solver
+//! and back after it.
 //!
 //! An array `[f32; 4]` has the components x, y (length units), rotation about Z (radians) and z (length units), or their rates
 //! per second.
@@ -19,11 +19,10 @@ use crate::precise::parameters::broad_phase::{BODIES_PER_SPARE_POSITION, MIN_SPA
 use wide::f32x4;
 
 use super::shape::Shape;
-use crate::body::{Body, BodyId};
 use crate::math::lanes::sin_cos;
 use crate::math::math_helper::TWO_PI;
 use crate::math::plane::Pose;
-use crate::math::{Vector2, decay, scalar};
+use crate::math::scalar;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Velocity of a movable body, and its displacement in the last substep. All solver stages read and write it (Box2D 3:
@@ -35,6 +34,25 @@ pub(super) struct MotionState {
     pub(super) velocity: [f32; 4],
     /// Displacement of the body in the last substep: x, y (length units), rotation (radians), z (length units).
     pub(super) displacement: [f32; 4],
+}
+
+/// Properties with which a body is listed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ListedBody {
+    /// Pose in the world frame: x, y in length units, cosine and sine of the rotation.
+    pub(super) pose: Pose,
+    /// Rotation in the world frame, radians.
+    pub(super) rotation: f32,
+    /// Velocity: x, y (length units/s), angular velocity (radians/s), 0 for z.
+    pub(super) velocity: [f32; 4],
+    /// Reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)); 0 for infinite values.
+    pub(super) inverse_mass_inertia: [f32; 2],
+    /// Factor of gravity, dimensionless.
+    pub(super) gravity_scale: f32,
+    /// Whether the body is kinematic; else it is dynamic or static.
+    pub(super) is_kinematic: bool,
+    /// Whether continuous collision of the body also counts against dynamic bodies.
+    pub(super) is_bullet: bool,
 }
 
 /// Returns the number of spare entries for a list of `count` bodies or proxies.
@@ -49,8 +67,9 @@ pub(super) struct BodySet {
     pub(super) last_movable: usize,
     /// Number of dynamic and kinematic bodies, without boxes and empty entries.
     pub(super) movable_count: usize,
-    /// Id of each body; `None` for the placeholder, boxes of `twohalf` and empty entries.
-    pub(super) ids: Vec<Option<BodyId>>,
+    /// Whether each movable index has a dynamic or kinematic body. False for the placeholder, boxes of `twohalf` and empty
+    /// entries.
+    pub(super) has_body: Vec<bool>,
     /// Indices of the kinematic bodies and moving boxes, ascending.
     pub(super) kinematic: Vec<u32>,
     /// Velocity, and displacement in the last substep, of each movable body.
@@ -67,8 +86,8 @@ pub(super) struct BodySet {
     /// Velocity change of each movable body per substep by forces, gravity and drag: x, y (length units/s), angular velocity
     /// (radians/s), z (length units/s).
     pub(super) force_delta: Vec<[f32; 4]>,
-    /// Correction of the displacement of each movable body in the step for applied forces, see [`read_body`]: x, y (length
-    /// units), rotation (radians), z (length units).
+    /// Correction of the displacement of each movable body in the step for applied forces, which move it by the symplectic Euler
+    /// method: x, y (length units), rotation (radians), z (length units).
     pub(super) force_position_delta: Vec<[f32; 4]>,
     /// Displacement of each movable body in the step: x, y (length units), rotation (radians), z (length units).
     pub(super) delta_pose: Vec<[f32; 4]>,
@@ -95,7 +114,7 @@ pub(super) struct BodySet {
 
 reusing_clone! {
     BodySet {
-        last_movable, movable_count, ids, kinematic, states, warm_start, warm_started_velocity, initial_velocity, force_delta, force_position_delta, delta_pose, inverse_mass_inertia,
+        last_movable, movable_count, has_body, kinematic, states, warm_start, warm_started_velocity, initial_velocity, force_delta, force_position_delta, delta_pose, inverse_mass_inertia,
         gravity_scales, circles, max_extents, min_extents, are_bullets, poses, rotations
     }
 }
@@ -138,27 +157,6 @@ fn sin_cos_of_any_rotation(rotations: f32x4, mut sine: f32x4, mut cosine: f32x4)
     (sine, cosine)
 }
 
-/// Returns the pose of a body (x, y in length units, cosine and sine of the rotation) and its rotation (radians), world frame.
-pub(super) fn pose_of(body: &Body) -> (Pose, f32) {
-    let (position, rotation) = (body.position(), body.rotation());
-    let (sine, cosine) = sin_cos_of_rotation(f32x4::splat(rotation));
-    ([position.x, position.y, cosine.to_array()[0], sine.to_array()[0]], rotation)
-}
-
-/// Returns the radius of gyration sqrt(I / m) of a body, length units: the extent of a body without geoms. 0 if it is not
-/// finite.
-pub(super) fn gyration_radius(body: &Body) -> f32 {
-    let radius = (body.moment_of_inertia() / body.mass()).abs().sqrt();
-    if radius.is_finite() { radius } else { 0.0 }
-}
-
-/// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, for
-/// constraints. Subnormal reciprocals become 0, since they lose digits.
-pub(super) fn inverse_mass_inertia_of(body: &Body) -> [f32; 2] {
-    [body.inverse_mass(), body.inverse_moment_of_inertia()]
-        .map(|inverse| if inverse >= f32::MIN_POSITIVE { inverse } else { 0.0 })
-}
-
 impl BodySet {
     /// Returns the index of the first static body.
     pub(super) fn first_static(&self) -> usize {
@@ -167,14 +165,14 @@ impl BodySet {
 
     /// Lists all bodies anew: moving boxes of `twohalf`, then dynamic and kinematic bodies, spare capacity and static bodies.
     /// `moving`: pose and rotation (radians) of each moving box. Memory is reserved for `count` bodies.
-    pub(super) fn rebuild<'a>(
+    pub(super) fn rebuild(
         &mut self,
         count: usize,
         moving: impl Iterator<Item = (Pose, f32)>,
-        movable: impl Iterator<Item = (BodyId, &'a Body)>,
-        statics: impl Iterator<Item = (BodyId, &'a Body)>,
+        movable: impl Iterator<Item = ListedBody>,
+        statics: impl Iterator<Item = ListedBody>,
     ) {
-        self.ids.clear();
+        self.has_body.clear();
         self.kinematic.clear();
         self.poses.clear();
         self.rotations.clear();
@@ -185,31 +183,28 @@ impl BodySet {
         self.are_bullets.clear();
         self.reserve(count);
         self.push_placeholder();
-        self.states.push(MotionState::default());
-        self.max_extents.push(f32::INFINITY);
-        self.are_bullets.push(false);
+        self.push_movable(MotionState::default(), f32::INFINITY, [false; 2]);
         moving.for_each(|(pose, rotation)| {
-            self.kinematic.push(self.ids.len() as u32);
-            self.max_extents.push(f32::INFINITY);
-            self.are_bullets.push(false);
+            self.kinematic.push(self.poses.len() as u32);
+            self.push_movable(MotionState::default(), f32::INFINITY, [false; 2]);
             self.add_world_box(pose, rotation);
-            self.states.push(MotionState::default());
         });
-        let first = self.ids.len();
-        movable.for_each(|(id, body)| {
-            if body.is_kinematic() {
-                self.kinematic.push(self.ids.len() as u32);
+        let first = self.poses.len();
+        movable.for_each(|body| {
+            if body.is_kinematic {
+                self.kinematic.push(self.poses.len() as u32);
             }
-            self.max_extents.push(if body.is_kinematic() { f32::INFINITY } else { 0.0 });
-            self.are_bullets.push(body.is_bullet());
-            self.push_body(id, body, inverse_mass_inertia_of(body));
-            self.states.push(MotionState { velocity: velocity_of(body), ..MotionState::default() });
+            let state = MotionState { velocity: body.velocity, ..MotionState::default() };
+            let max_extent = if body.is_kinematic { f32::INFINITY } else { 0.0 };
+            self.push_movable(state, max_extent, [true, body.is_bullet]);
+            self.push_body(&body);
         });
-        self.last_movable = self.ids.len() - 1;
-        self.movable_count = self.ids.len() - first;
-        let padded = (self.ids.len() + spare_capacity(self.last_movable)).next_multiple_of(4);
-        (self.ids.len()..padded).for_each(|_| self.push_placeholder());
-        statics.for_each(|(id, body)| self.add_static(id, body));
+        self.last_movable = self.poses.len() - 1;
+        self.movable_count = self.poses.len() - first;
+        let padded = (self.poses.len() + spare_capacity(self.last_movable)).next_multiple_of(4);
+        (self.poses.len()..padded).for_each(|_| self.push_placeholder());
+        statics.for_each(|body| self.push_body(&body));
+        self.has_body.resize(padded, false);
         self.states.resize(padded, MotionState::default());
         self.max_extents.resize(padded, f32::INFINITY);
         self.are_bullets.resize(padded, false);
@@ -233,7 +228,7 @@ impl BodySet {
     fn reserve(&mut self, count: usize) {
         // Further entries are the placeholder and up to 3 that make the length a multiple of 4.
         let capacity = count + spare_capacity(count) + 4;
-        self.ids.reserve(capacity);
+        self.has_body.reserve(capacity);
         self.poses.reserve(capacity);
         self.rotations.reserve(capacity);
         self.inverse_mass_inertia.reserve(capacity);
@@ -243,65 +238,67 @@ impl BodySet {
         self.are_bullets.reserve(capacity);
     }
 
+    /// Appends an entry to those arrays of movable bodies that [`rebuild`](Self::rebuild) extends body by body. `max_extent`:
+    /// greatest extent, length units. Flags: whether the entry has a body, and whether that is a bullet.
+    fn push_movable(&mut self, state: MotionState, max_extent: f32, [has_body, is_bullet]: [bool; 2]) {
+        self.has_body.push(has_body);
+        self.states.push(state);
+        self.max_extents.push(max_extent);
+        self.are_bullets.push(is_bullet);
+    }
+
     /// Appends an entry without a body: infinite mass, pose at the origin of the world.
     fn push_placeholder(&mut self) {
-        self.ids.push(None);
-        self.poses.push([0.0, 0.0, 1.0, 0.0]);
-        self.rotations.push(0.0);
-        self.inverse_mass_inertia.push([0.0; 2]);
-        self.gravity_scales.push(0.0);
+        self.add_world_box([0.0, 0.0, 1.0, 0.0], 0.0);
     }
 
-    /// Appends a body to the arrays of all bodies. `inverses`: reciprocals of its mass (1/mass units) and moment of inertia
-    /// (1/(mass units * length units^2)).
-    fn push_body(&mut self, id: BodyId, body: &Body, inverses: [f32; 2]) {
-        let (pose, rotation) = pose_of(body);
-        self.ids.push(Some(id));
-        self.poses.push(pose);
-        self.rotations.push(rotation);
-        self.inverse_mass_inertia.push(inverses);
-        self.gravity_scales.push(body.effective_gravity_scale());
+    /// Appends a body to the arrays of all bodies.
+    fn push_body(&mut self, body: &ListedBody) {
+        self.poses.push(body.pose);
+        self.rotations.push(body.rotation);
+        self.inverse_mass_inertia.push(body.inverse_mass_inertia);
+        self.gravity_scales.push(body.gravity_scale);
     }
 
-    /// Appends a static body, whose mass is infinite, to the arrays of all bodies.
-    pub(super) fn add_static(&mut self, id: BodyId, body: &Body) {
-        self.push_body(id, body, [0.0; 2]);
+    /// Appends a static body, whose mass is infinite, to the arrays of all bodies. Returns its index.
+    pub(super) fn add_static(&mut self, body: &ListedBody) -> usize {
+        self.push_body(body);
+        self.poses.len() - 1
     }
 
     /// Appends a box of `twohalf`, which has a pose and infinite mass but no body.
     pub(super) fn add_world_box(&mut self, pose: Pose, rotation: f32) {
-        self.push_placeholder();
-        self.poses.pop();
-        self.rotations.pop();
         self.poses.push(pose);
         self.rotations.push(rotation);
+        self.inverse_mass_inertia.push([0.0; 2]);
+        self.gravity_scales.push(0.0);
     }
 
     /// Adds a dynamic or kinematic body in the spare capacity. Returns its index; `None` if there is no capacity left.
-    pub(super) fn add_movable(&mut self, id: BodyId, body: &Body) -> Option<usize> {
+    pub(super) fn add_movable(&mut self, body: &ListedBody) -> Option<usize> {
         let index = self.last_movable + 1;
         if index >= self.first_static() {
             return None;
         }
-        if body.is_kinematic() {
+        if body.is_kinematic {
             self.kinematic.push(index as u32);
         }
-        self.ids[index] = Some(id);
-        self.set_pose(index, body);
-        self.inverse_mass_inertia[index] = inverse_mass_inertia_of(body);
-        self.gravity_scales[index] = body.effective_gravity_scale();
-        self.are_bullets[index] = body.is_bullet();
-        self.set_velocity(index, body);
+        self.has_body[index] = true;
+        self.set_pose(index, (body.pose, body.rotation));
+        self.inverse_mass_inertia[index] = body.inverse_mass_inertia;
+        self.gravity_scales[index] = body.gravity_scale;
+        self.are_bullets[index] = body.is_bullet;
+        self.set_velocity(index, body.velocity);
         (self.last_movable, self.movable_count) = (index, self.movable_count + 1);
         Some(index)
     }
 
     /// Removes the body at `index`; the entry stays empty until the next rebuild.
     pub(super) fn remove(&mut self, index: usize) {
-        self.ids[index] = None;
         if index >= self.first_static() {
             return;
         }
+        self.has_body[index] = false;
         self.movable_count -= 1;
         self.kinematic.retain(|&kinematic| kinematic as usize != index);
         self.put_to_rest(index, 1.0);
@@ -332,11 +329,16 @@ impl BodySet {
         self.kinematic.binary_search(&(index as u32)).is_ok()
     }
 
-    /// Returns whether the pose of `body` differs from the pose stored at `index`, since it was edited.
-    #[inline(always)]
-    pub(super) fn was_moved(&self, index: usize, body: &Body) -> bool {
-        let (pose, position) = (&self.poses[index], body.position());
-        position.x != pose[0] || position.y != pose[1] || body.rotation() != self.rotations[index]
+    /// Returns whether the body at this index is dynamic.
+    pub(super) fn is_dynamic(&self, index: usize) -> bool {
+        index <= self.last_movable && self.has_body[index] && !self.is_kinematic(index)
+    }
+
+    /// Returns the distance that a body moved in the last step, length units. It is the displacement of the origin along all
+    /// axes, plus the displacement of the farthest point by rotation.
+    pub(super) fn distance_moved(&self, index: usize) -> f32 {
+        let [x, y, rotation, z] = self.delta_pose[index];
+        x.abs() + y.abs() + z.abs() + self.max_extents[index] * rotation.abs()
     }
 
     /// Returns whether any component of a body's velocity is not 0.
@@ -367,10 +369,11 @@ impl BodySet {
         borne
     }
 
-    /// Copies the velocity of an edited [`Body`] to `states`.
-    pub(super) fn set_velocity(&mut self, index: usize, body: &Body) {
+    /// Sets the velocity of a movable body: x, y (length units/s), angular velocity (radians/s), z (length units/s). Static
+    /// bodies have none.
+    pub(super) fn set_velocity(&mut self, index: usize, velocity: [f32; 4]) {
         if let Some(state) = self.states.get_mut(index) {
-            state.velocity = velocity_of(body);
+            state.velocity = velocity;
         }
     }
 
@@ -387,67 +390,8 @@ impl BodySet {
         self.delta_pose.fill([0.0; 4]);
     }
 
-    /// Copies the pose of a [`Body`] to `poses` and `rotations`.
-    pub(super) fn set_pose(&mut self, index: usize, body: &Body) {
-        (self.poses[index], self.rotations[index]) = pose_of(body);
+    /// Sets the pose (x, y in length units, cosine and sine of the rotation) and the rotation (radians) of a body, world frame.
+    pub(super) fn set_pose(&mut self, index: usize, pose_and_rotation: (Pose, f32)) {
+        (self.poses[index], self.rotations[index]) = pose_and_rotation;
     }
-}
-
-/// Returns the velocity of a body: x, y (length units/s), angular velocity (radians/s), and 0 for z.
-fn velocity_of(body: &Body) -> [f32; 4] {
-    let velocity = body.linear_velocity();
-    [velocity.x, velocity.y, body.angular_velocity(), 0.0]
-}
-
-/// Returns the velocity of a body, and its changes in steps of `dt` and substeps of `h` seconds by forces, gravity and drag.
-/// The velocity after the step is the exact solution of `v' = a - r v` for drag rate r (1/s) and acceleration a: `v E + a (1 -
-/// E) / r` with `E = exp(-r dt)`. Quadratic drag has the rate of the beginning of the step throughout.
-///
-/// `force_position_delta` corrects the displacement for forces that a game or a spring has applied, since they may depend on
-/// the position. Free flight moves bodies by the mean of the velocities before and after the step. Under a spring force this
-/// displacement would be too short, and the amplitude would grow. With the correction, applied forces move the body by the
-/// velocity after the step. That is the symplectic Euler method, as in the faithful set, which keeps the amplitude.
-#[inline(always)]
-pub(super) fn read_body(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> BodyForces {
-    if body.is_kinematic() {
-        body.begin_kinematic_step(dt);
-        return BodyForces {
-            velocity: velocity_of(body),
-            force_delta: [0.0; 4],
-            force_position_delta: [0.0; 4],
-        };
-    }
-    body.apply_accumulated_impulse();
-    let velocity = f32x4::new(velocity_of(body));
-    let (force, turning) = body.take_accelerations();
-    let applied = f32x4::new([force.x, force.y, turning, 0.0]);
-    let gravity = gravity * body.effective_gravity_scale();
-    let acceleration = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]) + applied;
-    let velocity_change = match body.drag_rates() {
-        // Without drag E = 1.
-        (0.0, 0.0) => acceleration * f32x4::splat(dt),
-        (drag, rotational_drag) => {
-            let (decay, grown) =
-                decay::decay_and_integral_simd(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
-            velocity * decay + acceleration * grown
-        }
-    };
-    BodyForces {
-        velocity: velocity.to_array(),
-        force_delta: (velocity_change * f32x4::splat(h / dt)).to_array(),
-        force_position_delta: (applied * f32x4::splat(0.5 * dt * dt)).to_array(),
-    }
-}
-
-/// Velocity of a body before the step, and its changes by forces in the step.
-#[derive(Default)]
-pub(super) struct BodyForces {
-    /// Velocity at the beginning of the step: x, y (length units/s), angular velocity (radians/s), z (length units/s).
-    pub(super) velocity: [f32; 4],
-    /// Velocity change per substep by forces, gravity and drag: x, y (length units/s), angular velocity (radians/s), z (length
-    /// units/s).
-    pub(super) force_delta: [f32; 4],
-    /// Correction of the displacement in the step for applied forces: x, y (length units), rotation (radians), z (length
-    /// units).
-    pub(super) force_position_delta: [f32; 4],
 }

@@ -14,6 +14,7 @@ use crate::math::Vector2;
 use crate::math::plane::{difference, dot, rotate, rotate_inverse, rotation, sum, translation};
 use crate::math::scalar::nearest_finite;
 use crate::precise::broad_phase::proxies::BodyType;
+use crate::precise::ids::geom_of;
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
 
 impl Precise {
@@ -87,7 +88,7 @@ impl Precise {
             *contact = Contact::new(position, normal, separation, id)
                 .with_impulses(nearest_finite(impulses.0), nearest_finite(impulses.1));
         }
-        let geoms = (first.geom, second.geom);
+        let geoms = (geom_of(first), geom_of(second));
         let friction = self.friction.mix(a.friction, b.friction);
         let contacts = ContactSource::Copied(contacts, manifold.count as usize);
         Some(ArbiterRef { handle: pair as u32, geoms, friction, contacts })
@@ -105,7 +106,8 @@ impl Precise {
     /// Returns the touch event of two geoms from `events` of their convex pieces. Two geoms touch while at least one pair of
     /// their pieces does. `None` if that has not changed.
     fn geom_touch_event(&self, events: &[TouchEvent]) -> Option<((GeomId, GeomId), bool)> {
-        let geoms = events.first()?.geoms;
+        let [one, other] = events.first()?.owners.map(GeomId::from_bits);
+        let geoms = (one, other);
         let touching_now = self.pairs_between(geoms).filter(|&pair| self.pairs.all[pair].is_touching).count();
         let begun = events.iter().filter(|change| change.begins).count();
         let touching_before = (touching_now + events.len() - begun).saturating_sub(begun);
@@ -124,10 +126,10 @@ impl Precise {
             _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
         };
         let is_piece =
-            move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| proxy.geom == other);
+            move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| geom_of(proxy) == other);
         let is_with_one = move |pair: &usize| {
             let proxies = self.pairs.triggers[*pair].proxies;
-            proxies.iter().any(|&proxy| self.proxies.all[proxy as usize].geom == one)
+            proxies.iter().any(|&proxy| geom_of(&self.proxies.all[proxy as usize]) == one)
         };
         let of_pieces = (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.pairs.pairs_of(piece));
         pair.into_iter().chain(of_pieces.filter(is_with_one))
@@ -152,7 +154,11 @@ impl Precise {
     /// Returns the geoms of a pair, the one with the smaller creation number first.
     pub(crate) fn geoms_of(&self, pair: usize) -> (GeomId, GeomId) {
         let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        if a.creation_number < b.creation_number { (a.geom, b.geom) } else { (b.geom, a.geom) }
+        if a.creation_number < b.creation_number {
+            (geom_of(a), geom_of(b))
+        } else {
+            (geom_of(b), geom_of(a))
+        }
     }
 
     /// Returns the number of pairs that touch.
@@ -198,7 +204,7 @@ impl Precise {
     pub(crate) fn disable_contact(&mut self, pair: usize) {
         self.has_handler_changes = true;
         if self.pairs.all[pair].constraint.is_some() {
-            self.wake_pair_bodies(pair);
+            self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
         }
         self.pairs.all[pair].is_vetoed = true;
         self.narrow_phase().remove_constraint(pair);
@@ -221,7 +227,7 @@ impl Precise {
         }
         let state = self.pairs.all[pair];
         let Some(handle) = state.constraint else { return };
-        self.wake_pair_bodies(pair);
+        self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
         let mut constraint = self.constraints.get(state.kind, handle);
         for (point, contact) in constraint.points.iter_mut().zip(touching.contacts()) {
             if !is_kept(&contact) {
@@ -241,7 +247,7 @@ impl Precise {
         let Some(handle) = state.constraint.filter(|_| is_asleep || surface != SurfaceOverride::default())
         else {
             if is_asleep && state.responds {
-                self.wake_pair_bodies(pair);
+                self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
             }
             return;
         };
@@ -257,7 +263,7 @@ impl Precise {
         if is_asleep && before == [constraint.friction, constraint.restitution, constraint.tangent_speed] {
             return;
         }
-        self.wake_pair_bodies(pair);
+        self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
         self.has_restitution |= constraint.restitution > 0.0;
         self.constraints.set(state.kind, handle, &constraint);
         self.has_handler_changes = true;

@@ -7,7 +7,7 @@
 
 use super::bodies::BodySet;
 use super::depth::{DepthState, FeatureGate};
-use super::import::entry_of;
+use super::ids::IdTable;
 use super::island::sleep::SleepState;
 use super::joints::JointSystem;
 use super::joints::articulated_body::{LockedDofs, Vec2};
@@ -138,27 +138,20 @@ pub(crate) struct JointImport<'a> {
     pub(super) objects: &'a Bodies,
     /// Bodies of the solver.
     pub(super) bodies: &'a BodySet,
-    /// Index into `bodies` of each body, by the slot of its id.
-    pub(super) body_indices: &'a [u32],
+    pub(super) ids: &'a IdTable,
     pub(super) sleep: &'a SleepState,
     pub(super) depth: Option<FeatureGate<&'a DepthState>>,
 }
 
 impl<'a> JointImport<'a> {
-    /// Returns the import from the bodies `objects` of the game. `bodies` are the bodies of the solver, with their indices by
-    /// the slots of their ids.
+    /// Returns the import from the bodies `objects` of the game to the `bodies` of the solver.
     pub(super) fn new(
         objects: &'a Bodies,
-        (bodies, body_indices): (&'a BodySet, &'a [u32]),
+        (bodies, ids): (&'a BodySet, &'a IdTable),
         sleep: &'a SleepState,
         depth: Option<&'a FeatureGate<Box<DepthState>>>,
     ) -> Self {
-        JointImport { objects, bodies, body_indices, sleep, depth: depth.map(FeatureGate::by_ref) }
-    }
-
-    /// Returns the index of a body in the solver; `None` if the body is not in the simulation.
-    pub(super) fn body_index(self, body: BodyId) -> Option<usize> {
-        entry_of(self.body_indices, body.slot()).filter(|&index| self.bodies.ids[index] == Some(body))
+        JointImport { objects, bodies, ids, sleep, depth: depth.map(FeatureGate::by_ref) }
     }
 
     /// Returns one side of a joint: the body `id` with the anchor `anchor`, or the world if `id` is `None`. Returns `None` if
@@ -170,7 +163,7 @@ impl<'a> JointImport<'a> {
             return Some(JointAnchor { arm: to_vec2(anchor), ..JointAnchor::default() });
         };
         let body = &self.objects.get(id)?.body;
-        let Some(index) = self.body_index(id) else {
+        let Some(index) = self.ids.body_index(id) else {
             let (sine, cosine) = scalar::sin_cos(body.rotation());
             let ([x, y], s, c) = (to_vec2(anchor), f64::from(sine), f64::from(cosine));
             let arm = [c * x - s * y, s * x + c * y];

@@ -5,19 +5,22 @@
 //!
 //! | stage | what it does | where |
 //! |---|---|---|
-//! | 1 | imports edited objects | [`import`], [`add_remove`] |
+//! | 1 | imports edited objects | [`import`], [`add_remove`], [`geom_import`] |
 //! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`] |
 //! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`], [`constraint_graph`] |
 //! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`], [`joints`], [`island`] |
 //! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`], [`continuous_collision`] |
 //! | 6 | writes bodies, refits AABBs | [`step`], [`integration`] |
-//! | 7 | puts islands at rest to sleep | [`island`] |
+//! | 7 | puts islands at rest to sleep | [`sleep_stages`], [`island`] |
+//!
+//! Files whose first line begins with "Adapter" name ids and objects of the game; [`ids`] translates them to indices.
 //!
 //! For `twohalf`, an engine on top of this one, all stages work in three axes ([`depth`]). Lengths are in the user's unit.
 //! Parameters are multiples of one length unit ([`scaled_parameters`]).
 
 mod add_remove;
 mod bodies;
+mod body_import;
 pub(crate) mod broad_phase;
 mod constraint_graph;
 mod contact_events;
@@ -26,11 +29,15 @@ mod continuous_collision;
 pub(crate) mod depth;
 mod direct_solver;
 mod fingerprint;
+mod geom_import;
+mod ids;
 mod import;
 mod integration;
-pub(crate) mod island;
+mod island;
+mod island_report;
 mod joint_import;
 mod joints;
+mod listed;
 mod mass;
 mod minimum_degree;
 mod narrow_phase;
@@ -38,9 +45,13 @@ mod parameters;
 mod saved;
 mod scaled_parameters;
 mod shape;
+pub(crate) mod skip_step;
+mod sleep_stages;
+mod sleeping_joints;
 mod sparse_ordering;
 mod spring_import;
 mod step;
+mod wake_import;
 
 use serde::Deserialize;
 
@@ -50,16 +61,16 @@ use crate::geom::GeomId;
 use crate::geom::surface::FrictionType;
 use crate::joints::JointId;
 use crate::methods::SolverChoice;
-pub use crate::precise::island::report::Island;
 pub use crate::precise::island::report::IslandCost;
 pub use crate::precise::island::report::IslandResidual;
 pub use crate::precise::island::report::IslandSolver;
 pub use crate::precise::island::report::SolverReason;
-pub use crate::precise::island::sleep::AwakeReason;
 use crate::storage::reusing_clone::reusing_clone;
+pub use island_report::{AwakeReason, Island};
 use saved::Saved;
 pub(crate) use scaled_parameters::StepContext;
 
+use crate::precise::broad_phase::fat_aabbs::FatAabbs;
 use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::Proxies;
@@ -73,11 +84,14 @@ use continuous_collision::FastBody;
 use depth::{DepthState, FeatureGate};
 use direct_solver::DirectSolver;
 use direct_solver::selection::SolverSelection;
+use ids::IdTable;
+use import::PendingEdits;
 use joint_import::{JointImport, JointTable};
 use joints::JointSystem;
 use joints::springs::SpringRows;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
 use scaled_parameters::Parameters;
+use sleeping_joints::SleepingJoint;
 
 /// State of the precise engine between steps.
 #[derive(Debug, Deserialize)]
@@ -97,10 +111,8 @@ pub(crate) struct Precise {
     gravity_delta: crate::math::plane::Vector,
     /// State of a loaded snapshot until the next rebuild restores it; else `None`.
     loaded: Option<Saved>,
-    /// Whether the next import must list all bodies and proxies anew, for example because a body changed its type.
-    needs_rebuild: bool,
-    /// Whether bodies or geoms were added or removed since the last import.
-    has_membership_changes: bool,
+    /// Edits of the game since the last import.
+    pub(crate) edits: PendingEdits,
     /// Whether any geom has, or any handler has set, a restitution coefficient above 0; else the solver skips restitution.
     has_restitution: bool,
     /// How the friction coefficients of two geoms combine to that of their contact.
@@ -127,24 +139,16 @@ pub(crate) struct Precise {
     springs: SpringRows,
     /// Sleep state of bodies and islands: rest times, rings of sleeping bodies, requests to wake.
     sleep: SleepState,
+    /// Joints of sleeping bodies as they were when the bodies fell asleep, in the order of the simulator's list.
+    sleeping_joints: Vec<SleepingJoint>,
     /// The direct solver and the solver selection.
     direct_solver: DirectSolver,
     /// State of the depth axis; `None` in plain 2D.
     depth: Option<FeatureGate<Box<DepthState>>>,
-    /// Index into `bodies` of each body, by the slot of its id; `NOT_LISTED` if the body is not listed.
-    body_indices: Vec<u32>,
-    /// Index of the first proxy of each geom, by the slot of its id; `NOT_LISTED` if the geom has no proxy.
-    first_proxies: Vec<u32>,
+    /// Ids of the game's bodies and geoms behind the indices into `bodies` and `proxies`.
+    ids: IdTable,
     /// Geoms that every AABB query tests without the hash grid, in the order of the simulator's list of geoms.
     always_tested: Vec<AlwaysTested>,
-    /// Ids of the disabled bodies, which have no entry in `bodies`.
-    disabled_bodies: Vec<BodyId>,
-    /// Ids of bodies that the game borrowed for editing since the last import; the next import copies their properties.
-    edited_bodies: Vec<BodyId>,
-    /// Ids of geoms that the game borrowed for editing since the last import; the next import copies their properties.
-    edited_geoms: Vec<GeomId>,
-    /// Ids of bodies that the game asked to wake since the last update.
-    wake_requests: Vec<BodyId>,
     /// Touch events that the game has not received yet: pairs of convex pieces that began or ceased to touch.
     touch_events: Vec<TouchEvent>,
     /// Contacts with static bodies that ended in this narrow phase: dynamic body, and penetration in length units. Empty
@@ -181,9 +185,9 @@ pub(crate) struct Precise {
 
 reusing_clone! {
     Precise {
-        parameters, impulse_substep, dt, step_context, gravity_delta, loaded, needs_rebuild, has_membership_changes, has_restitution, friction, max_contacts, bodies, proxies,
-        grid, pairs, constraints, color_usage, joints, joint_table, springs, sleep, direct_solver, depth, body_indices, first_proxies, always_tested, disabled_bodies,
-        edited_bodies, edited_geoms, wake_requests, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
+        parameters, impulse_substep, dt, step_context, gravity_delta, loaded, edits, has_restitution, friction, max_contacts, bodies, proxies,
+        grid, pairs, constraints, color_usage, joints, joint_table, springs, sleep, sleeping_joints, direct_solver, depth, ids, always_tested,
+        touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
         pair_scratch, new_pairs,
         proxy_flags, touching_scratch
     }
@@ -205,8 +209,7 @@ impl Precise {
             step_context: None,
             gravity_delta: [0.0; 2],
             loaded: None,
-            needs_rebuild: true,
-            has_membership_changes: false,
+            edits: PendingEdits::new(),
             has_restitution: false,
             friction: FrictionType::default(),
             max_contacts: 2,
@@ -220,15 +223,11 @@ impl Precise {
             joint_table: JointTable::default(),
             springs: SpringRows::default(),
             sleep: SleepState::default(),
+            sleeping_joints: Vec::new(),
             direct_solver: DirectSolver::default(),
             depth: None,
-            body_indices: Vec::new(),
-            first_proxies: Vec::new(),
+            ids: IdTable::default(),
             always_tested: Vec::new(),
-            disabled_bodies: Vec::new(),
-            edited_bodies: Vec::new(),
-            edited_geoms: Vec::new(),
-            wake_requests: Vec::new(),
             touch_events: Vec::new(),
             ended_static_contacts: Vec::new(),
             narrow_phase_stats: NarrowPhaseStats::default(),
@@ -243,6 +242,18 @@ impl Precise {
             new_pairs: Vec::new(),
             proxy_flags: Vec::new(),
             touching_scratch: Vec::new(),
+        }
+    }
+
+    /// Returns the parts that the fat AABBs of proxies depend on, and those that store them.
+    fn fat_aabbs(&mut self) -> FatAabbs<'_> {
+        FatAabbs {
+            bodies: &self.bodies,
+            proxies: &mut self.proxies,
+            grid: &mut self.grid,
+            depth: self.depth.as_mut().map(FeatureGate::by_mut),
+            parameters: &self.parameters,
+            dt: self.dt,
         }
     }
 
@@ -270,7 +281,7 @@ impl Precise {
 
     /// Returns the import of joints and springs from the bodies `objects` of the game.
     pub(crate) fn joint_import<'a>(&'a self, objects: &'a Bodies) -> JointImport<'a> {
-        JointImport::new(objects, (&self.bodies, &self.body_indices), &self.sleep, self.depth.as_ref())
+        JointImport::new(objects, (&self.bodies, &self.ids), &self.sleep, self.depth.as_ref())
     }
 
     /// Marks the joints as edited, so that the next step imports them again.
@@ -298,6 +309,7 @@ impl Precise {
     fn narrow_phase(&mut self) -> NarrowPhase<'_> {
         NarrowPhase {
             bodies: &self.bodies,
+            ids: &self.ids.bodies,
             proxies: &self.proxies,
             pairs: &mut self.pairs,
             constraints: &mut self.constraints,

@@ -3,7 +3,6 @@
 //! A spring at a body with joints or contacts becomes a [row](super::joints::springs); all others stay explicit forces. The
 //! choice is made when the spring acts. The step then reads pose and coefficients of each row.
 
-use super::bodies::BodySet;
 use super::broad_phase::pairs::Pairs;
 use super::broad_phase::proxies::Proxies;
 use super::joint_import::{JointImport, JointTable, bodies_hash};
@@ -46,13 +45,13 @@ impl SpringChoice<'_> {
     /// Returns whether both bodies of a spring are awake and enabled, and one of them is dynamic and has a joint or a contact.
     fn needs_constraint(&self, spring: &Spring) -> bool {
         let JointImport { bodies, sleep, .. } = self.import;
-        let [one, other] = spring.ends().map(|end| end.map(|body| self.import.body_index(body)));
+        let [one, other] = spring.ends().map(|end| end.map(|body| self.import.ids.body_index(body)));
         let ends = [one.unwrap_or(Some(0)), other.unwrap_or(Some(0))];
         let [Some(a), Some(b)] = ends else { return false };
         let is_held = |&body: &usize| {
             body != 0
                 && body < bodies.first_static()
-                && is_dynamic(bodies, body)
+                && bodies.is_dynamic(body)
                 && (self.joints.has_joint(body) || self.has_contact(body))
         };
         a != b && ![a, b].iter().any(|&body| sleep.is_asleep(body)) && [a, b].iter().any(is_held)
@@ -62,11 +61,6 @@ impl SpringChoice<'_> {
     fn has_contact(&self, body: usize) -> bool {
         self.pairs.pairs_of_body(self.proxies, body).any(|pair| self.pairs.has_constraint(pair))
     }
-}
-
-/// Returns whether the body with this index is dynamic.
-fn is_dynamic(bodies: &BodySet, body: usize) -> bool {
-    body <= bodies.last_movable && bodies.ids[body].is_some() && !bodies.is_kinematic(body)
 }
 
 /// Returns whether a row can express the spring: stiffness and damping are not negative, one of them is positive, and its

@@ -8,14 +8,16 @@ use crate::precise::parameters::broad_phase::COORDINATE_HEADROOM;
 use wide::f32x4;
 
 use super::Precise;
-use super::bodies::{BodyForces, BodySet, read_body};
+use super::bodies::BodySet;
+use super::body_import::{BodyForces, pose_of, read_body};
+use super::broad_phase::fat_aabbs::FatAabbs;
 use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
 use super::direct_solver::island_solver::IslandSolver;
-use super::integration::{find_escaped_proxies, integrate_free_flight, integrate_poses};
+use super::integration::{integrate_free_flight, integrate_poses};
 use super::joint_import::{JointImport, export_joints};
 use super::narrow_phase::NarrowPhaseStats;
+use super::scaled_parameters::LoadAdaptation;
 pub(crate) use super::scaled_parameters::StepContext;
-use super::scaled_parameters::{AabbMargin, LoadAdaptation};
 use super::spring_import::{SpringChoice, import_springs};
 use crate::math::Vector2;
 use crate::objects::Objects;
@@ -23,9 +25,6 @@ use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::contact_solver::soft_step::{update_circle_contact, update_circle_contacts};
 use crate::report::{Event, Report};
 use crate::springs::{SpringForce, SpringId};
-
-/// AABB of the ground of `twohalf` (low x, low y, high x, high y, length units): all points with y >= 0, since y points down.
-const GROUND_BOUNDS: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
 
 /// Returns the lanes of `numbers`, with 0 in place of each lane that is not finite.
 fn zero_unless_finite(numbers: f32x4) -> f32x4 {
@@ -105,14 +104,14 @@ impl Precise {
         step: &StepContext,
         report: &mut Report,
     ) {
-        let Precise { bodies, sleep, needs_rebuild, depth, .. } = self;
+        let Precise { bodies, ids, sleep, edits, depth, .. } = self;
         let substeps = f32x4::splat(step.substeps as f32);
         for run in &sleep.awake_body_runs {
             let (states, initial_velocities) =
                 (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
             let (force_deltas, force_position_deltas) =
                 (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
-            let ids = run.clone().zip(&bodies.ids[run.clone()]);
+            let ids = run.clone().zip(&ids.bodies[run.clone()]);
             for ((((state, initial_velocity), force_delta), force_position_delta), (number, id)) in states
                 .iter_mut()
                 .zip(initial_velocities)
@@ -131,7 +130,7 @@ impl Precise {
                     read = BodyForces::default();
                     entry.body.set_enabled(false);
                     report.push(Event::NotFinite { body: id, disabled: true });
-                    *needs_rebuild = true;
+                    edits.needs_rebuild = true;
                 }
                 (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
                 (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
@@ -175,11 +174,11 @@ impl Precise {
         if !self.is_finite() {
             self.restore_non_finite_bodies(objects, report);
         }
-        let Precise { bodies, sleep, depth, .. } = self;
+        let Precise { bodies, ids, sleep, depth, .. } = self;
         for run in &sleep.awake_body_runs {
             let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
             let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
-            let ids = run.clone().zip(&bodies.ids[run.clone()]);
+            let ids = run.clone().zip(&ids.bodies[run.clone()]);
             for ((((state, rotation), pose), delta_pose), (number, id)) in
                 states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids)
             {
@@ -202,8 +201,8 @@ impl Precise {
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
             // A kinematic body that reaches its target has the pose of the target, bit for bit.
-            if let Some(entry) = self.bodies.ids[number].and_then(|id| objects.bodies.get(id)) {
-                self.bodies.set_pose(number, &entry.body);
+            if let Some(entry) = self.ids.bodies[number].and_then(|id| objects.bodies.get(id)) {
+                self.bodies.set_pose(number, pose_of(&entry.body));
             }
         }
         if let Some(space) = &self.depth {
@@ -277,7 +276,7 @@ impl Precise {
             let disabled = speed(number) >= fastest;
             (self.bodies.states[number].velocity, self.bodies.delta_pose[number]) =
                 (self.bodies.initial_velocity[number], [0.0; 4]);
-            let Some(body) = self.bodies.ids[number] else { continue };
+            let Some(body) = self.ids.bodies[number] else { continue };
             if let Some(space) = self.depth.as_deref_mut() {
                 space.reset_non_finite_spin(number);
                 space.body_mut(body).target = None;
@@ -285,7 +284,7 @@ impl Precise {
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);
                 entry.body.clear_target();
-                self.needs_rebuild = true;
+                self.edits.needs_rebuild = true;
             }
             report.push(Event::NotFinite { body, disabled });
         }
@@ -359,8 +358,8 @@ impl Precise {
     /// Fourth stage of a step: moves the joint constraints to the poses of this step, prepares their solvers, and builds the
     /// springs that are rows. Imports the joints first if one was edited.
     pub(crate) fn import_joints(&mut self, objects: &Objects, step: &StepContext) {
-        let Precise { joint_table, joints, springs, bodies, body_indices, sleep, depth, .. } = self;
-        let import = JointImport::new(&objects.bodies, (bodies, body_indices), sleep, depth.as_ref());
+        let Precise { joint_table, joints, springs, bodies, ids, sleep, depth, .. } = self;
+        let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
         let springs_signature = import_springs(joint_table, springs, import, objects);
         joints.begin_update(self.parameters.length_unit);
         import.reimport_joints(joint_table, joints, objects);
@@ -374,17 +373,17 @@ impl Precise {
         let is_touched = |body: usize| {
             all_touched || !self.color_usage.has_no_constraint(body) || springs.is_attached_to(body)
         };
-        let import = JointImport::new(&objects.bodies, (bodies, body_indices), sleep, depth.as_ref());
+        let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
         import.prepare_joints(joint_table, joints, objects, step, is_touched);
     }
 
     /// Starts the springs of an update: clears the list of springs that are rows, and imports edited joints, by which
     /// [`constrain_spring`](Self::constrain_spring) decides.
     pub(crate) fn begin_springs(&mut self, objects: &Objects) {
-        let Precise { joint_table, joints, bodies, body_indices, sleep, depth, .. } = self;
+        let Precise { joint_table, joints, bodies, ids, sleep, depth, .. } = self;
         joint_table.row_springs.clear();
         if depth.is_none() && !objects.springs.list().is_empty() {
-            JointImport::new(&objects.bodies, (bodies, body_indices), sleep, None).reimport_joints(
+            JointImport::new(&objects.bodies, (bodies, ids), sleep, None).reimport_joints(
                 joint_table,
                 joints,
                 objects,
@@ -535,51 +534,8 @@ impl Precise {
     /// End of the sixth stage of a step: computes a new fat AABB for each proxy whose tight AABB has left its fat AABB. The
     /// broad phase of the next step searches the pairs of these proxies.
     pub(crate) fn refit_aabbs(&mut self) {
-        find_escaped_proxies(&mut self.proxies, &self.bodies, &self.sleep.awake_proxy_runs, &self.parameters);
-        if let Some(space) = &self.depth {
-            space.collect_escaped(
-                &mut self.proxies,
-                &self.bodies,
-                &self.sleep.awake_proxy_runs,
-                &self.parameters,
-            );
-        }
-        for at in 0..self.proxies.refitted.len() {
-            let proxy = self.proxies.refitted[at];
-            let extent = self.proxies.all[proxy as usize].shape.max_extent;
-            let margin = match self.pairs.pairs_of(proxy).next() {
-                None => self.parameters.margin_without_pairs(extent),
-                Some(_) => self.parameters.margin_for_extent(extent),
-            };
-            self.enlarge_aabb_by(proxy, margin);
-        }
-    }
-
-    /// Computes and stores the fat AABB of a proxy, and moves the proxy in the hash grid. The margin is always the one for
-    /// proxies that are in pairs ([`Parameters::margin_for_extent`](super::scaled_parameters::Parameters::margin_for_extent)).
-    pub(super) fn enlarge_aabb(&mut self, proxy: u32) {
-        self.enlarge_aabb_by(
-            proxy,
-            self.parameters.margin_for_extent(self.proxies.all[proxy as usize].shape.max_extent),
-        );
-    }
-
-    /// Computes and stores the fat AABB of a proxy with `margin`, and moves the proxy in the hash grid.
-    fn enlarge_aabb_by(&mut self, proxy: u32, margin: AabbMargin) {
-        let bounds = self.proxies.fat_aabb(proxy as usize, &self.bodies, &self.parameters, margin, self.dt);
-        self.proxies.fat_aabbs[proxy as usize] = bounds;
-        let may_stop = self.proxies.all[proxy as usize].may_stop();
-        let Some(depth) = &mut self.depth else {
-            return self.grid.insert_or_move(proxy, &bounds, may_stop);
-        };
-        if proxy == depth.ground_proxy {
-            self.proxies.fat_aabbs[proxy as usize] = GROUND_BOUNDS;
-        }
-        let body = self.proxies.all[proxy as usize].body;
-        let speed = self.bodies.states.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
-        depth.set_fat_interval(proxy, body, speed * self.dt, margin, self.parameters.speculative_distance);
-        if depth.is_in_grid(proxy) {
-            self.grid.insert_or_move(proxy, &depth.grid_bounds(proxy, &bounds), may_stop);
-        }
+        let Precise { bodies, proxies, grid, depth, parameters, sleep, pairs, .. } = self;
+        let depth = depth.as_mut().map(FeatureGate::by_mut);
+        FatAabbs { bodies, proxies, grid, depth, parameters, dt: self.dt }.refit(sleep, pairs);
     }
 }

@@ -122,7 +122,7 @@ impl PhysicsSimulator {
             pipeline.joints.load_velocity(body, &objects.bodies, &mut pipeline.bodies);
             objects.update_edited_geom_transforms(body);
             if let Some(precise) = &mut pipeline.precise {
-                precise.mark_body_edited(body);
+                precise.edits.mark_body_edited(body);
             }
         }
         objects.touched_bodies = bodies;
@@ -132,7 +132,7 @@ impl PhysicsSimulator {
             entry.is_touched = false;
             report_rejected(&mut report.events, geom.into(), entry.geom.rejected.take());
             if let Some(precise) = &mut pipeline.precise {
-                precise.mark_geom_edited(geom);
+                precise.edits.mark_geom_edited(geom);
             }
         }
         objects.touched_geoms = geoms;

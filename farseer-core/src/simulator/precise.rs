@@ -7,7 +7,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair, may_keep_touching};
 use crate::geom::surface::SurfaceOverride;
 use crate::objects::Objects;
-use crate::precise::island::all_asleep::StepSettings;
+use crate::precise::skip_step::StepSettings;
 use crate::precise::{Precise, StepContext};
 use crate::report::{Event, Stopwatch};
 use crate::springs::StepLengths;
@@ -122,10 +122,10 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             if std::mem::take(&mut objects.has_new_members) {
-                precise.mark_membership_changed();
+                precise.edits.mark_membership_changed();
             }
             if std::mem::take(&mut objects.has_new_structure) {
-                precise.mark_stale();
+                precise.edits.mark_stale();
             }
             if std::mem::take(&mut objects.has_edited_joints) {
                 precise.invalidate_joints();

@@ -10,8 +10,8 @@ use crate::precise::broad_phase::hash_grid::{HashGrid, overlap};
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::constraint_graph::ConstraintKind;
-use crate::precise::depth::interface::is_geom;
 use crate::precise::depth::{DepthState, FeatureGate};
+use crate::precise::ids::geom_of;
 use crate::precise::narrow_phase::NarrowPhase;
 use crate::precise::narrow_phase::one_way::{OneWayState, PairMotion};
 use crate::storage::order::sort_by_number;
@@ -167,7 +167,7 @@ pub(in crate::precise) fn initial_one_way_state(
 pub(in crate::precise) fn is_pair_reported(proxies: &Proxies, pair: [u32; 2]) -> bool {
     let both = pair.map(|proxy| &proxies.all[proxy as usize]);
     !both.iter().all(|proxy| proxy.body_type == BodyType::Fixed)
-        && both.iter().any(|proxy| proxy.is_reported && is_geom(proxy.geom))
+        && both.iter().any(|proxy| proxy.is_reported && !proxy.is_world)
 }
 
 impl Precise {
@@ -214,7 +214,11 @@ impl Precise {
     /// first.
     pub(crate) fn candidate_geoms(&self, at: usize) -> (GeomId, GeomId) {
         let [a, b] = self.new_pairs[at].map(|proxy| &self.proxies.all[proxy as usize]);
-        if a.creation_number < b.creation_number { (a.geom, b.geom) } else { (b.geom, a.geom) }
+        if a.creation_number < b.creation_number {
+            (geom_of(a), geom_of(b))
+        } else {
+            (geom_of(b), geom_of(a))
+        }
     }
 
     /// Adds the candidate pair `at`, an index into `new_pairs`, to the pairs. Sensor pairs without a body that can move go to
@@ -225,7 +229,7 @@ impl Precise {
         if self.pairs.all[pair].is_static_sensor {
             self.narrow_phase().sleep_pair(pair);
         } else {
-            self.wake_for_new_pair(pair);
+            self.sleep.wake_for_new_pair(&self.pairs, &self.proxies, pair);
         }
     }
 }

@@ -184,6 +184,20 @@ impl Pairs {
         }
     }
 
+    /// Calls `change` with the pairs and the index of each pair of a proxy. `change` adds, removes and moves no pair.
+    pub(in crate::precise) fn for_each_index_of(
+        &mut self,
+        proxy: u32,
+        mut change: impl FnMut(&mut Pairs, usize),
+    ) {
+        let mut link = self.heads[proxy as usize];
+        while link != NO_PAIR {
+            let at = (link >> 1) as usize;
+            change(self, at);
+            link = self.links[at].next[(link & 1) as usize];
+        }
+    }
+
     /// Returns body index and body type of A and of B of a pair.
     pub(in crate::precise) fn bodies_of(&self, proxies: &Proxies, pair: usize) -> [(usize, BodyType); 2] {
         self.triggers[pair].proxies.map(|proxy| {

@@ -7,17 +7,12 @@
 use crate::precise::parameters::broad_phase::COLLISION_MAX_COORDINATE;
 use serde::{Deserialize, Serialize};
 
-use crate::geom::GeomId;
-use crate::geom::entry::GeomEntry;
-use crate::geom::filter::CollisionFilter;
 use crate::math::plane::{Vector, rotate, rotation};
 use crate::math::scalar::nearest_finite;
 use crate::precise::bodies::{BodySet, spare_capacity};
 use crate::precise::broad_phase::hash_grid::PackedAabb;
-use crate::precise::depth::interface::is_geom;
 use crate::precise::scaled_parameters::{AabbMargin, Parameters};
 use crate::precise::shape::{Shape, ShapeRef, VertexPool};
-use crate::storage::arena::Id;
 use crate::storage::order::packed_key;
 use crate::storage::reusing_clone::reusing_clone;
 
@@ -52,7 +47,11 @@ impl BodyType {
 /// Convex piece of a geom, with the properties that the broad phase and the contacts read.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::precise) struct Proxy {
-    pub(in crate::precise) geom: GeomId,
+    /// Number of the geom, world box or ground that the piece belongs to, as the adapter has chosen it. All pieces of a geom
+    /// have the same number, and the solver compares it only.
+    pub(in crate::precise) owner: u64,
+    /// Whether the piece is a world box or the ground of `twohalf`, and no geom. True for a free position, too.
+    pub(in crate::precise) is_world: bool,
     /// Index of the piece among the convex pieces of its geom.
     pub(in crate::precise) piece: u32,
     /// Index of the geom in the simulator's list of geoms; for a world box its index in the list of world boxes.
@@ -88,7 +87,8 @@ impl Proxy {
     /// Returns the content of a free position: a proxy of no body that collides with no other proxy.
     pub(in crate::precise) fn empty() -> Self {
         Proxy {
-            geom: GeomId::new(u32::MAX, 0),
+            owner: u64::MAX,
+            is_world: true,
             piece: 0,
             list_index: 0,
             creation_number: 0,
@@ -109,7 +109,7 @@ impl Proxy {
     /// Returns whether the collision filters of two geoms let them collide. Other conditions for a pair are tested by
     /// [`order_pair`](crate::precise::broad_phase::pair_finder::order_pair).
     pub(in crate::precise) fn may_meet(&self, other: &Proxy) -> bool {
-        if !(is_geom(self.geom) && is_geom(other.geom)) {
+        if self.is_world || other.is_world {
             return true;
         }
         let [categories, collides_with, group, is_enabled, _] = self.filter;
@@ -136,25 +136,6 @@ impl Proxy {
     }
 }
 
-/// Returns the collision filter of a geom in the form of [`Proxy::filter`].
-pub(in crate::precise) fn geom_filter(entry: &GeomEntry) -> [i32; 5] {
-    let geom = &entry.geom;
-    let (categories, collides_with) = (geom.collision_categories().bits(), geom.collides_with().bits());
-    [
-        categories,
-        collides_with,
-        geom.collision_group(),
-        i32::from(geom.collision_enabled()),
-        entry.ignore_changes,
-    ]
-}
-
-/// Returns the collision filter of a world box in the form of [`Proxy::filter`].
-pub(in crate::precise) fn world_box_filter(filter: &CollisionFilter) -> [i32; 5] {
-    let CollisionFilter { categories, collides_with, group, is_enabled, .. } = filter;
-    [categories.bits(), collides_with.bits(), *group, i32::from(*is_enabled), 0]
-}
-
 /// All proxies: first those of non-static bodies, in the order of the list of geoms. Spare positions follow, up to a multiple
 /// of four; then come the proxies of static bodies. A removed proxy leaves a free position until the lists are rebuilt.
 #[derive(Debug, Default)]
@@ -179,7 +160,7 @@ pub(in crate::precise) struct Proxies {
     pub(in crate::precise) fat_aabbs: Vec<PackedAabb>,
     /// Path length of each proxy since it was added: a bound for all of its points, in 2^-26 length units. The counter wraps.
     pub(in crate::precise) travel: Vec<u32>,
-    /// Indices of the proxies with a new fat AABB. [`find_pairs`](crate::precise::Precise::find_pairs) searches their pairs.
+    /// Indices of the proxies with a new fat AABB. The next broad phase searches their pairs.
     pub(in crate::precise) refitted: Vec<u32>,
     /// Index of the first proxy of each body, or [`NO_PROXY`].
     heads: Vec<u32>,

@@ -31,7 +31,8 @@ impl Precise {
             [min.x, min.y, max.x, max.y].iter().fold(0.0, |max_coordinate: f32, x| max_coordinate + x.abs());
         // A comparison that is false for NaN, too.
         let is_in_range = coordinate_sum < QUERY_MAX_COORDINATE;
-        let is_outdated = self.needs_rebuild || self.has_membership_changes || self.loaded.is_some();
+        let is_outdated =
+            self.edits.needs_rebuild || self.edits.has_membership_changes || self.loaded.is_some();
         if is_outdated
             || self.depth.is_some()
             || objects.has_new_structure
@@ -46,7 +47,7 @@ impl Precise {
         self.grid.for_each_overlap(&bounds, |proxy| {
             list_indices.push(self.proxies.all[proxy as usize].list_index)
         });
-        let edited = objects.touched_bodies.iter().chain(&self.edited_bodies);
+        let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
         for &geom in
             edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms)
         {

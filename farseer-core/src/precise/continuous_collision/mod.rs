@@ -20,7 +20,6 @@ pub(super) mod time_of_impact;
 use super::Precise;
 use super::bodies::BodySet;
 use super::depth::FeatureGate;
-use super::depth::interface::is_geom;
 use super::island::sleep::SleepState;
 use super::scaled_parameters::{Parameters, StepContext};
 use crate::geom::GeomId;
@@ -28,6 +27,7 @@ use crate::math::plane::length;
 use crate::objects::Objects;
 use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
+use crate::precise::ids::geom_of;
 use crate::precise::parameters::narrow_phase::{CCD_MAX_COORDINATE, TOI_PENETRATION_RATIO};
 use crate::storage::order::{packed_key, sort_by_number};
 use joined_impacts::{clamp_joined_bodies, scale_joined_velocity};
@@ -72,7 +72,7 @@ fn is_fast([x, y, turned, z]: [f32; 4], max_extent: f32, min_extent: f32) -> boo
 /// Returns whether a proxy belongs to a kinematic body and moves in the step by more than the speculative distance. `dt` is the
 /// step in seconds. False for displacements from [`CCD_MAX_COORDINATE`] on.
 pub(super) fn is_fast_kinematic(proxy: &Proxy, bodies: &BodySet, parameters: &Parameters, dt: f32) -> bool {
-    if proxy.body_type != BodyType::Kinematic || !is_geom(proxy.geom) {
+    if proxy.body_type != BodyType::Kinematic || proxy.is_world {
         return false;
     }
     let [x, y, spin, z] = bodies.states[proxy.body as usize].velocity;
@@ -102,7 +102,7 @@ impl Precise {
         for at in 0..self.bodies.kinematic.len() {
             let number = self.bodies.kinematic[at] as usize;
             let Some((id, entry)) =
-                self.bodies.ids[number].and_then(|id| Some((id, objects.bodies.get(id)?)))
+                self.ids.bodies[number].and_then(|id| Some((id, objects.bodies.get(id)?)))
             else {
                 continue;
             };
@@ -213,7 +213,7 @@ impl Precise {
         if motion.contains_sweep(proxy, &swept, dz) {
             return false;
         }
-        self.enlarge_aabb(proxy);
+        self.fat_aabbs().enlarge(proxy);
         let body = self.proxies.all[proxy as usize].body;
         let may_stop = self.proxies.all[proxy as usize].may_stop();
         let bounds = aabb_union(&self.proxies.fat_aabbs[proxy as usize], &swept);
@@ -284,7 +284,7 @@ fn list_fast_bodies(bodies: &BodySet, sleep: &SleepState, max_threshold: f32, fa
         let of = run.clone().zip(displacements).zip(max_extents).zip(&bodies.min_extents[run.clone()]);
         for (((number, &path), &reach), &core) in of {
             let core = if core < max_threshold { core } else { max_threshold };
-            let is_body = || bodies.ids[number].is_some() && !bodies.is_kinematic(number);
+            let is_body = || bodies.has_body[number] && !bodies.is_kinematic(number);
             if is_fast(path, reach, core) && !sleep.is_asleep(number) && is_body() {
                 fast.push(FastBody::of(number as u32));
             }
@@ -347,7 +347,7 @@ fn record_sensor_passthroughs(
             {
                 let [a, b] = two.map(|proxy| {
                     let proxy = &proxies.all[proxy as usize];
-                    (proxy.creation_number, proxy.geom)
+                    (proxy.creation_number, geom_of(proxy))
                 });
                 passthroughs.push(if a.0 < b.0 { [a, b] } else { [b, a] });
             }

@@ -9,7 +9,6 @@ use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::continuous_collision::time_of_impact::{SweptPair, SweptShape, conservative_advancement};
 use crate::precise::continuous_collision::{FastBody, aabb_contains};
-use crate::precise::depth::interface::is_geom;
 use crate::precise::depth::{DepthState, FeatureGate};
 use crate::precise::island::sleep::SleepState;
 use crate::precise::narrow_phase::flush_geoms::FlushFilter;
@@ -280,7 +279,7 @@ impl<'a> SweptMotion<'a> {
         let other = if proxies[0].body == hit_body { proxies[1] } else { proxies[0] };
         let pose = self.bodies.poses[body as usize];
         let displacement = self.bodies.delta_pose[body as usize];
-        if let Some(space) = self.depth.as_ref().filter(|_| !is_geom(other.geom)) {
+        if let Some(space) = self.depth.as_ref().filter(|_| other.is_world) {
             let at =
                 [pose[0] + toi * displacement[0], space.z_positions[body as usize] + toi * displacement[3]];
             return space.velocity_at(other, at, self.bodies).map(|way| way * (1.0 - toi) * self.dt);

@@ -10,6 +10,7 @@ use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::broad_phase::hash_grid::overlap;
 use crate::precise::broad_phase::pairs::CachedManifold;
+use crate::precise::ids::geom_of;
 
 impl Precise {
     /// Returns whether the cached contacts are valid. Between loading a snapshot and the next update they are not.
@@ -66,7 +67,8 @@ impl Precise {
                 if a == proxy { b } else { a }
             })
         });
-        others.map(|other| self.proxies.all[other as usize].geom).filter(|&geom| interface::is_geom(geom))
+        let others = others.map(|other| &self.proxies.all[other as usize]);
+        others.filter(|proxy| !proxy.is_world).map(geom_of)
     }
 
     /// Iterates over the contacts of a body that a callback vetoed in the last step. Each item is the geom of the body and the
@@ -82,7 +84,7 @@ impl Precise {
         refused.map(move |pair| {
             let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
             let (this, other) = if a.body as usize == body_index { (a, b) } else { (b, a) };
-            (this.geom, interface::contact_target_of(other.geom))
+            (geom_of(this), interface::contact_target_of(geom_of(other)))
         })
     }
 
@@ -94,11 +96,11 @@ impl Precise {
         let (bounds, depths) =
             ([low[0], low[1], high[0], high[1]], interface::DepthInterval::new(low[2], high[2]));
         self.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
-            let (at, geom) = (at as usize, self.proxies.all[at as usize].geom);
+            let (at, proxy) = (at as usize, &self.proxies.all[at as usize]);
             let is_near =
                 overlap(&bounds, &self.proxies.fat_aabbs[at]) && space.interval(at).overlaps(depths);
-            if is_near && interface::is_geom(geom) {
-                find(geom);
+            if is_near && !proxy.is_world {
+                find(geom_of(proxy));
             }
         });
     }
@@ -130,12 +132,12 @@ impl Precise {
         let proxies = self.pairs.triggers[pair].proxies;
         let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         // Normals point from A to B.
-        let is_b = !interface::is_geom(a.geom) || a.creation_number < b.creation_number;
+        let is_b = a.is_world || a.creation_number < b.creation_number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };
-        let (z, partner_body) = if interface::is_geom(partner.geom) {
-            (space.overlap_middle_z(proxies, [a.body, b.body]), self.bodies.ids[partner.body as usize])
-        } else {
+        let (z, partner_body) = if partner.is_world {
             (space.z_positions[this.body as usize], None)
+        } else {
+            (space.overlap_middle_z(proxies, [a.body, b.body]), self.ids.bodies[partner.body as usize])
         };
         let CachedManifold { normal: [x, y], count, anchors, separations, features, depth: frozen, .. } =
             &self.pairs.manifolds[pair];
@@ -166,9 +168,9 @@ impl Precise {
             };
         }
         Some(DepthContact {
-            this: this.geom,
-            body: self.bodies.ids[this.body as usize]?,
-            target: interface::contact_target_of(partner.geom),
+            this: geom_of(this),
+            body: self.ids.bodies[this.body as usize]?,
+            target: interface::contact_target_of(geom_of(partner)),
             pieces: [this.piece, partner.piece],
             target_body: partner_body,
             normal: [sign * x, sign * y, sign * frozen.normal_z],

@@ -4,10 +4,10 @@
 //! hand.
 
 use super::DepthState;
-use super::interface::is_geom;
 use crate::body::Body;
 use crate::precise::Precise;
-use crate::precise::bodies::{BodySet, inverse_mass_inertia_of};
+use crate::precise::bodies::BodySet;
+use crate::precise::body_import::inverse_mass_inertia_of;
 use crate::precise::broad_phase::proxies::Proxy;
 use crate::precise::island::sleep::SleepState;
 
@@ -68,8 +68,8 @@ impl Precise {
     /// Fixes the rotation of a proxy's body if the shape of the proxy is vertical. Called when the proxy is added to `Proxies`.
     pub(in crate::precise) fn fix_rotation_of_proxy(&mut self, proxy: u32) {
         let Precise { depth: Some(space), proxies, .. } = self else { return };
-        let Proxy { geom, body, .. } = proxies.all[proxy as usize];
-        if space.is_vertical(proxy) && is_geom(geom) {
+        let Proxy { is_world, body, .. } = proxies.all[proxy as usize];
+        if space.is_vertical(proxy) && !is_world {
             let number = body as usize;
             (*super::entry_mut(&mut space.has_fixed_rotation, number), space.any_fixed_rotation) =
                 (true, true);

@@ -22,6 +22,7 @@ use crate::precise::broad_phase::pairs::{Pair, Pairs};
 use crate::precise::broad_phase::proxies::{BodyType, Proxies};
 use crate::precise::constraint_graph::{ColorUsage, ConstraintGraph};
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
+use crate::precise::ids::geom_of;
 use crate::precise::island::sleep::SleepState;
 use crate::precise::parameters::depth::{HINGE_REST_MAX_DISTANCE, HINGE_STOP_MAX_ANGLE};
 use crate::precise::scaled_parameters::StepContext;
@@ -292,9 +293,9 @@ impl Precise {
             let mut proxies = self.proxies.proxies_of(body_index).map(|at| &self.proxies.all[at as usize]);
             proxies
                 .find(|proxy| proxy.body_type == BodyType::Hinged)
-                .map(|proxy| interface::world_box_body_id(proxy.geom))
+                .map(|proxy| interface::world_box_body_id(geom_of(proxy)))
         };
-        self.bodies.ids[body_index].or_else(|| if HingeFeature::ENABLED { of_world_box() } else { None })
+        self.ids.bodies[body_index].or_else(|| if HingeFeature::ENABLED { of_world_box() } else { None })
     }
 
     /// Returns the body index of the body or hinged box that an id in a snapshot stands for; `None` if it no longer exists.

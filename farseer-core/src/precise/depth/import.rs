@@ -31,7 +31,7 @@ impl Precise {
     pub(crate) fn set_depth_body(&mut self, id: BodyId, state: DepthBodyState) {
         let Some(space) = self.depth.as_deref_mut() else { return };
         *space.body_mut(id) = state;
-        self.edited_bodies.push(id);
+        self.edits.bodies.push(id);
     }
 
     /// Adds the acceleration `along_depth` by a force, in length units/s^2, to the depth state of a body. The body is also
@@ -41,7 +41,7 @@ impl Precise {
         if let Some(space) = self.depth.as_deref_mut() {
             space.add_acceleration(id, along_depth);
         }
-        self.record_forced_body(number);
+        self.sleep.record_force(number);
     }
 
     /// Returns the acceleration of a body along z by the forces applied for the coming step, in length units/s^2; 0 without a
@@ -73,7 +73,7 @@ impl Precise {
         let known = space.shape_mut(id);
         if *known != shape {
             *known = shape;
-            self.needs_rebuild |= self.proxy_of(id, 0).is_some();
+            self.edits.needs_rebuild |= self.proxy_of(id, 0).is_some();
         }
     }
 
@@ -81,7 +81,7 @@ impl Precise {
     pub(crate) fn moved_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
         let space = self.depth.as_ref();
         self.sleep.awake_bodies(self.bodies.last_movable).filter_map(move |number| {
-            let id = self.bodies.ids[number]?;
+            let id = self.ids.bodies[number]?;
             Some((id, space?.body(id)))
         })
     }

@@ -42,6 +42,7 @@ mod world_boxes;
 use std::ops::Range;
 
 use super::bodies::BodySet;
+use super::ids::geom_of;
 use super::scaled_parameters::{AabbMargin, Parameters};
 use super::shape::ShapeRef;
 use crate::body::BodyId;
@@ -86,6 +87,8 @@ pub(crate) struct DepthState {
     pub(super) z_positions: Vec<f32>,
     /// Angular velocities of spheres about x and y in rad/s, with their warm start, by body index.
     pub(super) ball_spins: Vec<BallSpin>,
+    /// Index into `bodies` of each dynamic or kinematic body, by body index; [`NO_STATE`] for world boxes and static bodies.
+    state_slots: Vec<u32>,
     /// Whether a body is a sphere about its origin and so rotates about all axes, by body index.
     pub(super) is_ball: Vec<bool>,
     /// Whether `is_ball` holds for any body.
@@ -161,7 +164,7 @@ impl<S: std::ops::DerefMut<Target = DepthState>> std::ops::DerefMut for FeatureG
 
 reusing_clone! {
     DepthState {
-        bodies, shapes, world_boxes, box_bodies, box_proxies, moving_boxes, hinged_boxes, has_one_way, z_positions, ball_spins, is_ball, has_balls,
+        bodies, shapes, world_boxes, box_bodies, box_proxies, moving_boxes, hinged_boxes, has_one_way, z_positions, ball_spins, state_slots, is_ball, has_balls,
         has_fixed_rotation, any_fixed_rotation, vertical_solids, extents, intervals, ground_proxy, newly_asleep
     }
 }
@@ -179,6 +182,9 @@ struct DepthExtent {
     /// Index into `vertical_solids` plus 1; 0 for shapes that are not vertical.
     vertical: u32,
 }
+
+/// Value in [`DepthState::state_slots`] of an index without a depth state.
+const NO_STATE: u32 = u32::MAX;
 
 /// Returns the entry of `table` at `slot`; beyond the end of the table the default value.
 fn entry<T: Copy + Default>(table: &[T], slot: usize) -> T {
@@ -203,6 +209,12 @@ impl DepthState {
 
     pub(super) fn body(&self, id: BodyId) -> DepthBodyState {
         entry(&self.bodies, id.slot())
+    }
+
+    /// Returns the depth state of a dynamic or kinematic body by its body index; `None` for world boxes and static bodies.
+    fn state_of(&self, body_index: usize) -> Option<DepthBodyState> {
+        let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
+        Some(entry(&self.bodies, slot as usize))
     }
 
     /// Returns z of the first body relative to the second one (length units), and the velocity of the first along z relative to
@@ -255,11 +267,12 @@ impl DepthState {
 /// Depth data by body index and by proxy index.
 impl DepthState {
     /// Rebuilds the depth data by body index after `bodies` was rebuilt: z positions, ball spins, and the flags of spheres and
-    /// fixed rotations. World boxes must have their body indices in `box_bodies`.
-    pub(super) fn rebuild_bodies(&mut self, bodies: &BodySet) {
+    /// fixed rotations. World boxes must have their body indices in `box_bodies`. `ids`: id of each body, by body index.
+    pub(super) fn rebuild_bodies(&mut self, bodies: &BodySet, ids: &[Option<BodyId>]) {
         let DepthState {
             z_positions,
             ball_spins: spins,
+            state_slots,
             is_ball,
             has_balls,
             bodies: states,
@@ -269,16 +282,20 @@ impl DepthState {
         } = self;
         self.any_fixed_rotation = false;
         self.has_fixed_rotation.clear();
-        self.has_fixed_rotation.resize(bodies.ids.len(), false);
+        self.has_fixed_rotation.resize(bodies.poses.len(), false);
         z_positions.clear();
-        z_positions.extend(bodies.ids.iter().map(|id| id.map_or(0.0, |id| entry(states, id.slot()).z)));
+        z_positions.extend(ids.iter().map(|id| id.map_or(0.0, |id| entry(states, id.slot()).z)));
+        z_positions.resize(bodies.poses.len(), 0.0);
+        state_slots.clear();
+        let movable = ids.iter().take(bodies.states.len());
+        state_slots.extend(movable.map(|id| id.map_or(NO_STATE, |id| id.slot() as u32)));
         for (&number, world_box) in box_bodies.iter().zip(world_boxes) {
             z_positions[number as usize] = world_boxes::origin_of(world_box).z;
         }
         spins.clear();
         spins.resize(bodies.states.len(), BallSpin::default());
         is_ball.clear();
-        is_ball.resize(bodies.ids.len(), false);
+        is_ball.resize(bodies.poses.len(), false);
         *has_balls = false;
     }
 
@@ -290,7 +307,7 @@ impl DepthState {
         self.intervals.clear();
         self.intervals.resize(proxies.all.len(), DepthInterval::default());
         for proxy in &proxies.all {
-            let extent = self.extent_of(proxy.geom);
+            let extent = self.extent_of(geom_of(proxy));
             self.extents.push(extent);
         }
     }
@@ -300,6 +317,7 @@ impl DepthState {
         let state = self.body(id);
         *entry_mut(&mut self.z_positions, body_index) = state.z;
         *entry_mut(&mut self.ball_spins, body_index) = BallSpin::default();
+        *entry_mut(&mut self.state_slots, body_index) = id.slot() as u32;
         *entry_mut(&mut self.is_ball, body_index) = false;
         *entry_mut(&mut self.has_fixed_rotation, body_index) = false;
     }
@@ -535,9 +553,7 @@ impl DepthState {
         let world_box = self.world_box_of(proxy);
         let motion = match world_box {
             Some(world_box) => world_box.motion.map(|motion| motion.displacement),
-            None => {
-                bodies.ids[body].filter(|_| bodies.states.len() > body).map(|id| self.body(id).displacement)
-            }
+            None => self.state_of(body).map(|state| state.displacement),
         };
         PosedSolid {
             outline,

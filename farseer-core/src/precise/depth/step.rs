@@ -11,7 +11,7 @@ use crate::body::Body;
 use crate::math::decay;
 use crate::math::plane::length;
 use crate::precise::Precise;
-use crate::precise::bodies::BodyForces;
+use crate::precise::body_import::BodyForces;
 use crate::precise::constraint_graph::ConstraintGraph3;
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::contact_solver::soft_step::{
@@ -24,7 +24,7 @@ use crate::precise::scaled_parameters::StepContext;
 impl DepthState {
     /// Start of a step: stores the velocity of a body along z and its change per substep by forces and drag in component 3 of
     /// the vectors of `read`. A sphere also gets its angular velocity about x and y, after drag, in `ball_spins`. See
-    /// [`read_body`](crate::precise::bodies::read_body) for x and y.
+    /// [`read_body`](crate::precise::body_import::read_body) for x and y.
     pub(in crate::precise) fn begin_velocity(
         &mut self,
         body_index: usize,

@@ -6,7 +6,7 @@
 
 use super::DepthState;
 use super::interface::{
-    WorldBox, WorldBoxHinge, WorldBoxMotion, creation_number_of, ground_geom_id, is_geom, world_box_geom_id,
+    WorldBox, WorldBoxHinge, WorldBoxMotion, creation_number_of, ground_geom_id, world_box_geom_id,
 };
 use super::prism_collision::PosedSolid;
 use super::vertical_shapes::{VerticalSolid, clamp_any};
@@ -17,8 +17,10 @@ use crate::math::plane::{Pose, length};
 use crate::math::scalar;
 use crate::precise::Precise;
 use crate::precise::bodies::{BodySet, MotionState};
-use crate::precise::broad_phase::proxies::{BodyType, Proxy, world_box_filter};
+use crate::precise::broad_phase::proxies::{BodyType, Proxy};
 use crate::precise::fingerprint::Fingerprint;
+use crate::precise::geom_import::world_box_filter;
+use crate::precise::ids::owner_of;
 use crate::precise::parameters::depth::WORLD_BOX_MAX_SWEEP;
 use crate::precise::scaled_parameters::Parameters;
 use crate::precise::shape::Shape;
@@ -149,7 +151,7 @@ impl Precise {
         let moving_boxes = (0..).zip(&space.world_boxes).filter(|(_, world_box)| world_box.motion.is_some());
         space.moving_boxes.clear();
         space.moving_boxes.extend(moving_boxes.map(|(place, _)| place));
-        self.needs_rebuild = true;
+        self.edits.needs_rebuild = true;
     }
 
     /// Sets the motion of the moving box with this id; an unknown id is ignored. A hinged box wakes if its motion or its hinge
@@ -160,7 +162,7 @@ impl Precise {
         let known = space.world_boxes[place].motion.replace(motion);
         let body_index = space.moving_boxes.binary_search(&(place as u32)).map_or(0, |at| at + 1);
         if let Some(hot) =
-            self.bodies.states.get_mut(body_index).filter(|_| body_index > 0 && !self.needs_rebuild)
+            self.bodies.states.get_mut(body_index).filter(|_| body_index > 0 && !self.edits.needs_rebuild)
         {
             hot.velocity = solver_velocity(&motion);
             if motion.hinge().is_some() && known != Some(motion) {
@@ -193,7 +195,7 @@ impl DepthState {
 
     /// Returns the world box of a proxy; `None` for geoms and the ground.
     pub(super) fn world_box_of(&self, proxy: &Proxy) -> Option<&WorldBox> {
-        if is_geom(proxy.geom) { None } else { self.world_boxes.get(proxy.list_index as usize) }
+        if proxy.is_world { self.world_boxes.get(proxy.list_index as usize) } else { None }
     }
 
     /// Returns whether a proxy is a world box that can rotate about the vertical axis.
@@ -285,13 +287,13 @@ impl Precise {
                 moving
             } else {
                 self.bodies.add_world_box(pose_of(world_box), world_box.rotation);
-                self.bodies.ids.len() - 1
+                self.bodies.poses.len() - 1
             };
             space.box_bodies.push(body_index as u32);
         }
-        space.rebuild_bodies(&self.bodies);
+        space.rebuild_bodies(&self.bodies, &self.ids.bodies);
         for body_index in 1..=self.bodies.last_movable {
-            if let Some(id) = self.bodies.ids[body_index] {
+            if let Some(id) = self.ids.bodies[body_index] {
                 self.import_body_z(body_index, id);
             }
         }
@@ -315,7 +317,7 @@ impl Precise {
         space.ground_proxy = self.proxies.all.len() as u32;
         let ground = Proxy {
             list_index: NO_WORLD_BOX,
-            ..world_proxy(ground_geom_id(), self.bodies.ids.len() - still - 1)
+            ..world_proxy(ground_geom_id(), self.bodies.poses.len() - still - 1)
         };
         self.proxies.push(ground);
         self.add_box_proxies(false);
@@ -399,7 +401,7 @@ impl Precise {
         let [x, y, _, z] = self.bodies.states[one.body as usize].velocity.map(|velocity| velocity * dt);
         let motion = self.swept_motion();
         if !motion.contains_sweep(proxy, &motion.swept_aabb(proxy, [x, y, 0.0, z]), z) {
-            self.insert_proxy(proxy);
+            self.fat_aabbs().insert(proxy);
         }
         let Precise { pairs, pair_scratch: lost, .. } = self;
         lost.extend(
@@ -460,7 +462,7 @@ impl Precise {
 /// Returns a static proxy without a shape, for the ground or a world box with this id and this body index.
 fn world_proxy(id: GeomId, body: usize) -> Proxy {
     Proxy {
-        geom: id,
+        owner: owner_of(id),
         creation_number: creation_number_of(id),
         body: body as u32,
         body_type: BodyType::Fixed,

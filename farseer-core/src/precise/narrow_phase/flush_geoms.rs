@@ -120,7 +120,7 @@ impl<'a> FlushFilter<'a> {
             let [other, _] = self.pairs.triggers[pair].proxies;
             let (state, c) = (&self.pairs.all[pair], &self.proxies.all[other as usize]);
             let is_closed = matches!(state.one_way_state, OneWayState::Closed | OneWayState::Landed);
-            let is_other_piece = other != at_a && other != at_b && c.geom != a.geom && has_faces(c);
+            let is_other_piece = other != at_a && other != at_b && c.owner != a.owner && has_faces(c);
             // The narrow phase runs before the handlers of this update decide.
             let is_vetoed = state.is_vetoed || state.was_vetoed;
             (is_other_piece && state.responds && !is_vetoed && is_closed).then_some(c)

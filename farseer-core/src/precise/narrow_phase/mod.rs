@@ -53,6 +53,7 @@ pub(super) use touch_state::TouchEvent;
 /// The narrow phase: references to the state of the simulator that it reads and writes.
 pub(super) struct NarrowPhase<'a> {
     pub(super) bodies: &'a BodySet,
+    pub(super) ids: &'a [Option<BodyId>],
     pub(super) proxies: &'a Proxies,
     pub(super) pairs: &'a mut Pairs,
     pub(super) constraints: &'a mut ConstraintGraph,

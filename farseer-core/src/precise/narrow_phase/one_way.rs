@@ -289,7 +289,7 @@ fn is_of_group(proxies: &Proxies, [a, b]: [u32; 2], [one, other]: [u32; 2]) -> b
     let belongs = |proxy: u32, to: u32| {
         let (proxy, to) = (&proxies.all[proxy as usize], &proxies.all[to as usize]);
         if to.one_way.is_some() {
-            proxy.geom == to.geom
+            proxy.owner == to.owner
         } else {
             proxy.body == to.body && proxy.one_way.is_none()
         }

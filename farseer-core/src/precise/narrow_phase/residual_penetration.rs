@@ -28,7 +28,7 @@ impl NarrowPhase<'_> {
     /// Returns the largest penetration of a body in its present contacts and in the last static contact that ended, in length
     /// units, >= 0.
     fn body_penetration(&self, body: usize) -> f32 {
-        let id = self.bodies.ids[body];
+        let id = self.ids[body];
         let stored = self.depth.zip(id).map_or(0.0, |(space, id)| space.body(id).residual_penetration);
         let depths = self.pairs.pairs_of_body(self.proxies, body).map(|pair| self.pair_penetration(pair));
         depths.fold(stored, |deepest, depth| if depth > deepest { depth } else { deepest })
@@ -59,7 +59,7 @@ impl NarrowPhase<'_> {
         {
             return;
         }
-        if let Some(body) = self.bodies.ids[two.b.body as usize] {
+        if let Some(body) = self.ids[two.b.body as usize] {
             self.ended_static_contacts.push((body, self.pair_penetration(pair).min(f32::MAX)));
         }
     }

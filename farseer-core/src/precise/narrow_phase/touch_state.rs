@@ -1,9 +1,6 @@
 //! Narrow phase: decides when a pair begins and ceases to touch, and collects the touch events for the game.
 
-use serde::{Deserialize, Serialize};
-
 use super::{NarrowPhase, ProxyPair};
-use crate::geom::GeomId;
 use crate::math::plane::{Vector, difference, dot, sum};
 use crate::precise::broad_phase::pairs::UPDATED_BY_SOLVER;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
@@ -11,27 +8,29 @@ use crate::storage::order::packed_key;
 
 /// Event: two geoms begin or cease to touch with one pair of their convex pieces. The geom with the smaller creation number is
 /// first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::precise) struct TouchEvent {
     /// Creation numbers of the two geoms, the smaller one first.
     pub(in crate::precise) numbers: (u32, u32),
     /// Whether the touch begins; false if it ends.
     pub(in crate::precise) begins: bool,
-    pub(in crate::precise) geoms: (GeomId, GeomId),
+    /// Numbers of the two geoms: see [`Proxy::owner`].
+    pub(in crate::precise) owners: [u64; 2],
 }
 
 impl TouchEvent {
-    /// Returns the event of a pair of pieces, given creation number and id of the geoms of both pieces.
-    pub(in crate::precise) fn new(sides: [(u32, GeomId); 2], begins: bool) -> Self {
+    /// Returns the event of a pair of pieces, given creation number and [owner](Proxy::owner) of both pieces.
+    pub(in crate::precise) fn new(sides: [(u32, u64); 2], begins: bool) -> Self {
+        let key = |(number, owner): (u32, u64)| (number, owner.rotate_left(32));
         let [a, b] = sides;
-        let (first, second) = if a < b { (a, b) } else { (b, a) };
-        TouchEvent { numbers: (first.0, second.0), begins, geoms: (first.1, second.1) }
+        let (first, second) = if key(a) < key(b) { (a, b) } else { (b, a) };
+        TouchEvent { numbers: (first.0, second.0), begins, owners: [first.1, second.1] }
     }
 
-    /// Returns a key that sorts events by the creation numbers of their geoms. The slots of the geoms decide only in altered
-    /// snapshots, where two geoms may have one creation number.
+    /// Returns a key that sorts events by the creation numbers of their geoms. The owners decide only in altered snapshots,
+    /// where two geoms may have one creation number.
     pub(in crate::precise) fn sort_key(&self) -> u128 {
-        let [first, second] = [self.geoms.0, self.geoms.1].map(|geom| geom.slot() as u32);
+        let [first, second] = self.owners.map(|owner| owner as u32);
         packed_key([self.numbers.0, self.numbers.1, u32::from(self.begins) << 31 | first, second])
     }
 }
@@ -126,7 +125,7 @@ impl NarrowPhase<'_> {
         self.pairs.set_touching(pair, begins);
         let sides = self.pairs.triggers[pair].proxies.map(|proxy| {
             let proxy = &self.proxies.all[proxy as usize];
-            (proxy.creation_number, proxy.geom)
+            (proxy.creation_number, proxy.owner)
         });
         self.touch_events.push(TouchEvent::new(sides, begins));
     }

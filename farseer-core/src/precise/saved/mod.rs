@@ -19,6 +19,7 @@ use super::Precise;
 use super::depth::FeatureGate;
 use super::depth::interface::DepthInterval;
 use super::direct_solver::{IslandHistory, ReselectionTimer};
+use super::ids::owner_of;
 use super::narrow_phase::TouchEvent;
 use super::scaled_parameters::Parameters;
 use crate::body::{Body, BodyId};
@@ -28,8 +29,8 @@ use crate::math::plane::Vector;
 use crate::objects::Objects;
 use crate::precise::broad_phase::pairs::CachedManifoldZ;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
-use crate::precise::island::sleep::SleepingJoint;
 use crate::precise::narrow_phase::one_way::OneWayState;
+use crate::precise::sleeping_joints::SleepingJoint;
 
 /// Saved state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -76,7 +77,7 @@ pub(crate) struct Saved {
     woken: Vec<BodyId>,
     /// Touch events that the game has not received yet.
     #[serde(rename = "changes")]
-    touch_events: Vec<TouchEvent>,
+    touch_events: Vec<SavedTouchEvent>,
 }
 
 /// Saved form of a sleeping body.
@@ -148,6 +149,30 @@ struct ImportedState {
     one_way: Option<Vector>,
     /// [Fingerprint](crate::precise::fingerprint) of the shape of the proxy, a hash.
     fingerprint: u64,
+}
+
+/// Saved form of a [`TouchEvent`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+struct SavedTouchEvent {
+    /// Creation numbers of the two geoms, the smaller one first.
+    numbers: (u32, u32),
+    /// Whether the touch begins; false if it ends.
+    begins: bool,
+    geoms: (GeomId, GeomId),
+}
+
+impl SavedTouchEvent {
+    /// Returns the saved form of an event.
+    fn of(event: &TouchEvent) -> Self {
+        let [one, other] = event.owners.map(GeomId::from_bits);
+        SavedTouchEvent { numbers: event.numbers, begins: event.begins, geoms: (one, other) }
+    }
+
+    /// Returns the event.
+    fn event(&self) -> TouchEvent {
+        let owners = [owner_of(self.geoms.0), owner_of(self.geoms.1)];
+        TouchEvent { numbers: self.numbers, begins: self.begins, owners }
+    }
 }
 
 /// Saved form of a pair of proxies.
@@ -336,10 +361,10 @@ impl Precise {
         swap_states(&mut others, objects, true);
         self.rebuild(objects, &saved, EditPolicy::Defer);
         swap_states(&mut others, objects, false);
-        self.edited_bodies.extend(others.into_iter().map(|(id, _)| id));
+        self.edits.bodies.extend(others.into_iter().map(|(id, _)| id));
         // The engine above sends all data of the depth axis again.
         if self.has_depth() || self.save() != saved {
-            self.needs_rebuild = true;
+            self.edits.needs_rebuild = true;
             self.loaded = Some(saved);
         }
     }

@@ -3,13 +3,19 @@
 //! Pairs of removed bodies and geoms are removed in the same order as in [`add_remove`](crate::precise::add_remove), so that
 //! both paths give the same bits.
 
-use super::{EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
+use super::{
+    EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody,
+    SavedTouchEvent,
+};
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
+use crate::precise::body_import::velocity_of;
 use crate::precise::broad_phase::pair_finder::order_pair;
 use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use crate::precise::depth::FeatureGate;
+use crate::precise::ids::{geom_of, owner_of};
+use crate::precise::import::reset_one_way_states;
 use crate::precise::narrow_phase::TouchEvent;
 use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::order::sort_by_number;
@@ -31,7 +37,7 @@ impl Precise {
         let remaining = |pair: &SavedPair| {
             let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
             current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
-                let [one, other] = now.map(|proxy| self.proxies.all[proxy as usize].geom);
+                let [one, other] = now.map(|proxy| geom_of(&self.proxies.all[proxy as usize]));
                 order_pair(&self.proxies, self.depth.as_ref().map(FeatureGate::by_ref), now) == Some(now)
                     && (edits == EditPolicy::Defer || self.may_keep_pair((one, other), objects))
             })
@@ -58,8 +64,8 @@ impl Precise {
         edited_proxies.into_iter().for_each(|proxy| self.invalidate_pairs(proxy));
         self.restore_constraints(constraints);
         self.sleep_pairs();
-        self.wake_requests.clear();
-        self.wake_requests.extend_from_slice(&saved.woken);
+        self.edits.wake_requests.clear();
+        self.edits.wake_requests.extend_from_slice(&saved.woken);
         self.wake_requested_by_game();
     }
 
@@ -67,11 +73,11 @@ impl Precise {
     /// exists. Causes are a changed filter, a disabled or removed geom, or other convex pieces.
     fn restore_touch_events(&mut self, saved: &Saved, is_lost: impl Fn(usize) -> bool) {
         self.touch_events.clear();
-        self.touch_events.extend_from_slice(&saved.touch_events);
+        self.touch_events.extend(saved.touch_events.iter().map(SavedTouchEvent::event));
         let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_touching && is_lost(at));
         self.touch_events.extend(ended.map(|(_, pair)| {
             let sides = pair.proxies.map(|proxy| &saved.proxies[proxy as usize]);
-            TouchEvent::new(sides.map(|proxy| (proxy.number, proxy.geom)), false)
+            TouchEvent::new(sides.map(|proxy| (proxy.number, owner_of(proxy.geom))), false)
         }));
     }
 
@@ -132,7 +138,7 @@ impl Precise {
             if let Some(place) =
                 place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.imported.one_way)
             {
-                self.reset_one_way_states(place);
+                reset_one_way_states(&mut self.pairs, &self.proxies, place);
             }
         }
     }
@@ -141,7 +147,7 @@ impl Precise {
     fn restore_solver_history(&mut self, saved: &Saved) {
         self.direct_solver.timer = saved.reselection_timer;
         for &(body, history) in &saved.solver_history {
-            match self.body_index(body).filter(|&number| self.is_dynamic(number)) {
+            match self.body_index(body).filter(|&number| self.bodies.is_dynamic(number)) {
                 Some(number) => self.direct_solver.history[number] = history,
                 None => self.direct_solver.timer.is_due |= history.is_direct,
             }
@@ -173,7 +179,7 @@ impl Precise {
         } in &saved.sleeping_bodies
         {
             let may_sleep = |&number: &usize| {
-                (self.is_dynamic(number) || self.is_hinged(number)) && !self.sleep.is_asleep(number)
+                (self.bodies.is_dynamic(number) || self.is_hinged(number)) && !self.sleep.is_asleep(number)
             };
             let Some(number) = self.body_of_saved_id(body).filter(may_sleep) else { continue };
             self.bodies.put_to_rest(number, 1.0);
@@ -190,14 +196,14 @@ impl Precise {
                 self.import_hinge_velocity(number);
                 // The narrow phase uses the velocity that the body was given. A hinged box has no body with this id.
                 if let Some(entry) = objects.bodies.get(body) {
-                    self.bodies.set_velocity(number, &entry.body);
+                    self.bodies.set_velocity(number, velocity_of(&entry.body));
                     self.import_body_z(number, body);
                 }
                 self.fix_rotation_if_vertical(number);
             }
         }
-        self.sleep.joints =
-            saved.joints.iter().filter(|joint| self.holds_sleeping_body(joint)).copied().collect();
+        self.sleeping_joints.clone_from(&saved.joints);
+        self.drop_joints_of_awake();
         self.sleep.update_runs(&self.proxies);
     }
 
@@ -221,7 +227,7 @@ impl Precise {
         }
         for at in (0..self.proxies.all.len()).filter(|&at| !is_known[at]) {
             if !self.proxies.all[at].is_empty() {
-                self.insert_proxy(at as u32);
+                self.fat_aabbs().insert(at as u32);
                 // A new body may form an island for the direct solver.
                 self.direct_solver.timer.is_due = true;
             }
@@ -237,11 +243,11 @@ impl Precise {
             let [filter @ .., responds] = then.filter;
             let proxy = &mut self.proxies.all[proxy_index as usize];
             (proxy.filter, proxy.responds) = (filter, responds != 0);
-            self.edited_geoms.push(proxy.geom);
+            self.edits.geoms.push(geom_of(proxy));
             now.filter = then.filter;
         }
         self.proxies.travel[proxy_index as usize] = saved.travel;
-        self.insert_proxy_with_aabb(proxy_index, saved.fat_aabb, saved.depth_interval);
+        self.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
         let has_moved = then.pose != now.pose;
         // The saved AABB and manifolds belong to the former shape.
         let is_reshaped = then.fingerprint != now.fingerprint;
@@ -249,7 +255,7 @@ impl Precise {
             self.bodies.clear_delta_pose(self.proxies.all[proxy_index as usize].body as usize);
         }
         if has_moved || is_reshaped {
-            self.teleport_proxy(proxy_index);
+            self.fat_aabbs().teleport(proxy_index);
         }
         if saved.is_refitted || has_moved || is_reshaped || then.filter != now.filter {
             self.proxies.refitted.push(proxy_index);

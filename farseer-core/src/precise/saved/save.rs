@@ -1,6 +1,8 @@
 //! Writes the state of the precise set to [`Saved`].
 
-use super::{Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
+use super::{
+    Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody, SavedTouchEvent,
+};
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
@@ -10,6 +12,7 @@ use crate::precise::constraint_graph::{
 };
 use crate::precise::depth::interface::DepthInterval;
 use crate::precise::direct_solver::IslandHistory;
+use crate::precise::ids::geom_of;
 use crate::precise::narrow_phase::TouchEvent;
 use crate::storage::order::sort_by_number;
 
@@ -29,7 +32,7 @@ impl Precise {
         }
         let listed = self.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
         let proxies = listed.map(|(at, proxy)| SavedProxy {
-            geom: proxy.geom,
+            geom: geom_of(proxy),
             number: proxy.creation_number,
             piece: proxy.piece,
             body_type: proxy.body_type,
@@ -52,22 +55,22 @@ impl Precise {
             gravity: self.sleep.gravity,
             rest_times: self.save_rest_times().collect(),
             sleeping_bodies: self.save_sleeping_bodies(),
-            joints: self.sleep.joints.clone(),
+            joints: self.sleeping_joints.clone(),
             solver_history: self.save_solver_history().collect(),
             reselection_timer: self.direct_solver.timer,
             is_in_space: self.depth.is_some(),
             delta_poses: self.save_delta_poses().collect(),
-            woken: self.wake_requests.clone(),
+            woken: self.edits.wake_requests.clone(),
             touch_events: self.save_touch_events(),
         }
     }
 
     /// Returns the touch events in the order of creation numbers. The order of the events in memory depends on how pairs were
     /// removed.
-    fn save_touch_events(&self) -> Vec<TouchEvent> {
+    fn save_touch_events(&self) -> Vec<SavedTouchEvent> {
         let mut changes = self.touch_events.clone();
         sort_by_number(&mut changes, TouchEvent::sort_key);
-        changes
+        changes.iter().map(SavedTouchEvent::of).collect()
     }
 
     /// Returns the displacements in the last step of bodies with geoms, if there are one-way geoms: x, y (length units),
@@ -79,7 +82,7 @@ impl Precise {
         let ways = delta_poses.filter(|&(number, delta_pose)| {
             delta_pose != [0.0; 4] && self.proxies.proxies_of(number).next().is_some()
         });
-        ways.filter_map(|(number, way)| Some((self.bodies.ids[number]?, way)))
+        ways.filter_map(|(number, way)| Some((self.ids.bodies[number]?, way)))
     }
 
     /// Returns the times for which awake bodies have been at rest, in seconds; zeros are left out.
@@ -96,7 +99,7 @@ impl Precise {
         let histories =
             (1..=self.bodies.last_movable).map(|number| (number, self.direct_solver.history[number]));
         let worn = histories.filter(|&(_, history)| history != IslandHistory::default());
-        worn.filter_map(|(number, wear)| Some((self.bodies.ids[number]?, wear)))
+        worn.filter_map(|(number, wear)| Some((self.ids.bodies[number]?, wear)))
     }
 
     /// Returns all sleeping bodies, in the order of their indices.

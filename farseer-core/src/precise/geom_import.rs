@@ -1,0 +1,165 @@
+//! Adapter: makes the proxies of geoms from their properties.
+
+use super::bodies::BodySet;
+use super::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use super::depth::interface::DepthShape;
+use super::depth::{DepthState, FeatureGate};
+use super::fingerprint::Fingerprint;
+use super::ids::{IdTable, owner_of};
+use super::shape::Shape;
+use crate::body::{Body, BodyId};
+use crate::geom::entry::GeomEntry;
+use crate::geom::filter::CollisionFilter;
+use crate::geom::pieces::Piece;
+use crate::geom::{Geom, GeomId};
+use crate::math::plane::Vector;
+use crate::objects::Objects;
+
+/// Parts from which the proxies of geoms follow, and the lists that get them.
+pub(super) struct ProxyImport<'a> {
+    pub(super) ids: &'a mut IdTable,
+    pub(super) bodies: &'a BodySet,
+    pub(super) proxies: &'a mut Proxies,
+    pub(super) depth: Option<FeatureGate<&'a DepthState>>,
+    /// Whether any geom has a restitution coefficient above 0.
+    pub(super) has_restitution: &'a mut bool,
+    pub(super) objects: &'a Objects,
+}
+
+impl ProxyImport<'_> {
+    /// Appends the proxies of all geoms for whose body index `is_wanted` returns true.
+    pub(super) fn push_all(&mut self, is_wanted: impl Fn(usize) -> bool) {
+        let objects = self.objects;
+        for at in 0..objects.geoms.list().len() {
+            let Some((id, geom)) = objects.geoms.at(at) else { continue };
+            if !self.ids.body_index(geom.body).is_some_and(&is_wanted) {
+                continue;
+            }
+            self.ids.add_geom(id, self.proxies.all.len());
+            for piece in 0..geom.pieces().len() {
+                if let Some(proxy) = self.proxy(at, piece) {
+                    self.proxies.push(proxy);
+                }
+            }
+        }
+    }
+
+    /// Adds the proxies of the geom at the position `at` of the simulator's list, where the lists have room.
+    pub(super) fn add(&mut self, at: usize) {
+        let Some((id, geom)) = self.objects.geoms.at(at) else { return };
+        for piece in 0..geom.pieces().len() {
+            let Some(proxy) = self.proxy(at, piece).and_then(|proxy| self.proxies.add(proxy)) else {
+                continue;
+            };
+            if piece == 0 {
+                self.ids.add_geom(id, proxy);
+            }
+        }
+    }
+
+    /// Returns the proxy of one convex piece of a geom in its current state; `None` if its body is not listed. `at`: position
+    /// of the geom in the simulator's list. Its shape is added to the vertex pool.
+    fn proxy(&mut self, at: usize, piece: usize) -> Option<Proxy> {
+        let (id, geom) = self.objects.geoms.at(at)?;
+        let body = self.ids.body_index(geom.body)?;
+        let body_type = match body < self.bodies.first_static() {
+            false => BodyType::Fixed,
+            true if self.bodies.is_kinematic(body) => BodyType::Kinematic,
+            true => BodyType::Dynamic,
+        };
+        let [friction, restitution] = surface_coefficients(&geom.geom);
+        *self.has_restitution |= restitution > 0.0;
+        let shape = self.add_shape(id, geom, piece);
+        let surface_velocity = match body_type {
+            BodyType::Fixed => surface_velocity(&self.objects.bodies[geom.body].body, geom.body, self.depth),
+            _ => [0.0; 4],
+        };
+        Some(Proxy {
+            owner: owner_of(id),
+            is_world: false,
+            piece: piece as u32,
+            list_index: at as u32,
+            creation_number: geom.number,
+            body: body as u32,
+            body_type,
+            shape,
+            fingerprint: self.fingerprint_of(id, shape),
+            friction,
+            restitution,
+            responds: geom.geom.collision_response_enabled(),
+            is_reported: geom.geom.collision_callbacks_enabled(),
+            filter: geom_filter(geom),
+            surface_velocity,
+            one_way: one_way_direction(geom, self.depth.is_some()),
+        })
+    }
+
+    /// Adds the shape of a convex piece, in the frame of its body, to the vertex pool. Returns the shape.
+    fn add_shape(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
+        match self.depth.map(|space| space.shape(id)) {
+            Some(DepthShape { vertical: Some(upright), .. }) => {
+                let ([x, y], half) = upright.front_box();
+                self.proxies.vertices.add_box_at([geom.offset.x + x, geom.offset.y + y], half)
+            }
+            Some(DepthShape { is_sphere: true, half_depth, .. }) => {
+                let circle = Piece::Circle { centre: [0.0; 2], radius: half_depth };
+                self.proxies.vertices.add(&circle, geom)
+            }
+            _ => self.proxies.vertices.add(&geom.pieces()[piece], geom),
+        }
+    }
+
+    /// Returns the [fingerprint](super::fingerprint) of a listed `shape` of a geom, with its depth shape in three axes.
+    fn fingerprint_of(&self, id: GeomId, shape: Shape) -> u64 {
+        let mut fingerprint = Fingerprint::default();
+        fingerprint.add_outline(self.proxies.vertices.shape_ref(shape));
+        if let Some(space) = self.depth {
+            fingerprint.add_depth_shape(&space.shape(id));
+        }
+        fingerprint.bits()
+    }
+}
+
+/// Returns the surface velocity of a static body, a conveyor belt if it is not 0: x, y (length units/s), angular velocity
+/// (radians/s), z (length units/s).
+pub(super) fn surface_velocity(body: &Body, id: BodyId, depth: Option<FeatureGate<&DepthState>>) -> [f32; 4] {
+    let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
+    let along_depth = depth.map_or(0.0, |space| space.body(id).velocity);
+    [velocity.x, velocity.y, spin, along_depth].map(without_negative_zero)
+}
+
+/// Returns the outward direction of the solid side of a one-way geom, a unit vector in the frame of its body. `None` for all
+/// other geoms, and in three axes.
+pub(super) fn one_way_direction(geom: &GeomEntry, has_depth: bool) -> Option<Vector> {
+    geom.one_way.filter(|_| !has_depth).map(|direction| [direction.x, direction.y])
+}
+
+/// Returns the collision filter of a geom in the form of [`Proxy::filter`].
+pub(super) fn geom_filter(entry: &GeomEntry) -> [i32; 5] {
+    let geom = &entry.geom;
+    let (categories, collides_with) = (geom.collision_categories().bits(), geom.collides_with().bits());
+    [
+        categories,
+        collides_with,
+        geom.collision_group(),
+        i32::from(geom.collision_enabled()),
+        entry.ignore_changes,
+    ]
+}
+
+/// Returns the collision filter of a world box in the form of [`Proxy::filter`].
+pub(super) fn world_box_filter(filter: &CollisionFilter) -> [i32; 5] {
+    let CollisionFilter { categories, collides_with, group, is_enabled, .. } = filter;
+    [categories.bits(), collides_with.bits(), *group, i32::from(*is_enabled), 0]
+}
+
+/// Returns the friction and the restitution coefficient of a geom, dimensionless.
+pub(super) fn surface_coefficients(geom: &Geom) -> [f32; 2] {
+    [geom.friction_coefficient(), geom.restitution_coefficient()].map(without_negative_zero)
+}
+
+/// Returns `value`, with +0 in place of -0. Imports copy only values that compare unequal, so both zeros must have the same
+/// bits.
+fn without_negative_zero(value: f32) -> f32 {
+    value + 0.0
+}

@@ -1,0 +1,115 @@
+//! Adapter: the ids of the game behind the dense indices of the solver.
+//!
+//! The solver knows bodies and proxies by their indices. This table translates an index to an id and back.
+
+use std::ops::Range;
+
+use super::broad_phase::proxies::{Proxies, Proxy};
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::storage::reusing_clone::reusing_clone;
+
+/// Entry of a table that stands for no body or proxy; all other entries are indices.
+const NOT_LISTED: u32 = u32::MAX;
+
+/// Ids of the bodies by body index, and the indices of bodies and geoms by the slots of their ids.
+#[derive(Debug, Default)]
+pub(super) struct IdTable {
+    /// Id of each body, by body index; `None` for the placeholder, boxes of `twohalf` and empty entries.
+    pub(super) bodies: Vec<Option<BodyId>>,
+    /// Index into `bodies` of each body, by the slot of its id; [`NOT_LISTED`] if the body is not listed.
+    body_indices: Vec<u32>,
+    /// Index of the first proxy of each geom, by the slot of its id; [`NOT_LISTED`] if the geom has no proxy.
+    first_proxies: Vec<u32>,
+}
+
+reusing_clone! { IdTable { bodies, body_indices, first_proxies } }
+
+/// Returns the number by which a proxy knows the geom that it belongs to: see [`Proxy::owner`].
+pub(super) fn owner_of(geom: GeomId) -> u64 {
+    geom.to_bits()
+}
+
+/// Returns the geom that a proxy belongs to, or the id that stands for a world box or the ground.
+pub(super) fn geom_of(proxy: &Proxy) -> GeomId {
+    GeomId::from_bits(proxy.owner)
+}
+
+/// Returns `at` if the proxy with this index is the given convex piece of a geom; else `None`.
+pub(super) fn piece_at(proxies: &Proxies, at: usize, (geom, piece): (GeomId, u32)) -> Option<u32> {
+    let proxy = proxies.all.get(at)?;
+    (proxy.owner == owner_of(geom) && proxy.piece == piece).then_some(at as u32)
+}
+
+/// Sets the entry `slot` of a table to `value`. Lengthens the table with [`NOT_LISTED`] as needed.
+fn set_entry(table: &mut Vec<u32>, slot: usize, value: u32) {
+    if table.len() <= slot {
+        table.resize(slot + 1, NOT_LISTED);
+    }
+    table[slot] = value;
+}
+
+/// Returns the entry `slot` of a table; `None` if it is [`NOT_LISTED`] or beyond the end of the table.
+fn entry_of(table: &[u32], slot: usize) -> Option<usize> {
+    table.get(slot).copied().filter(|&number| number != NOT_LISTED).map(|number| number as usize)
+}
+
+impl IdTable {
+    /// Removes all bodies and makes room for `count` body indices, none of which has a body.
+    pub(super) fn clear_bodies(&mut self, count: usize) {
+        self.body_indices.clear();
+        self.bodies.clear();
+        self.bodies.resize(count, None);
+    }
+
+    /// Lists a body at the index `index`.
+    pub(super) fn add_body(&mut self, index: usize, id: BodyId) {
+        if self.bodies.len() <= index {
+            self.bodies.resize(index + 1, None);
+        }
+        self.bodies[index] = Some(id);
+        set_entry(&mut self.body_indices, id.slot(), index as u32);
+    }
+
+    /// Removes the body at `index`. The index stays without a body until the next rebuild.
+    pub(super) fn remove_body(&mut self, index: usize) {
+        if let Some(id) = self.bodies[index].take() {
+            self.body_indices[id.slot()] = NOT_LISTED;
+        }
+    }
+
+    /// Returns the body index of a body; `None` if the body is not listed.
+    pub(super) fn body_index(&self, body: BodyId) -> Option<usize> {
+        entry_of(&self.body_indices, body.slot()).filter(|&index| self.bodies[index] == Some(body))
+    }
+
+    /// Removes all geoms.
+    pub(super) fn clear_geoms(&mut self) {
+        self.first_proxies.clear();
+    }
+
+    /// Lists a geom, whose first proxy has the index `first`.
+    pub(super) fn add_geom(&mut self, geom: GeomId, first: usize) {
+        set_entry(&mut self.first_proxies, geom.slot(), first as u32);
+    }
+
+    /// Removes a geom.
+    pub(super) fn remove_geom(&mut self, geom: GeomId) {
+        self.first_proxies[geom.slot()] = NOT_LISTED;
+    }
+
+    /// Returns the index of the first proxy of the geom with this slot; `None` if the slot has no listed geom. The proxy may
+    /// belong to a former geom of the slot.
+    pub(super) fn first_proxy(&self, geom: GeomId) -> Option<usize> {
+        entry_of(&self.first_proxies, geom.slot())
+    }
+
+    /// Returns the range of the proxy indices of a geom; empty if the geom has no proxy.
+    pub(super) fn proxies_of_geom(&self, proxies: &Proxies, geom: GeomId) -> Range<usize> {
+        let first = self.first_proxy(geom).and_then(|first| piece_at(proxies, first, (geom, 0)));
+        let Some(first) = first.map(|first| first as usize) else { return 0..0 };
+        let owner = owner_of(geom);
+        let count = proxies.all[first..].iter().take_while(|proxy| proxy.owner == owner).count();
+        first..first + count
+    }
+}

@@ -1,0 +1,315 @@
+//! Adapter: report of islands, and of why a body is awake. Solver, reason and cost of each island in the last update, and the residual of its constraints.
+//!
+//! The report is computed on request, from the state that the update has left. The step itself stores nothing for it.
+
+use super::Precise;
+use super::bodies::BodySet;
+use super::broad_phase::pairs::Pairs;
+use super::broad_phase::proxies::Proxies;
+use super::direct_solver::island_stats::IslandCensus;
+use super::ids::IdTable;
+use super::island::falling_asleep::unite_islands;
+use super::island::report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
+use super::island::sleep::SleepState;
+use super::island::union_find::UnionFind;
+use super::narrow_phase::manifold::{Manifold, collide};
+use super::parameters::sleep::TIME_TO_SLEEP;
+use super::wake_import::spring_body_pairs;
+use crate::body::BodyId;
+use crate::joints::Joint;
+use crate::joints::constraint_spec::ConstraintSpecKind;
+use crate::math::plane::{Vector, difference, dot};
+use crate::methods::SolverChoice;
+use crate::objects::Objects;
+use crate::storage::order::{packed_key, sort_by_number};
+
+/// Reason why a body is awake: see [`PhysicsSimulator::why_awake`](crate::PhysicsSimulator::why_awake).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum AwakeReason {
+    /// Sleeping is [switched off](crate::PhysicsSimulator::set_sleep_enabled), or the simulator uses the faithful set.
+    SleepDisabled,
+    /// The body is static or kinematic, or is not simulated (disabled or removed): it never sleeps.
+    NeverSleeps,
+    /// The body, or a hinged platform that leans on it, moves too fast.
+    Moves {
+        /// Speed below which the body counts as at rest, length units/s.
+        limit: f32,
+    },
+    /// The body is at rest, but contacts, joints or springs connect it with a body that is not at rest.
+    HangsTogether {
+        /// The body of the island that is not at rest.
+        with: BodyId,
+    },
+    /// All bodies of the island are at rest, but not for long enough, or the load adaptation of its contacts has not ended.
+    ///
+    /// Bodies that a motor, belt or kinematic body moves slowly have their rest time reset in each update.
+    RestsSince {
+        /// Time for which the body has been at rest, seconds.
+        seconds: f32,
+        /// Rest time after which the island sleeps, seconds.
+        needed: f32,
+    },
+}
+
+/// Set of dynamic bodies that contacts, joints or springs connect: see
+/// [`PhysicsSimulator::islands`](crate::PhysicsSimulator::islands).
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Island {
+    /// The bodies of the island, in the order of the simulator's list.
+    pub bodies: Vec<BodyId>,
+    /// Whether the island sleeps.
+    pub is_asleep: bool,
+    /// Whether the direct solver solved the island in the last update; false if it was the iterative one: see
+    /// [`Methods::Precise`](crate::Methods::Precise).
+    pub is_solved_whole: bool,
+    /// The solver of the island in the last update.
+    pub method: IslandSolver,
+    /// The reason why the island had its solver in the last update.
+    pub why: SolverReason,
+    /// The cost of solving the island in the last update.
+    pub cost: IslandCost,
+}
+
+/// Solver, reason and cost of one body in the last update. The report of an island merges those of its bodies.
+#[derive(Debug, Clone, Copy)]
+struct BodyReport {
+    /// Solver of the body in the last update.
+    method: IslandSolver,
+    /// Reason why the body had its solver.
+    why: SolverReason,
+    /// The body's share of the cost of its island. Costs of an island are sums over its bodies, except `parts`, which is the
+    /// largest.
+    cost: IslandCost,
+}
+
+impl BodyReport {
+    /// Returns the report of a body without contact rows, joints and Newton steps. `parts` is the number of parts of its step.
+    fn new(method: IslandSolver, why: SolverReason, parts: u32) -> Self {
+        BodyReport { method, why, cost: IslandCost { parts, ..IslandCost::default() } }
+    }
+
+    /// Returns the merged report of two bodies. Its solver and reason are those of the body whose solver comes later in
+    /// [`IslandSolver`].
+    fn merge(self, other: Self) -> Self {
+        let last = if other.method > self.method { other } else { self };
+        let cost = IslandCost {
+            rows: self.cost.rows + other.cost.rows,
+            joints: self.cost.joints + other.cost.joints,
+            parts: self.cost.parts.max(other.cost.parts),
+            newton_steps: self.cost.newton_steps + other.cost.newton_steps,
+        };
+        BodyReport { cost, ..last }
+    }
+}
+
+impl Precise {
+    /// Returns the islands: the awake ones first, then the sleeping ones. Both are sorted by the smallest body index of each
+    /// island.
+    pub(crate) fn islands(&self, objects: &Objects) -> Vec<Island> {
+        let mut awake = self.awake_islands(objects);
+        let mut all: Vec<(bool, usize, usize)> = (1..=self.bodies.last_movable)
+            .filter(|&number| self.bodies.is_dynamic(number))
+            .map(|number| match self.sleep.is_asleep(number) {
+                true => (true, self.sleep.first_of_ring(number), number),
+                false => (false, awake.find(number as u32) as usize, number),
+            })
+            .collect();
+        sort_by_number(&mut all, |&(sleeps, first, number)| {
+            packed_key([sleeps.into(), first as u32, number as u32])
+        });
+        let reports = self.body_reports();
+        let island = |bodies: &[(bool, usize, usize)]| {
+            let of_bodies = bodies.iter().map(|&(.., number)| reports[number]);
+            let BodyReport { method, why, cost } = of_bodies.reduce(BodyReport::merge)?;
+            Some(Island {
+                bodies: bodies.iter().filter_map(|&(.., number)| self.ids.bodies[number]).collect(),
+                is_asleep: method == IslandSolver::Asleep,
+                is_solved_whole: method == IslandSolver::Direct,
+                method,
+                why,
+                cost,
+            })
+        };
+        all.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).filter_map(island).collect()
+    }
+
+    /// Returns the islands of the awake bodies.
+    fn awake_islands(&self, objects: &Objects) -> UnionFind {
+        let mut islands = UnionFind::default();
+        let links = self.joints.body_pairs().chain(spring_body_pairs(&self.ids, objects));
+        unite_islands(&mut islands, &self.bodies, &self.proxies, &self.pairs, links);
+        islands
+    }
+
+    /// Returns the reason why a dynamic body is awake; `None` if it sleeps, or is not dynamic.
+    pub(crate) fn why_awake(&self, body: BodyId, objects: &Objects) -> Option<AwakeReason> {
+        let number = self.ids.body_index(body).filter(|&number| self.bodies.is_dynamic(number))?;
+        if self.sleep.is_asleep(number) {
+            return None;
+        }
+        let mut islands = self.awake_islands(objects);
+        let island = islands.find(number as u32);
+        let mut members = self
+            .sleep
+            .awake_bodies(self.bodies.last_movable)
+            .filter(|&other| islands.find(other as u32) == island);
+        let restless = members.find(|&other| self.sleep.rest_time[other] == 0.0);
+        let limit = self.sleep.sleep_speed(self.parameters.length_unit);
+        Some(match restless {
+            _ if self.sleep.rest_time[number] == 0.0 => AwakeReason::Moves { limit },
+            Some(other) => match self.ids.bodies[other] {
+                Some(with) => AwakeReason::HangsTogether { with },
+                // A hinged platform has no body id. It moves the bodies that it leans on.
+                None => AwakeReason::Moves { limit },
+            },
+            None => AwakeReason::RestsSince { seconds: self.sleep.rest_time[number], needed: TIME_TO_SLEEP },
+        })
+    }
+
+    /// Returns the report of each body, in the order of body indices.
+    fn body_reports(&self) -> Vec<BodyReport> {
+        let mut census = IslandCensus::default();
+        self.solver_selection()
+            .count_islands(&mut census, &|body| self.bodies.initial_velocity[body as usize]);
+        let substeps =
+            if self.impulse_substep > 0.0 { (self.dt / self.impulse_substep).round() as u32 } else { 0 };
+        let rows = rows_by_body(&self.bodies, &self.proxies, &self.pairs, &self.sleep);
+        let mut reports: Vec<BodyReport> = (0..self.bodies.states.len())
+            .map(|body| {
+                let stats = census.stats_of(body as u32);
+                if self.sleep.is_asleep(body) {
+                    BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
+                } else if self.direct_solver.is_direct(body) {
+                    let is_chosen = self.direct_solver.choice() == SolverChoice::Direct;
+                    let why = if is_chosen { SolverReason::Chosen } else { SolverReason::Pays };
+                    BodyReport::new(IslandSolver::Direct, why, 1)
+                } else if stats.has_contacts() || self.joints.has_joint(body) {
+                    let why = stats.iterative_reason(self.direct_solver.choice());
+                    BodyReport::new(IslandSolver::Iterative, why, substeps)
+                } else {
+                    BodyReport::new(IslandSolver::Ballistic, SolverReason::NothingTouches, 1)
+                }
+            })
+            .collect();
+        for (body, parts) in
+            self.joints.free_articulations(substeps).filter(|&(body, _)| !self.sleep.is_asleep(body))
+        {
+            reports[body] = BodyReport::new(IslandSolver::Articulated, SolverReason::NothingTouches, parts);
+        }
+        reports.iter_mut().zip(rows).for_each(|(told, rows)| told.cost.rows = rows);
+        for ties in self.joints.body_pairs() {
+            let holder = ties.into_iter().find(|&body| body > 0 && is_awake(&self.bodies, &self.sleep, body));
+            holder.into_iter().for_each(|body| reports[body].cost.joints += 1);
+        }
+        self.direct_solver
+            .newton_steps_of_islands()
+            .for_each(|(body, steps)| reports[body].cost.newton_steps = steps);
+        reports
+    }
+
+    /// Returns the largest errors of the contacts and joints of these bodies. Stale ids and bodies that are not dynamic
+    /// contribute nothing.
+    pub(crate) fn residual(&self, bodies: &[BodyId], objects: &Objects) -> IslandResidual {
+        let mut residual = IslandResidual::default();
+        let contacts = ContactErrors {
+            bodies: &self.bodies,
+            ids: &self.ids,
+            proxies: &self.proxies,
+            pairs: &self.pairs,
+            speculative_distance: self.parameters.speculative_distance,
+            dt: self.dt,
+            objects,
+        };
+        let numbers = bodies.iter().filter_map(|&body| self.ids.body_index(body));
+        for body in numbers.filter(|&body| self.bodies.is_dynamic(body)) {
+            let pairs = self.pairs.pairs_of_body(&self.proxies, body);
+            for pair in pairs.filter(|&pair| self.pairs.all[pair].constraint.is_some()) {
+                let [overlap, approach] = contacts.of_pair(pair);
+                (residual.overlap, residual.approach) =
+                    (residual.overlap.max(overlap), residual.approach.max(approach));
+            }
+        }
+        let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
+        for (_, joint) in all.filter(|(_, joint)| joint.enabled() && is_joint_of_any(joint, bodies)) {
+            let gap = self.joint_import(&objects.bodies).joint_error_even_asleep(joint).unwrap_or(0.0).abs();
+            let component = if joint.constraint_spec().keeps == ConstraintSpecKind::Angle {
+                &mut residual.angle
+            } else {
+                &mut residual.gap
+            };
+            *component = component.max(gap);
+        }
+        residual
+    }
+}
+
+/// Returns whether the body is dynamic and awake.
+fn is_awake(bodies: &BodySet, sleep: &SleepState, body: usize) -> bool {
+    bodies.is_dynamic(body) && !sleep.is_asleep(body)
+}
+
+/// Returns the number of awake contact constraints for each body index. A constraint counts at one of its bodies only, an awake
+/// dynamic one.
+fn rows_by_body(bodies: &BodySet, proxies: &Proxies, pairs: &Pairs, sleep: &SleepState) -> Vec<usize> {
+    let mut rows = vec![0; bodies.states.len()];
+    for pair in (0..pairs.awake_count).filter(|&pair| pairs.all[pair].constraint.is_some()) {
+        let [(a, _), (b, _)] = pairs.bodies_of(proxies, pair);
+        let body = [a, b].into_iter().rfind(|&body| is_awake(bodies, sleep, body));
+        body.into_iter().for_each(|body| rows[body] += 1);
+    }
+    rows
+}
+
+/// Parts that the errors of contacts depend on.
+struct ContactErrors<'a> {
+    bodies: &'a BodySet,
+    ids: &'a IdTable,
+    proxies: &'a Proxies,
+    pairs: &'a Pairs,
+    /// Distance up to which shapes have contact points, length units, > 0.
+    speculative_distance: f32,
+    /// Length of the last step, seconds, >= 0.
+    dt: f32,
+    objects: &'a Objects,
+}
+
+impl ContactErrors<'_> {
+    /// Returns the errors of a pair in its present pose: penetration (length units, >= 0), and excess of its approach speed
+    /// (length units/s, >= 0).
+    ///
+    /// The excess is the approach speed minus the speed that closes the gap in one update.
+    fn of_pair(&self, pair: usize) -> [f32; 2] {
+        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
+        let [outline_a, outline_b] = [a, b].map(|proxy| self.proxies.vertices.shape_ref(proxy.shape));
+        let Manifold { normal, count, points, separations, .. } =
+            collide(outline_a, outline_b, pose_a, pose_b, self.speculative_distance);
+        let apart = [pose_b[0] - pose_a[0], pose_b[1] - pose_a[1]];
+        let mut errors = [0.0_f32; 2];
+        for (&point, &separation) in points.iter().zip(&separations).take(count) {
+            let velocity_a = self.velocity_at(a.body as usize, point);
+            let velocity_b = self.velocity_at(b.body as usize, difference(point, apart));
+            let approach = -dot(difference(velocity_b, velocity_a), normal);
+            let allowed = if self.dt > 0.0 { separation.max(0.0) / self.dt } else { 0.0 };
+            errors = [errors[0].max(-separation), errors[1].max(approach - allowed)];
+        }
+        errors
+    }
+
+    /// Returns the velocity of a body at a point [x, y] relative to its origin, both in world axes: length units/s; 0 for
+    /// static bodies and world boxes.
+    fn velocity_at(&self, body: usize, [x, y]: Vector) -> Vector {
+        let id = self.ids.bodies.get(body).copied().flatten().filter(|_| body <= self.bodies.last_movable);
+        let Some(entry) = id.and_then(|id| self.objects.bodies.get(id)) else { return [0.0; 2] };
+        let (velocity, angular_velocity) = (entry.body.linear_velocity(), entry.body.angular_velocity());
+        [velocity.x - angular_velocity * y, velocity.y + angular_velocity * x]
+    }
+}
+
+/// Returns whether the joint connects one of these bodies.
+fn is_joint_of_any(joint: &Joint, bodies: &[BodyId]) -> bool {
+    let (first, second) = joint.constraint_spec().bodies;
+    first.into_iter().chain([second]).any(|body| bodies.contains(&body))
+}
