@@ -9,13 +9,13 @@ use super::narrow_phase::{NarrowPhaseStats, TouchEvent};
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::contacts::contact::{Contact, ContactId};
 use crate::geom::GeomId;
-use crate::geom::surface::SurfaceOverride;
 use crate::math::Vector2;
 use crate::math::plane::{difference, dot, rotate, rotate_inverse, rotation, sum, translation};
 use crate::math::scalar::nearest_finite;
 use crate::precise::broad_phase::proxies::BodyType;
 use crate::precise::ids::geom_of;
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
+use crate::surface::SurfaceOverride;
 
 impl Precise {
     /// Returns the number of pairs, touching or not.

@@ -54,12 +54,12 @@ use serde::Deserialize;
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::geom::surface::FrictionType;
 pub use crate::precise::island::report::IslandCost;
 pub use crate::precise::island::report::IslandResidual;
 pub use crate::precise::island::report::IslandSolver;
 pub use crate::precise::island::report::SolverReason;
 use crate::storage::reusing_clone::reusing_clone;
+use crate::surface::FrictionType;
 pub use island_report::{AwakeReason, Island};
 use saved::Saved;
 pub(crate) use scaled_parameters::StepContext;

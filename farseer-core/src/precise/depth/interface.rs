@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::filter::CollisionFilter;
-use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector2;
 use crate::shape::{Footprint, SlantedBox};
 use crate::storage::arena::Id;
+use crate::surface::SurfaceCoefficients;
 
 /// State of a body along the depth axis: input of an update and output after the update.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -11,7 +11,6 @@ use super::interface::{
 use super::prism_collision::PosedSolid;
 use super::vertical_shapes::{VerticalSolid, clamp_any};
 use crate::geom::GeomId;
-use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
 use crate::math::scalar;
@@ -25,6 +24,7 @@ use crate::precise::parameters::depth::WORLD_BOX_MAX_SWEEP;
 use crate::precise::scaled_parameters::Parameters;
 use crate::precise::shape::Shape;
 use crate::shape::SlantedBox;
+use crate::surface::SurfaceCoefficients;
 
 /// `Proxy::list_index` of the ground: an index beyond all world boxes, because the ground is none.
 const NO_WORLD_BOX: u32 = u32::MAX;

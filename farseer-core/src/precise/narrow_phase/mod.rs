@@ -32,7 +32,6 @@ use super::depth::{ContactMargins, DepthState, FeatureGate, PreviousAxis, touch_
 use super::direct_solver::DirectSolver;
 use super::scaled_parameters::Parameters;
 use crate::body::BodyId;
-use crate::geom::surface::FrictionType;
 use crate::math::plane::{
     Pose, Vector, difference, length, rotate_inverse, rotation, scaled, sum, translation,
 };
@@ -46,6 +45,7 @@ use crate::precise::island::sleep::SleepState;
 use crate::precise::narrow_phase::flush_geoms::FlushFilter;
 use crate::precise::narrow_phase::manifold::{Manifold, circles_at_toi, collide};
 use crate::precise::parameters::broad_phase::SEPARATED_PAIR_MAX_SLACK;
+use crate::surface::FrictionType;
 use build_constraint::transfer_friction_impulse;
 use kinematic_sweep::ApproachDistances;
 pub(super) use touch_state::TouchEvent;
