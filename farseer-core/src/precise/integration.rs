@@ -42,6 +42,17 @@ pub(super) fn apply_warm_start(bodies: &mut BodySet, runs: &[Range<usize>], is_f
     }
 }
 
+/// Gives each kinematic body the velocity that the game prescribes, and the displacement velocity * dt. Impulses of the solver
+/// do not change the motion of a kinematic body. `dt` is the step in seconds.
+pub(super) fn integrate_kinematic(bodies: &mut BodySet, dt: f32) {
+    let BodySet { kinematic, states, initial_velocity, delta_pose, .. } = bodies;
+    for &number in kinematic.iter() {
+        let number = number as usize;
+        states[number].velocity = initial_velocity[number];
+        delta_pose[number] = initial_velocity[number].map(|velocity| velocity * dt);
+    }
+}
+
 /// Integrates positions over a substep of `h` seconds: displacement = velocity * h, added to `delta_pose` of each awake body.
 #[inline(always)]
 pub(super) fn integrate_positions(bodies: &mut BodySet, runs: &[Range<usize>], h: f32, is_first: bool) {

@@ -21,9 +21,12 @@
 mod add_remove;
 mod bodies;
 mod body_import;
+mod body_io;
 pub(crate) mod broad_phase;
+mod candidate_pairs;
 mod constraint_graph;
 mod contact_events;
+mod contact_points;
 mod contact_solver;
 mod continuous_collision;
 pub(crate) mod depth;
@@ -39,6 +42,7 @@ mod joints;
 mod listed;
 mod minimum_degree;
 mod narrow_phase;
+mod non_finite;
 mod parameters;
 mod saved;
 mod scaled_parameters;
@@ -52,8 +56,6 @@ mod wake_import;
 
 use serde::Deserialize;
 
-use crate::body::BodyId;
-use crate::geom::GeomId;
 pub use crate::precise::island::report::IslandCost;
 pub use crate::precise::island::report::IslandResidual;
 pub use crate::precise::island::report::IslandSolver;
@@ -74,12 +76,14 @@ use crate::precise::island::sleep::SleepState;
 use bodies::BodySet;
 use constraint_graph::{ColorUsage, ConstraintGraph};
 use continuous_collision::FastBody;
+use continuous_collision::swept_motion::SweptMotion;
 use depth::{DepthState, FeatureGate};
 use direct_solver::DirectSolver;
 use ids::IdTable;
 use import::PendingEdits;
 use joints::JointSystem;
 use joints::springs::SpringRows;
+use narrow_phase::contact_reader::ContactReader;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
 use scaled_parameters::Parameters;
 use sleeping_joints::SleepingJoint;
@@ -140,9 +144,9 @@ pub(crate) struct Precise {
     always_tested: Vec<AlwaysTested>,
     /// Touch events that the game has not received yet: pairs of convex pieces that began or ceased to touch.
     touch_events: Vec<TouchEvent>,
-    /// Contacts with static bodies that ended in this narrow phase: dynamic body, and penetration in length units. Empty
-    /// between stages.
-    ended_static_contacts: Vec<(BodyId, f32)>,
+    /// Contacts with static bodies that ended in this narrow phase: index of the dynamic body, and penetration in length
+    /// units. Empty between stages.
+    ended_static_contacts: Vec<(u32, f32)>,
     /// Numbers of computed and of recycled manifolds in the narrow phase of this step.
     narrow_phase_stats: NarrowPhaseStats,
     /// Scratch: indices of the pairs that the narrow phase updates in this step.
@@ -155,9 +159,9 @@ pub(crate) struct Precise {
     /// Candidates of continuous collision: bodies whose displacement in this step exceeds their least extent. Valid within a
     /// step only.
     fast_bodies: Vec<FastBody>,
-    /// A sensor and a geom of a fast body that crosses it within the step: creation number and id of each, the smaller number
-    /// first. Valid within a step only.
-    sensor_passthroughs: Vec<[(u32, GeomId); 2]>,
+    /// Proxies of a sensor and of a fast body that crosses it within the step, the one with the smaller creation number first.
+    /// A pair of geoms occurs once. Valid within a step only.
+    sensor_passthroughs: Vec<[u32; 2]>,
     /// Scratch: proxies whose fat AABBs continuous collision has enlarged to contain the sweep of a fast body.
     enlarged_proxies: Vec<u32>,
     /// Proxies of static and kinematic bodies whose pairs the broad phase searched in this step.
@@ -245,11 +249,24 @@ impl Precise {
         }
     }
 
+    /// Returns the parts from which contacts are read.
+    fn contact_reader(&self) -> ContactReader<'_> {
+        let Precise { bodies, proxies, pairs, constraints, depth, friction, .. } = self;
+        let depth = depth.as_ref().map(FeatureGate::by_ref);
+        ContactReader { bodies, proxies, pairs, constraints, depth, friction: *friction }
+    }
+
+    /// Returns the motion of all bodies in this step, between the solver and the write to the poses.
+    fn swept_motion(&self) -> SweptMotion<'_> {
+        let Precise { bodies, proxies, pairs, grid, sleep, depth, parameters, dt, .. } = self;
+        let depth = depth.as_ref().map(FeatureGate::by_ref);
+        SweptMotion { bodies, proxies, pairs, grid, sleep, depth, parameters, dt: *dt }
+    }
+
     /// Returns the narrow phase, which borrows the bodies, proxies, pairs and constraints that it reads and writes.
     fn narrow_phase(&mut self) -> NarrowPhase<'_> {
         NarrowPhase {
             bodies: &self.bodies,
-            ids: &self.ids.bodies,
             proxies: &self.proxies,
             pairs: &mut self.pairs,
             constraints: &mut self.constraints,

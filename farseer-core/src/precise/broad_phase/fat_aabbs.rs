@@ -3,7 +3,9 @@
 use super::hash_grid::{HashGrid, PackedAabb};
 use super::pairs::Pairs;
 use super::proxies::Proxies;
+use crate::math::scalar::nearest_finite;
 use crate::precise::bodies::BodySet;
+use crate::precise::continuous_collision::is_fast_kinematic;
 use crate::precise::depth::interface::DepthInterval;
 use crate::precise::depth::{DepthState, FeatureGate};
 use crate::precise::integration::find_escaped_proxies;
@@ -14,6 +16,39 @@ use crate::precise::scaled_parameters::{AabbMargin, Parameters};
 const GROUND_BOUNDS: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
 /// Increase of [`Proxies::travel`] of a proxy whose body was moved at once, in 2^-26 length units: all of its pairs are due.
 const TELEPORT_TRAVEL: u32 = 1 << 30;
+
+/// Returns whether the AABB `outer` contains the AABB `inner`.
+pub(in crate::precise) fn aabb_contains(outer: &PackedAabb, inner: &PackedAabb) -> bool {
+    outer[0] <= inner[0] && outer[1] <= inner[1] && outer[2] >= inner[2] && outer[3] >= inner[3]
+}
+
+/// Returns the smallest AABB that contains two AABBs.
+fn aabb_union(one: &PackedAabb, other: &PackedAabb) -> PackedAabb {
+    let least = |axis: usize| if one[axis] < other[axis] { one[axis] } else { other[axis] };
+    let most = |axis: usize| if one[axis] > other[axis] { one[axis] } else { other[axis] };
+    [least(0), least(1), most(2), most(3)]
+}
+
+impl Proxies {
+    /// Returns the swept AABB of a proxy in world axes, length units: the AABB of its whole path through the step. The array is
+    /// the displacement of its body: x, y (length units), rotation (radians), z (length units).
+    ///
+    /// A rotation moves a point by at most its chord, which is no longer than twice the distance of the point from the origin
+    /// of the body.
+    pub(in crate::precise) fn swept_aabb(
+        &self,
+        proxy: u32,
+        [dx, dy, turned, _]: [f32; 4],
+        bodies: &BodySet,
+        parameters: &Parameters,
+    ) -> PackedAabb {
+        let turning = self.all[proxy as usize].shape.max_extent * turned.abs().min(2.0);
+        let [x, y, to_x, to_y] = self.tight_aabb(proxy as usize, bodies, parameters);
+        let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
+        let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
+        [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)].map(nearest_finite)
+    }
+}
 
 /// Parts that the fat AABBs of proxies depend on, and those that store them.
 pub(in crate::precise) struct FatAabbs<'a> {
@@ -97,5 +132,74 @@ impl FatAabbs<'_> {
         if space.is_in_grid(proxy) {
             self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds), may_stop);
         }
+    }
+
+    /// Enlarges the fat AABB of a proxy to its swept AABB, unless it contains the swept AABB already. Returns whether the fat
+    /// AABB has changed. `displacement`: x, y (length units), rotation (radians), z (length units).
+    pub(in crate::precise) fn enlarge_to_sweep(&mut self, proxy: u32, displacement: [f32; 4]) -> bool {
+        let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
+        if self.contains(proxy, &swept, displacement[3]) {
+            return false;
+        }
+        self.enlarge(proxy);
+        let body = self.proxies.all[proxy as usize].body;
+        let may_stop = self.proxies.all[proxy as usize].may_stop();
+        let bounds = aabb_union(&self.proxies.fat_aabbs[proxy as usize], &swept);
+        self.proxies.fat_aabbs[proxy as usize] = bounds;
+        if let Some(space) = &mut self.depth {
+            let margin = self.parameters.speculative_distance;
+            let depths = space.swept_interval(proxy, body, displacement[3], margin);
+            let depths = space.interval(proxy as usize).union(depths);
+            space.set_interval(proxy, depths);
+            self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds), may_stop);
+        } else {
+            self.grid.insert_or_move(proxy, &bounds, may_stop);
+        }
+        true
+    }
+
+    /// Enlarges the fat AABBs of the fast proxies of a kinematic body to their swept AABBs, and lists these proxies for the
+    /// next search of pairs. `displacement` is that of the body in the step: x, y (length units), rotation (radians), z (length
+    /// units).
+    pub(in crate::precise) fn enlarge_kinematic_to_sweep(&mut self, body: usize, displacement: [f32; 4]) {
+        let mut next = self.proxies.first_of_body(body);
+        while let Some(proxy) = next {
+            next = self.proxies.next_of_body(proxy);
+            if is_fast_kinematic(&self.proxies.all[proxy as usize], self.bodies, self.parameters, self.dt)
+                && self.enlarge_to_sweep(proxy, displacement)
+            {
+                self.proxies.refitted.push(proxy);
+            }
+        }
+    }
+
+    /// Enlarges the fat AABBs of a body to the swept AABBs of its displacement in the step. Appends the proxies with a new fat
+    /// AABB to `enlarged`.
+    pub(in crate::precise) fn enlarge_body_to_sweep(&mut self, body: usize, enlarged: &mut Vec<u32>) {
+        let mut next = self.proxies.first_of_body(body);
+        while let Some(proxy) = next {
+            next = self.proxies.next_of_body(proxy);
+            if self.enlarge_to_sweep(proxy, self.bodies.delta_pose[body]) {
+                enlarged.push(proxy);
+            }
+        }
+    }
+
+    /// Returns whether the fat AABB of a proxy contains its swept AABB and, with a depth axis, the fat interval contains its
+    /// swept interval. The array is the displacement of its body: x, y (length units), rotation (radians), z (length units).
+    pub(in crate::precise) fn contains_sweep(&self, proxy: u32, displacement: [f32; 4]) -> bool {
+        let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
+        self.contains(proxy, &swept, displacement[3])
+    }
+
+    /// Returns whether the fat AABB of a proxy contains `swept_aabb` and, with a depth axis, the fat interval contains the
+    /// swept interval of a displacement `dz` along z, length units.
+    fn contains(&self, proxy: u32, swept_aabb: &PackedAabb, dz: f32) -> bool {
+        let body = self.proxies.all[proxy as usize].body;
+        aabb_contains(&self.proxies.fat_aabbs[proxy as usize], swept_aabb)
+            && self.depth.as_ref().is_none_or(|space| {
+                let depths = space.swept_interval(proxy, body, dz, self.parameters.speculative_distance);
+                space.interval(proxy as usize).contains(depths)
+            })
     }
 }

@@ -4,14 +4,11 @@
 //! filters and body types decide which of them become pairs. New pairs are sorted by creation numbers, so their order does
 //! not depend on the grid.
 
-use crate::geom::GeomId;
-use crate::precise::Precise;
 use crate::precise::broad_phase::hash_grid::{HashGrid, overlap};
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::constraint_graph::ConstraintKind;
 use crate::precise::depth::{DepthState, FeatureGate};
-use crate::precise::ids::geom_of;
 use crate::precise::narrow_phase::NarrowPhase;
 use crate::precise::narrow_phase::one_way::{OneWayState, PairMotion};
 use crate::storage::order::sort_by_number;
@@ -53,9 +50,15 @@ pub(in crate::precise) struct PairFinder<'a> {
 }
 
 impl PairFinder<'_> {
-    /// Finds the new pairs of these proxies with the hash grid and stores them in `found`, sorted by creation numbers.
-    /// `refitted` holds indices of proxies with a new fat AABB; `known` is a workspace with an entry for each proxy, all false.
-    pub(in crate::precise) fn find(&self, refitted: &[u32], known: &mut [bool], found: &mut Vec<[u32; 2]>) {
+    /// Finds the new pairs of these proxies with the hash grid and stores them in `found`, sorted by creation numbers. Returns
+    /// their number. `refitted` holds indices of proxies with a new fat AABB; `known` is a workspace with an entry for each
+    /// proxy, all false.
+    pub(in crate::precise) fn find(
+        &self,
+        refitted: &[u32],
+        known: &mut [bool],
+        found: &mut Vec<[u32; 2]>,
+    ) -> usize {
         let PairFinder { proxies, pairs, grid, depth } = *self;
         found.clear();
         for &proxy in refitted {
@@ -82,13 +85,15 @@ impl PairFinder<'_> {
         }
         sort_by_number(found, |&pair| proxies.creation_numbers(pair));
         found.dedup();
+        found.len()
     }
 }
 
 impl NarrowPhase<'_> {
     /// Removes the pairs of these proxies whose fat AABBs do not overlap any more. `refitted` holds indices of proxies with a
-    /// new fat AABB; `separated` is an empty workspace.
-    fn remove_separated_pairs(&mut self, refitted: &[u32], separated: &mut Vec<u32>) {
+    /// new fat AABB.
+    pub(in crate::precise) fn remove_separated_pairs(&mut self, refitted: &[u32]) {
+        let mut separated = std::mem::take(self.dirty_pairs);
         let NarrowPhase { proxies, pairs, depth, .. } = self;
         for &proxy in refitted {
             let is_separated =
@@ -102,6 +107,7 @@ impl NarrowPhase<'_> {
             self.record_separation(pair as usize);
             self.remove_pair(pair as usize);
         }
+        *self.dirty_pairs = separated;
     }
 
     /// Adds a pair of the proxies A and B without contacts to the awake pairs, and returns its index.
@@ -168,68 +174,4 @@ pub(in crate::precise) fn is_pair_reported(proxies: &Proxies, pair: [u32; 2]) ->
     let both = pair.map(|proxy| &proxies.all[proxy as usize]);
     !both.iter().all(|proxy| proxy.body_type == BodyType::Fixed)
         && both.iter().any(|proxy| proxy.is_reported && !proxy.is_world)
-}
-
-impl Precise {
-    /// Returns the number of proxies whose fat AABB has changed since the last [`find_pairs`](Self::find_pairs).
-    pub(crate) fn refitted_count(&self) -> usize {
-        self.proxies.refitted.len()
-    }
-
-    /// Removes pairs whose fat AABBs do not overlap any more, and returns the number of new candidate pairs.
-    /// [`candidate_geoms`](Self::candidate_geoms) returns the geoms of each candidate; candidates are sorted by creation
-    /// numbers.
-    pub(crate) fn find_pairs(&mut self) -> usize {
-        let mut refitted = std::mem::take(&mut self.proxies.refitted);
-        if !refitted.is_empty() {
-            let mut separated = std::mem::take(&mut self.pair_scratch);
-            self.narrow_phase().remove_separated_pairs(&refitted, &mut separated);
-            self.pair_scratch = separated;
-        }
-        self.store_penetration();
-        let found = self.find_new_pairs(&refitted);
-        self.searched_static_proxies.clear();
-        if self.depth.is_none() {
-            let Precise { searched_static_proxies: static_proxies, proxies, .. } = self;
-            let is_static_sensor = |&&proxy: &&u32| !proxies.all[proxy as usize].body_type.takes_impulses();
-            static_proxies.extend(refitted.iter().filter(is_static_sensor));
-        }
-        refitted.clear();
-        self.proxies.refitted = refitted;
-        found
-    }
-
-    /// Finds the new pairs of these proxies, and stores them in `new_pairs`. Returns their number.
-    pub(in crate::precise) fn find_new_pairs(&mut self, refitted: &[u32]) -> usize {
-        let Precise { proxies, pairs, grid, depth, proxy_flags, new_pairs, .. } = self;
-        new_pairs.clear();
-        if !refitted.is_empty() {
-            let depth = depth.as_ref().map(FeatureGate::by_ref);
-            PairFinder { proxies, pairs, grid, depth }.find(refitted, proxy_flags, new_pairs);
-        }
-        new_pairs.len()
-    }
-
-    /// Returns the geoms of the candidate pair `at`, an index into `new_pairs`. The geom with the smaller creation number is
-    /// first.
-    pub(crate) fn candidate_geoms(&self, at: usize) -> (GeomId, GeomId) {
-        let [a, b] = self.new_pairs[at].map(|proxy| &self.proxies.all[proxy as usize]);
-        if a.creation_number < b.creation_number {
-            (geom_of(a), geom_of(b))
-        } else {
-            (geom_of(b), geom_of(a))
-        }
-    }
-
-    /// Adds the candidate pair `at`, an index into `new_pairs`, to the pairs. Sensor pairs without a body that can move go to
-    /// the sleeping pairs.
-    pub(crate) fn add_candidate_pair(&mut self, at: usize) {
-        let proxies = self.new_pairs[at];
-        let pair = self.narrow_phase().add_pair(proxies);
-        if self.pairs.all[pair].is_static_sensor {
-            self.narrow_phase().sleep_pair(pair);
-        } else {
-            self.sleep.wake_for_new_pair(&self.pairs, &self.proxies, pair);
-        }
-    }
 }

@@ -19,6 +19,7 @@
 mod contact_constraint_3d;
 mod contact_events;
 mod contact_patch;
+pub(super) mod contact_point;
 mod continuous_collision;
 mod fixed_rotation;
 mod footprint;
@@ -50,6 +51,7 @@ use crate::geom::GeomId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::proxies::{Proxies, Proxy};
+use crate::precise::island::sleep::SleepState;
 use crate::shape::SlantedBox;
 use crate::storage::reusing_clone::reusing_clone;
 use crate::surface::{FrictionType, mix_restitution};
@@ -61,6 +63,7 @@ pub(super) use one_way::will_land;
 use prism_collision::SolidKind;
 pub(super) use prism_collision::{ContactMargins, PosedSolid, PreviousAxis};
 pub(super) use sphere_sphere::collide_spheres as touch_balls;
+pub(super) use step::restitution_threshold_3d;
 use vertical_shapes::VerticalSolid;
 
 /// State of the depth axis: depth data of bodies, geoms, proxies and world boxes. "Body index" means the index into `BodySet`,
@@ -215,6 +218,13 @@ impl DepthState {
     fn state_of(&self, body_index: usize) -> Option<DepthBodyState> {
         let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
         Some(entry(&self.bodies, slot as usize))
+    }
+
+    /// Returns the depth state of a dynamic or kinematic body by its body index, to be changed; `None` for world boxes and
+    /// static bodies.
+    fn state_mut_of(&mut self, body_index: usize) -> Option<&mut DepthBodyState> {
+        let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
+        Some(entry_mut(&mut self.bodies, slot as usize))
     }
 
     /// Returns z of the first body relative to the second one (length units), and the velocity of the first along z relative to
@@ -426,6 +436,29 @@ impl DepthState {
     /// proxy; else `None`.
     pub(super) fn ground_beneath(&self, proxy: u32, &[.., bottom]: &PackedAabb) -> Option<u32> {
         (bottom >= 0.0 && self.extents[proxy as usize].ground_surface.is_some()).then_some(self.ground_proxy)
+    }
+
+    /// Returns the penetration of a body when its last contact with a static body ended, length units, >= 0.
+    pub(super) fn residual_penetration(&self, body_index: usize) -> f32 {
+        self.state_of(body_index).map_or(0.0, |state| state.residual_penetration)
+    }
+
+    /// Stores the penetrations of ended static contacts as residual penetrations of their bodies, since a body may return to
+    /// the face, and clears `ended`. Sleeping bodies keep their stored value, because they have not moved.
+    ///
+    /// `ended`: body index, and penetration in length units.
+    pub(super) fn store_residual_penetrations(&mut self, ended: &mut Vec<(u32, f32)>, sleep: &SleepState) {
+        ended.retain(|&(body, _)| !sleep.is_asleep(body as usize));
+        for &(body, _) in &*ended {
+            if let Some(state) = self.state_mut_of(body as usize) {
+                state.residual_penetration = 0.0;
+            }
+        }
+        for (body, depth) in ended.drain(..) {
+            if let Some(state) = self.state_mut_of(body as usize) {
+                state.residual_penetration = state.residual_penetration.max(depth);
+            }
+        }
     }
 
     pub(super) fn is_spin_finite(&self, body_index: usize) -> bool {

@@ -9,8 +9,7 @@ use super::interface::{DepthBodyState, DepthTarget};
 use super::{DepthState, accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
 use crate::body::Body;
 use crate::math::decay;
-use crate::math::plane::length;
-use crate::precise::Precise;
+use crate::math::plane::{Vector, length};
 use crate::precise::body_import::BodyForces;
 use crate::precise::constraint_graph::ConstraintGraph3;
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
@@ -19,7 +18,7 @@ use crate::precise::contact_solver::soft_step::{
 };
 use crate::precise::integration::resolve_bounce;
 use crate::precise::parameters::depth::RESTITUTION_GRAVITY_STEPS;
-use crate::precise::scaled_parameters::StepContext;
+use crate::precise::scaled_parameters::{Parameters, StepContext};
 
 impl DepthState {
     /// Start of a step: stores the velocity of a body along z and its change per substep by forces and drag in component 3 of
@@ -225,21 +224,18 @@ impl IterativeSolver<'_> {
     }
 }
 
-impl Precise {
-    /// Returns the approach speed in length units/s below which there is no restitution. A resting body approaches no faster
-    /// than gravity accelerates it in a few steps. Without gravity the threshold is 0.
-    pub(in crate::precise) fn restitution_threshold_3d(&self) -> f32 {
-        let resting = RESTITUTION_GRAVITY_STEPS * length(self.gravity_delta);
-        if resting < self.parameters.restitution_threshold {
-            resting
-        } else {
-            self.parameters.restitution_threshold
-        }
-    }
+/// Returns the approach speed in length units/s below which there is no restitution. A resting body approaches no faster than
+/// gravity accelerates it in a few steps. Without gravity the threshold is 0. `gravity_delta`: velocity change by gravity in
+/// the step, length units/s.
+pub(in crate::precise) fn restitution_threshold_3d(gravity_delta: Vector, parameters: &Parameters) -> f32 {
+    let resting = RESTITUTION_GRAVITY_STEPS * length(gravity_delta);
+    if resting < parameters.restitution_threshold { resting } else { parameters.restitution_threshold }
+}
 
+impl ConstraintGraph3 {
     /// Calls `change` for each accumulated, summed and rest impulse of the constraints in three axes, in mass units * length
     /// units/s (twist: times length units).
-    pub(in crate::precise) fn for_each_impulse_3d(&mut self, change: &impl Fn(&mut wide::f32x4)) {
+    pub(in crate::precise) fn for_each_impulse(&mut self, change: &impl Fn(&mut wide::f32x4)) {
         fn change_all<const P: usize>(
             row: &mut super::ContactConstraint3Simd<P>,
             change: &impl Fn(&mut wide::f32x4),
@@ -255,8 +251,7 @@ impl Precise {
                 change(&mut point.rest_impulse);
             }
         }
-        let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
-            &mut self.constraints.depth;
+        let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } = self;
         prisms.for_each(|row| change_all(row, change));
         balls.for_each(|row| change_all(row, change));
         prisms_fixed.for_each(|row| change_all(row, change));
