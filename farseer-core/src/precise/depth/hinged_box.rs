@@ -268,6 +268,13 @@ impl DepthState {
         HingeFeature::ENABLED && self.hinge_of(body_index).is_some()
     }
 
+    /// Returns the body index of the hinged box with this id; `None` if there is none.
+    pub(in crate::precise) fn hinged_body(&self, id: u32) -> Option<usize> {
+        let (place, world_box) = self.world_box_by_id(id)?;
+        world_box.hinge()?;
+        Some(self.moving_boxes.binary_search(&(place as u32)).ok()? + 1)
+    }
+
     /// Returns the number of sleeping hinged boxes.
     pub(in crate::precise) fn sleeping_hinged_boxes(&self, sleep: &SleepState) -> usize {
         let moving = if HingeFeature::ENABLED { self.moving_boxes.len() } else { 0 };

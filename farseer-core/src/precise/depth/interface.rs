@@ -297,12 +297,12 @@ pub(in crate::precise) fn world_box_geom_id(world_box: &WorldBox) -> GeomId {
 }
 
 /// Returns the `BodyId` that stands for a sleeping hinged box in a snapshot, from the `GeomId` of the box.
-pub(super) fn world_box_body_id(world_box: GeomId) -> BodyId {
+pub(in crate::precise) fn world_box_body_id(world_box: GeomId) -> BodyId {
     BodyId::new(world_box.slot() as u32, 0)
 }
 
 /// Returns the id of the hinged box that a `BodyId` of a snapshot stands for; `None` for a real body.
-pub(super) fn world_box_of_body_id(body: BodyId) -> Option<u32> {
+pub(in crate::precise) fn world_box_of_body_id(body: BodyId) -> Option<u32> {
     let slot = body.slot() as u32;
     (slot > u32::MAX / 2 && slot <= FIRST_WORLD_BOX_SLOT).then(|| FIRST_WORLD_BOX_SLOT - slot)
 }
@@ -338,12 +338,12 @@ pub(in crate::precise) struct DepthInterval {
 impl DepthInterval {
     /// Returns the interval from `low` to `high`, in length units, with infinite ends replaced by the greatest finite numbers.
     /// Loading a snapshot refuses infinite ends.
-    pub(super) fn new(low: f32, high: f32) -> Self {
+    pub(in crate::precise) fn new(low: f32, high: f32) -> Self {
         DepthInterval { low: low.max(f32::MIN), high: high.min(f32::MAX) }
     }
 
     /// Returns whether two intervals overlap or touch.
-    pub(super) fn overlaps(self, other: DepthInterval) -> bool {
+    pub(in crate::precise) fn overlaps(self, other: DepthInterval) -> bool {
         self.low <= other.high && other.low <= self.high
     }
 

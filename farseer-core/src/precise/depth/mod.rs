@@ -5,7 +5,7 @@
 //!
 //! | stage | files |
 //! |---|---|
-//! | input of the engine above, output to it | [`interface`], [`import`], [`contact_events`] |
+//! | input of the engine above, output to it | [`interface`], [`body_state`] |
 //! | broad phase: cells over x and z, intervals along z | this file, [`world_boxes`] |
 //! | continuous collision | [`continuous_collision`] |
 //! | narrow phase: prisms along z, spheres, ground | [`prism_collision`], [`sphere_sphere`], [`sheared_box`] |
@@ -16,8 +16,8 @@
 //! The engine above owns depth positions, shapes and world boxes. It passes changes of these to the precise set before each
 //! update.
 
+mod body_state;
 mod contact_constraint_3d;
-mod contact_events;
 mod contact_patch;
 pub(super) mod contact_point;
 mod continuous_collision;
@@ -25,7 +25,6 @@ mod fixed_rotation;
 mod footprint;
 mod friction_3d;
 mod hinged_box;
-mod import;
 pub(crate) mod interface;
 mod one_way;
 mod predicted_miss;
@@ -38,7 +37,7 @@ mod vertical_dispatch;
 mod vertical_prism;
 mod vertical_shapes;
 mod vertical_sheared_box;
-mod world_boxes;
+pub(super) mod world_boxes;
 
 use std::ops::Range;
 
@@ -131,7 +130,7 @@ pub(super) struct FeatureGate<S> {
 
 impl FeatureGate<Box<DepthState>> {
     /// Returns an empty depth state; `None` without the feature `space`.
-    pub(super) fn new() -> Option<Self> {
+    pub(in crate::precise) fn new() -> Option<Self> {
         #[cfg(feature = "space")]
         return Some(FeatureGate { state: Box::default(), proof: () });
         #[cfg(not(feature = "space"))]
@@ -205,7 +204,7 @@ fn entry_mut<T: Clone + Default>(table: &mut Vec<T>, slot: usize) -> &mut T {
 /// Depth states of bodies and depth shapes of geoms, which the engine above sets and reads.
 impl DepthState {
     /// Returns the world box with this id, and its index into `world_boxes`; `None` for an unknown id.
-    pub(super) fn world_box_by_id(&self, id: u32) -> Option<(usize, &WorldBox)> {
+    pub(in crate::precise) fn world_box_by_id(&self, id: u32) -> Option<(usize, &WorldBox)> {
         let place = self.world_boxes.binary_search_by_key(&id, |world_box| world_box.id).ok()?;
         Some((place, &self.world_boxes[place]))
     }
@@ -261,15 +260,15 @@ impl DepthState {
         self.body_mut(id).acceleration += acceleration;
     }
 
-    pub(super) fn body_mut(&mut self, id: BodyId) -> &mut DepthBodyState {
+    pub(in crate::precise) fn body_mut(&mut self, id: BodyId) -> &mut DepthBodyState {
         entry_mut(&mut self.bodies, id.slot())
     }
 
-    pub(super) fn shape(&self, id: GeomId) -> DepthShape {
+    pub(in crate::precise) fn shape(&self, id: GeomId) -> DepthShape {
         entry(&self.shapes, id.slot())
     }
 
-    pub(super) fn shape_mut(&mut self, id: GeomId) -> &mut DepthShape {
+    pub(in crate::precise) fn shape_mut(&mut self, id: GeomId) -> &mut DepthShape {
         entry_mut(&mut self.shapes, id.slot())
     }
 }
@@ -278,7 +277,7 @@ impl DepthState {
 impl DepthState {
     /// Rebuilds the depth data by body index after `bodies` was rebuilt: z positions, ball spins, and the flags of spheres and
     /// fixed rotations. World boxes must have their body indices in `box_bodies`. `ids`: id of each body, by body index.
-    pub(super) fn rebuild_bodies(&mut self, bodies: &BodySet, ids: &[Option<BodyId>]) {
+    pub(in crate::precise) fn rebuild_bodies(&mut self, bodies: &BodySet, ids: &[Option<BodyId>]) {
         let DepthState {
             z_positions,
             ball_spins: spins,
@@ -477,6 +476,11 @@ impl DepthState {
         self.extents
             .iter()
             .any(|extent| extent.ground_surface.is_some_and(|[_, restitution]| restitution > 0.0))
+    }
+
+    /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
+    pub(in crate::precise) fn supports_on_ground(&self, [a, b]: [u32; 2]) -> bool {
+        (a != self.ground_proxy || self.has_ground(b)) && (b != self.ground_proxy || self.has_ground(a))
     }
 
     /// Returns whether the ground supports this proxy.

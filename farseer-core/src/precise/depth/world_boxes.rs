@@ -33,7 +33,7 @@ const NO_WORLD_BOX: u32 = u32::MAX;
 
 /// Returns the velocity of a box as the solver stores it: x, y (length units/s), yaw rate (rad/s), z (length units/s). In
 /// contact constraints with a moving box the arms are those about the vertical axis, as the yaw rate needs.
-pub(super) fn solver_velocity(motion: &WorldBoxMotion) -> [f32; 4] {
+pub(in crate::precise) fn solver_velocity(motion: &WorldBoxMotion) -> [f32; 4] {
     let [x, y, z] = motion.velocity;
     [x, y, motion.yaw_rate, z]
 }
@@ -145,7 +145,7 @@ impl WorldBoxMotion {
 /// Changes of world boxes between updates.
 impl DepthState {
     /// Sets all world boxes.
-    pub(super) fn set_world_boxes(&mut self, world_boxes: impl Iterator<Item = WorldBox>) {
+    pub(in crate::precise) fn set_world_boxes(&mut self, world_boxes: impl Iterator<Item = WorldBox>) {
         self.world_boxes.clear();
         self.world_boxes.extend(world_boxes);
         self.has_one_way = self.world_boxes.iter().any(|world_box| world_box.is_one_way);
@@ -156,7 +156,11 @@ impl DepthState {
 
     /// Sets the motion of the moving box with this id. Returns its body index, and whether its motion or its hinge has changed;
     /// `None` for an unknown id and for a static box.
-    pub(super) fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) -> Option<(usize, bool)> {
+    pub(in crate::precise) fn set_world_box_motion(
+        &mut self,
+        id: u32,
+        motion: WorldBoxMotion,
+    ) -> Option<(usize, bool)> {
         let (place, _) = self.world_box_by_id(id)?;
         let known = self.world_boxes[place].motion.replace(motion);
         let at = self.moving_boxes.binary_search(&(place as u32)).ok()?;
@@ -165,7 +169,7 @@ impl DepthState {
 
     /// Iterates over the moving boxes: id, centre (world coordinates, length units), yaw (radians; `None` if the box never
     /// rotates) and motion.
-    pub(super) fn moving_world_boxes(
+    pub(in crate::precise) fn moving_world_boxes(
         &self,
     ) -> impl Iterator<Item = (u32, Vector3, Option<f32>, WorldBoxMotion)> + '_ {
         let moving = self.moving_boxes.iter().map(|&place| &self.world_boxes[place as usize]);
@@ -262,7 +266,7 @@ impl DepthState {
 impl DepthState {
     /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of
     /// moving boxes.
-    pub(super) fn add_box_bodies(&mut self, bodies: &mut BodySet) {
+    pub(in crate::precise) fn add_box_bodies(&mut self, bodies: &mut BodySet) {
         bodies.add_world_box([0.0, 0.0, 1.0, 0.0], 0.0);
         let mut moving = 0;
         self.box_bodies.clear();
@@ -347,6 +351,12 @@ impl DepthState {
             });
         }
         any_bounces
+    }
+
+    /// Returns the proxy index of the world box with this id; `None` for an unknown id.
+    pub(in crate::precise) fn proxy_of_world_box(&self, id: u32) -> Option<usize> {
+        let (place, _) = self.world_box_by_id(id)?;
+        self.box_proxies.get(place).map(|&proxy| proxy as usize)
     }
 
     /// Returns the number of proxies of the ground and of world boxes.

@@ -1,27 +1,18 @@
-//! Import of depth states of bodies, depth shapes of geoms and forces along z, which the engine above sets, and output of the
+//! Adapter: import of depth states of bodies, depth shapes of geoms and forces along z, which the engine above sets, and output of the
 //! depth states of moved bodies.
 
-use super::interface::{
+use super::Precise;
+use super::broad_phase::proxies::BodyType;
+use super::depth::FeatureGate;
+use super::depth::interface::{
     self, DepthBodyState, DepthContactTarget, DepthShape, HingeFeature, WorldBox, WorldBoxMotion, is_geom,
 };
-use super::world_boxes::solver_velocity;
-use super::{BallSpin, DepthState, FeatureGate};
+use super::depth::world_boxes::solver_velocity;
+use super::ids::geom_of;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::Vector3;
 use crate::objects::Objects;
-use crate::precise::Precise;
-use crate::precise::bodies::BodySet;
-use crate::precise::broad_phase::proxies::BodyType;
-use crate::precise::ids::geom_of;
-
-/// Input of depth states, shapes and forces, and output of depth states, between updates.
-impl DepthState {
-    /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
-    pub(in crate::precise) fn supports_on_ground(&self, [a, b]: [u32; 2]) -> bool {
-        (a != self.ground_proxy || self.has_ground(b)) && (b != self.ground_proxy || self.has_ground(a))
-    }
-}
 
 impl Precise {
     /// Returns whether the engine has a depth axis.
@@ -127,43 +118,16 @@ impl Precise {
     }
 }
 
-impl DepthState {
-    /// Returns whether the game has moved a body along z since the last step.
-    pub(in crate::precise) fn was_moved_along_z(&self, body_index: usize, id: BodyId) -> bool {
-        self.z_positions[body_index] != self.body(id).z
-    }
-
-    /// Copies z, velocity along z and ball spin of an edited body to the solver.
-    pub(in crate::precise) fn import_body(&mut self, bodies: &mut BodySet, body_index: usize, id: BodyId) {
-        let state = self.body(id);
-        self.z_positions[body_index] = state.z;
-        if let Some(hot) = bodies.states.get_mut(body_index) {
-            hot.velocity[3] = state.velocity;
-            let [x, y] = state.angular_velocity;
-            self.ball_spins[body_index] = BallSpin { velocity: [x, y, 0.0, 0.0], ..BallSpin::default() };
-        }
-        self.fix_rotation_if_vertical(bodies, body_index);
-    }
-
-    /// Returns whether a body has no velocity and no acceleration along z and, if it is a sphere, no angular velocity about x
-    /// and y.
-    fn is_at_rest(&self, number: Option<usize>, id: BodyId) -> bool {
-        let DepthBodyState { velocity, acceleration, angular_velocity, .. } = self.body(id);
-        let is_ball = number.is_some_and(|number| self.is_ball[number]);
-        velocity == 0.0 && acceleration == 0.0 && (angular_velocity == [0.0; 2] || !is_ball)
-    }
-}
-
 /// Import of edits at the start of a step.
 impl Precise {
     /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y.
-    pub(in crate::precise) fn rests_along_z(&self, id: BodyId) -> bool {
+    pub(super) fn rests_along_z(&self, id: BodyId) -> bool {
         self.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id))
     }
 
     /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of
     /// moving boxes. Then rebuilds the depth data by body index.
-    pub(in crate::precise) fn rebuild_world_boxes(&mut self) {
+    pub(super) fn rebuild_world_boxes(&mut self) {
         let Precise { depth: Some(space), bodies, ids, .. } = self else { return };
         space.add_box_bodies(bodies);
         space.rebuild_bodies(bodies, &ids.bodies);
@@ -176,7 +140,7 @@ impl Precise {
 
     /// Returns the id of a body for a snapshot, or the id that stands for a sleeping hinged box; `None` for all other bodies
     /// without an id. A box is identified by its proxy, because the list of boxes may be newer than the list of bodies.
-    pub(in crate::precise) fn saved_body_id(&self, body_index: usize) -> Option<BodyId> {
+    pub(super) fn saved_body_id(&self, body_index: usize) -> Option<BodyId> {
         let of_world_box = || {
             let mut proxies = self.proxies.proxies_of(body_index).map(|at| &self.proxies.all[at as usize]);
             proxies
@@ -187,27 +151,21 @@ impl Precise {
     }
 
     /// Returns the body index of the body or hinged box that an id in a snapshot stands for; `None` if it no longer exists.
-    pub(in crate::precise) fn body_of_saved_id(&self, name: BodyId) -> Option<usize> {
+    pub(super) fn body_of_saved_id(&self, name: BodyId) -> Option<usize> {
         self.body_index(name).or_else(|| {
             if !HingeFeature::ENABLED {
                 return None;
             }
-            let space = self.depth.as_ref()?;
-            let (place, world_box) = space.world_box_by_id(interface::world_box_of_body_id(name)?)?;
-            world_box.hinge()?;
-            Some(space.moving_boxes.binary_search(&(place as u32)).ok()? + 1)
+            self.depth.as_ref()?.hinged_body(interface::world_box_of_body_id(name)?)
         })
     }
 
     /// Returns the proxy index of the ground or of a world box; `None` for a geom or an unknown box.
-    pub(in crate::precise) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
+    pub(super) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
         let space = self.depth.as_ref()?;
         match interface::contact_target_of(id) {
             DepthContactTarget::Ground => Some(space.ground_proxy as usize),
-            DepthContactTarget::WorldBox(id) => {
-                let (place, _) = space.world_box_by_id(id)?;
-                space.box_proxies.get(place).map(|&proxy| proxy as usize)
-            }
+            DepthContactTarget::WorldBox(id) => space.proxy_of_world_box(id),
             DepthContactTarget::Geom(_) => None,
         }
     }

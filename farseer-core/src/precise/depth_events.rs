@@ -1,11 +1,11 @@
-//! Contact queries and begin and end events in three axes, for the engine above (`twohalf`).
+//! Adapter: contact queries and begin and end events in three axes, for the engine above (`twohalf`).
 //!
 //! Translates pairs to geoms, world boxes and the ground. The numbers come from the
 //! [contact reader](crate::precise::narrow_phase::contact_reader).
 
-use super::interface::{self, DepthContact, DepthContactEvent, DepthContactTarget};
+use super::Precise;
+use super::depth::interface::{self, DepthContact, DepthContactEvent, DepthContactTarget};
 use crate::geom::GeomId;
-use crate::precise::Precise;
 use crate::precise::broad_phase::hash_grid::overlap;
 use crate::precise::ids::geom_of;
 
