@@ -10,7 +10,7 @@ use super::bodies::BodySet;
 use super::body_import::{
     gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
 };
-use super::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
+use super::broad_phase::pair_finder::is_pair_reported;
 use super::broad_phase::pairs::Pairs;
 use super::broad_phase::proxies::{Proxies, Proxy};
 use super::depth::FeatureGate;
@@ -18,6 +18,7 @@ use super::depth::interface::is_geom;
 use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, surface_velocity};
 use super::ids::piece_at;
 use super::listed::{Listed, is_simulated};
+use super::narrow_phase::pair_lifetime::initial_one_way_state;
 use super::saved::{EditPolicy, Saved};
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;

@@ -1,15 +1,20 @@
 //! Broad phase: computes fat AABBs and moves their proxies in the hash grid.
 
+use std::ops::Range;
+
+use wide::f32x4;
+
 use super::hash_grid::{HashGrid, PackedAabb};
 use super::pairs::Pairs;
-use super::proxies::Proxies;
+use super::proxies::{BodyType, Proxies, Proxy};
+use crate::math::lanes::{gather, select};
+use crate::math::plane::length;
 use crate::math::scalar::nearest_finite;
 use crate::precise::bodies::BodySet;
-use crate::precise::continuous_collision::is_fast_kinematic;
 use crate::precise::depth::interface::DepthInterval;
 use crate::precise::depth::{DepthState, FeatureGate};
-use crate::precise::integration::find_escaped_proxies;
 use crate::precise::island::sleep::SleepState;
+use crate::precise::parameters::narrow_phase::CCD_MAX_COORDINATE;
 use crate::precise::scaled_parameters::{AabbMargin, Parameters};
 
 /// AABB of the ground of `twohalf` (low x, low y, high x, high y, length units): all points with y >= 0, since y points down.
@@ -47,6 +52,79 @@ impl Proxies {
         let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
         let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
         [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)].map(nearest_finite)
+    }
+}
+
+/// Returns whether a proxy belongs to a kinematic body and moves in the step by more than the speculative distance. `dt` is the
+/// step in seconds. False for displacements from [`CCD_MAX_COORDINATE`] on.
+pub(in crate::precise) fn is_fast_kinematic(
+    proxy: &Proxy,
+    bodies: &BodySet,
+    parameters: &Parameters,
+    dt: f32,
+) -> bool {
+    if proxy.body_type != BodyType::Kinematic || proxy.is_world {
+        return false;
+    }
+    let [x, y, spin, z] = bodies.states[proxy.body as usize].velocity;
+    let distance = (length([length([x, y]), z]) + spin.abs() * proxy.shape.max_extent) * dt;
+    distance > parameters.speculative_distance && distance < CCD_MAX_COORDINATE
+}
+
+/// Adds the motion in the step to `Proxies::travel`, and adds each proxy whose tight AABB has left its fat AABB to
+/// `Proxies::refitted`.
+///
+/// The motion of a proxy is |dx| + |dy| + |dz| + extent * |rotation|, for the displacement of its body in the step. The extent
+/// is the greatest distance of the surface from the body's origin. The motion is an upper bound for the path of each point of
+/// the proxy, rounded up to a multiple of 2^-26 length units. The tight AABB includes the speculative distance.
+#[inline(always)]
+fn find_escaped_proxies(
+    proxies: &mut Proxies,
+    bodies: &BodySet,
+    runs: &[Range<usize>],
+    parameters: &Parameters,
+) {
+    let scale = f32x4::splat(parameters.travel_scale());
+    let speculative_distance = f32x4::splat(parameters.speculative_distance);
+    let Proxies {
+        all,
+        local_aabbs: boxes,
+        fat_aabbs: bounds,
+        travel: motion,
+        refitted: escaped,
+        movable_end: movable,
+        ..
+    } = proxies;
+    for four in runs.iter().flat_map(|run| run.clone().step_by(4)) {
+        let of = &all[four..four + 4];
+        let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
+        let [x, y, c, s] = gather(&bodies.poses, &places);
+        let [dx, dy, turned, dz] = gather(&bodies.delta_pose, &places);
+        let [cx, cy, hx, hy] = gather(boxes, &std::array::from_fn(|lane| (four + lane) as u32));
+        let radius = f32x4::new(std::array::from_fn(|lane| of[lane].shape.radius));
+        let reach = f32x4::new(std::array::from_fn(|lane| of[lane].shape.max_extent));
+        let (x, y) = (x + (c * cx - s * cy), y + (s * cx + c * cy));
+        let (ac, as_) = (c.abs(), s.abs());
+        let (ex, ey) = (
+            ac * hx + as_ * hy + radius + speculative_distance,
+            as_ * hx + ac * hy + radius + speculative_distance,
+        );
+        let [low_x, low_y, high_x, high_y] =
+            gather(bounds, &std::array::from_fn(|lane| (four + lane) as u32));
+        let has_left = (x - ex).simd_lt(low_x)
+            | (y - ey).simd_lt(low_y)
+            | (x + ex).simd_gt(high_x)
+            | (y + ey).simd_gt(high_y);
+        let travel = (dx.abs() + dy.abs() + dz.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
+        let most = f32x4::splat(1e9);
+        let way = select(travel.simd_lt(most), travel, most).to_array();
+        for (motion, way) in motion[four..four + 4].iter_mut().zip(way) {
+            *motion = motion.wrapping_add(way as u32);
+        }
+        let left = has_left.to_bitmask();
+        for lane in (0..4).filter(|lane| left >> lane & 1 == 1 && four + lane < *movable) {
+            escaped.push((four + lane) as u32);
+        }
     }
 }
 

@@ -20,9 +20,7 @@ pub(super) mod time_of_impact;
 use super::bodies::BodySet;
 use super::island::sleep::SleepState;
 use super::joints::JointSystem;
-use super::scaled_parameters::Parameters;
-use crate::math::plane::length;
-use crate::precise::broad_phase::proxies::{BodyType, Proxy};
+use crate::precise::broad_phase::proxies::BodyType;
 use crate::precise::parameters::narrow_phase::{CCD_MAX_COORDINATE, TOI_PENETRATION_RATIO};
 use crate::storage::order::{packed_key, sort_by_number};
 use joined_impacts::{clamp_joined_bodies, scale_joined_velocity};
@@ -62,17 +60,6 @@ impl FastBody {
 fn is_fast([x, y, turned, z]: [f32; 4], max_extent: f32, min_extent: f32) -> bool {
     let distance = x.abs() + y.abs() + z.abs() + max_extent * turned.abs();
     distance > min_extent && distance < CCD_MAX_COORDINATE
-}
-
-/// Returns whether a proxy belongs to a kinematic body and moves in the step by more than the speculative distance. `dt` is the
-/// step in seconds. False for displacements from [`CCD_MAX_COORDINATE`] on.
-pub(super) fn is_fast_kinematic(proxy: &Proxy, bodies: &BodySet, parameters: &Parameters, dt: f32) -> bool {
-    if proxy.body_type != BodyType::Kinematic || proxy.is_world {
-        return false;
-    }
-    let [x, y, spin, z] = bodies.states[proxy.body as usize].velocity;
-    let distance = (length([length([x, y]), z]) + spin.abs() * proxy.shape.max_extent) * dt;
-    distance > parameters.speculative_distance && distance < CCD_MAX_COORDINATE
 }
 
 /// Lists the fast bodies of the step in `fast`: dynamic, awake, and moving by more than the least distance from their middle to

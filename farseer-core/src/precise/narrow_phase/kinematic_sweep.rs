@@ -10,8 +10,8 @@
 
 use super::{NarrowPhase, ProxyPair};
 use crate::math::plane::{Pose, dot, scaled};
+use crate::precise::broad_phase::fat_aabbs::is_fast_kinematic;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
-use crate::precise::continuous_collision::is_fast_kinematic;
 use crate::precise::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
 };

@@ -24,9 +24,11 @@ mod handler_changes;
 mod kinematic_sweep;
 pub(super) mod manifold;
 pub(super) mod one_way;
+pub(super) mod pair_lifetime;
 mod residual_penetration;
 mod rim_ghost_filter;
 pub(super) mod shape_pair;
+mod static_sensor_pairs;
 mod touch_state;
 
 use super::bodies::BodySet;

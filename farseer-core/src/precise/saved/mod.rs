@@ -27,8 +27,8 @@ use crate::geom::GeomId;
 use crate::math::plane::Vector;
 use crate::objects::Objects;
 use crate::precise::broad_phase::pairs::CachedManifoldZ;
+use crate::precise::broad_phase::pairs::OneWayState;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
-use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::precise::sleeping_joints::SleepingJoint;
 use crate::surface::FrictionType;
 

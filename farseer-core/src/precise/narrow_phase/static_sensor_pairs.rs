@@ -1,9 +1,9 @@
-//! Broad phase: pairs of a sensor with a static or kinematic body, in 2D. No impulse can move either side.
+//! Narrow phase: pairs of a sensor with a static or kinematic body, in 2D. No impulse can move either side.
 //!
 //! Such a pair is stored among the pairs of sleeping bodies, so that a static level costs nothing per step. The narrow phase
 //! updates it in the step in which it is found, when one of its fat AABBs changes, and after a kinematic side has moved.
 
-use crate::precise::narrow_phase::NarrowPhase;
+use super::NarrowPhase;
 
 impl NarrowPhase<'_> {
     /// Updates the contacts of sensor pairs without a body that impulses can move, as far as they may have changed. Returns the
