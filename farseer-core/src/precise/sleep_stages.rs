@@ -68,7 +68,9 @@ impl Precise {
                     space.put_to_rest(body, id);
                 }
             }
-            self.put_hinge_to_rest(body);
+            if let Some(space) = &mut self.depth {
+                space.put_hinge_to_rest(body);
+            }
         }
     }
 
@@ -193,7 +195,7 @@ impl Precise {
 
     /// Returns the number of sleeping bodies, without hinged platforms.
     pub(crate) fn asleep_count(&self) -> usize {
-        self.sleep.count - self.sleeping_hinged_boxes()
+        self.sleep.count - self.depth.as_ref().map_or(0, |space| space.sleeping_hinged_boxes(&self.sleep))
     }
 
     /// Returns whether the body sleeps.
