@@ -547,6 +547,7 @@ mod report;
 mod simulator;
 mod springs;
 mod storage;
+mod surface;
 mod utilities;
 
 pub use body::{Body, BodyId};
@@ -566,7 +567,6 @@ pub use former_names::*;
 pub use geom::distance_grid::DistanceGrid;
 pub use geom::filter::CollisionFilter;
 pub use geom::outline::Outline;
-pub use geom::surface::{FrictionType, SurfaceCoefficients};
 pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
 pub use joints::{
@@ -602,6 +602,7 @@ pub use springs::{
 #[doc(hidden)]
 pub use storage::order;
 pub use storage::rejected_arguments::{ArgumentNames, RejectedArguments};
+pub use surface::{FrictionType, SurfaceCoefficients};
 pub use utilities::{
     BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,
     FluidHandler, InterpolatedPose, MapId, MousePicker, ObjectHandler, SecondaryMap, SeparationHandler,

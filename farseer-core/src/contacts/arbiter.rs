@@ -7,10 +7,10 @@ use crate::contacts::listed_pairs::ListedPairs;
 use crate::contacts::pair_table::GeomPairBitmap;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
-use crate::geom::surface::{FrictionType, SurfaceOverride};
 use crate::math::scalar::nearest_finite;
 use crate::storage::order::sort_by_number;
 use crate::storage::reusing_clone::reusing_clone;
+use crate::surface::{FrictionType, SurfaceOverride};
 
 /// Number of arbiters in the pool of a new simulator.
 const INITIAL_POOL_SIZE: u32 = 128;

@@ -8,7 +8,6 @@ pub(crate) mod filter;
 pub(crate) mod grid_cache;
 pub(crate) mod outline;
 pub(crate) mod pieces;
-pub(crate) mod surface;
 pub(crate) mod view;
 
 use serde::{Deserialize, Serialize};

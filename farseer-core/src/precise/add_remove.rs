@@ -12,8 +12,8 @@ use super::listed::Listed;
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::broad_phase::hash_grid::HashGrid;
-use crate::precise::broad_phase::query_candidates::AlwaysTested;
 use crate::precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
+use crate::precise::query_candidates::AlwaysTested;
 
 /// Bodies and geoms by which the simulator's lists differ from those of the precise set.
 struct MembershipDiff {
@@ -36,7 +36,8 @@ impl Precise {
     /// nothing is changed and a rebuild is needed: there are other changes, too, or the lists have no capacity left.
     pub(super) fn apply_add_remove(&mut self, objects: &Objects) -> bool {
         let listed = self.listed(objects);
-        let diff = MembershipDiff::new(&listed, self.world_proxy_count())
+        let world_proxies = self.depth.as_ref().map_or(0, |space| space.world_proxy_count());
+        let diff = MembershipDiff::new(&listed, world_proxies)
             .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.grid));
         let Some(members) = diff else { return false };
         self.remove_members(&members);
@@ -108,7 +109,10 @@ impl Precise {
         self.ids.add_body(index, id);
         self.color_usage.add_body(index, self.bodies.inverse_mass_inertia[index]);
         self.sleep.add_body(index);
-        self.add_body_z(index, id);
+        if let Some(space) = &mut self.depth {
+            space.add_body(index, id);
+            space.import_body(&mut self.bodies, index, id);
+        }
     }
 
     /// Appends the proxies of a geom, and its body if that is static and not listed yet. `at`: position of the geom in the
@@ -127,8 +131,8 @@ impl Precise {
         for proxy in self.ids.proxies_of_geom(&self.proxies, id) {
             if let Some(space) = self.depth.as_deref_mut() {
                 space.add_proxy(proxy, id);
+                space.fix_rotation_of_proxy(proxy as u32, &self.proxies, &mut self.bodies);
             }
-            self.fix_rotation_of_proxy(proxy as u32);
             self.fat_aabbs().insert(proxy as u32);
             // The new body may form an island for the direct solver.
             self.direct_solver.timer.is_due = true;

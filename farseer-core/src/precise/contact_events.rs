@@ -1,21 +1,18 @@
 //! Contact events and contacts as the API shows them, and changes that handlers make to contacts.
 //!
-//! The module reads pairs, cached manifolds and contact constraints. It returns touch events and [arbiters](ArbiterRef).
-//! Handlers may disable a contact, remove points or override surface properties for one step, which writes pairs and
-//! constraints.
+//! The module translates between geoms and pairs: touch events and [arbiters](ArbiterRef) out, changes by handlers in. Handlers
+//! may disable a contact, remove points or override surface properties for one step.
 
 use super::Precise;
+use super::contact_points::contacts_of;
 use super::narrow_phase::{NarrowPhaseStats, TouchEvent};
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
-use crate::contacts::contact::{Contact, ContactId};
+use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::geom::surface::SurfaceOverride;
-use crate::math::Vector2;
-use crate::math::plane::{difference, dot, rotate, rotate_inverse, rotation, sum, translation};
-use crate::math::scalar::nearest_finite;
 use crate::precise::broad_phase::proxies::BodyType;
 use crate::precise::ids::geom_of;
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
+use crate::surface::SurfaceOverride;
 
 impl Precise {
     /// Returns the number of pairs, touching or not.
@@ -47,51 +44,16 @@ impl Precise {
         Some(packed_key(if a < b { [a, b] } else { [b, a] }))
     }
 
-    /// Returns the arbiter of a pair: contacts, friction and impulses of the touching geoms. `None` if the pair does not touch,
-    /// and in three axes.
+    /// Returns the arbiter of a pair: the touching geoms with their contacts. `None` if the pair does not touch, and in three
+    /// axes.
     pub(crate) fn arbiter_of_pair(&self, pair: usize) -> Option<ArbiterRef<'static>> {
-        let state = self.pairs.all.get(pair).filter(|state| state.is_touching)?;
-        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        if self.depth.is_some() {
-            return None;
-        }
-        let is_flipped = a.creation_number > b.creation_number;
-        let manifold = &self.pairs.manifolds[pair];
-        let constraint = state.constraint.map(|home| self.constraints.get(state.kind, home));
-        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
-        let [ca, sa, cb, sb] = manifold.rotations;
-        let (turned_a, turned_b) =
-            (rotate_inverse([ca, sa], rotation(pose_a)), rotate_inverse([cb, sb], rotation(pose_b)));
-        let normal = constraint.map_or(manifold.normal, |lane| lane.normal);
-        let sign = if is_flipped { -1.0 } else { 1.0 };
-        let (first, second) = if is_flipped { (b, a) } else { (a, b) };
-        let mut contacts = [Contact::default(); 2];
-        for (at, contact) in contacts.iter_mut().enumerate().take(manifold.count as usize) {
-            let [ax, ay, bx, by] = manifold.anchors[at];
-            let on_a = sum(translation(pose_a), rotate(turned_a, [ax, ay]));
-            let on_b = sum(translation(pose_b), rotate(turned_b, [bx, by]));
-            let separation = manifold.separations[at] + dot(difference(on_b, on_a), normal);
-            let point = constraint.map(|lane| lane.points[at]);
-            let vertex = manifold.features[at] as i32;
-            let id = ContactId { geom1: first.creation_number, vertex, geom2: second.creation_number };
-            // A body may have been moved as far as `f32` reaches.
-            let position = [0, 1].map(|axis| nearest_finite(0.5 * (on_a[axis] + on_b[axis])));
-            let position = Vector2::new(position[0], position[1]);
-            let normal = Vector2::new(sign * normal[0], sign * normal[1]);
-            let separation = nearest_finite(point.map_or(separation, |point| point.separation));
-            let impulses = point.map_or((0.0, 0.0), |point| {
-                (
-                    point.normal_impulse,
-                    constraint.map_or(0.0, |lane| lane.tangent_impulse) / manifold.count as f32,
-                )
-            });
-            *contact = Contact::new(position, normal, separation, id)
-                .with_impulses(nearest_finite(impulses.0), nearest_finite(impulses.1));
-        }
-        let geoms = (geom_of(first), geom_of(second));
-        let friction = self.friction.mix(a.friction, b.friction);
-        let contacts = ContactSource::Copied(contacts, manifold.count as usize);
-        Some(ArbiterRef { handle: pair as u32, geoms, friction, contacts })
+        self.pairs.all.get(pair).filter(|state| state.is_touching && self.depth.is_none())?;
+        let contact = self.contact_reader().planar_contact(pair);
+        let numbers =
+            self.pairs.triggers[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].creation_number);
+        let contacts = ContactSource::Copied(contacts_of(&contact, numbers), contact.count);
+        let friction = contact.friction;
+        Some(ArbiterRef { handle: pair as u32, geoms: self.geoms_of(pair), friction, contacts })
     }
 
     /// Removes and returns the touch events since the last call, in the order of creation numbers. Each pair of geoms occurs
@@ -151,16 +113,6 @@ impl Precise {
         both.flat_map(|(a, b)| [a, b]).find(is_between)
     }
 
-    /// Returns the geoms of a pair, the one with the smaller creation number first.
-    pub(crate) fn geoms_of(&self, pair: usize) -> (GeomId, GeomId) {
-        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        if a.creation_number < b.creation_number {
-            (geom_of(a), geom_of(b))
-        } else {
-            (geom_of(b), geom_of(a))
-        }
-    }
-
     /// Returns the number of pairs that touch.
     pub(crate) fn touching_count(&self) -> usize {
         self.pairs.touching_count
@@ -203,70 +155,28 @@ impl Precise {
     /// is removed.
     pub(crate) fn disable_contact(&mut self, pair: usize) {
         self.has_handler_changes = true;
-        if self.pairs.all[pair].constraint.is_some() {
-            self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
-        }
-        self.pairs.all[pair].is_vetoed = true;
-        self.narrow_phase().remove_constraint(pair);
-        self.narrow_phase().revoke_landing(pair);
-        // In three axes a disabled pair does not count as touching.
-        if self.depth.is_some() && self.pairs.all[pair].is_touching {
-            self.narrow_phase().emit_touch_event(pair, false);
-        }
-        // Without a constraint the solver does not update the pair, so the narrow phase must.
-        self.pairs.triggers[pair].motion_tolerance = 0;
+        self.narrow_phase().veto(pair);
     }
 
     /// Retains only the contact points of a pair that a handler has left in `contacts`. All other points of the pair exert no
     /// impulses in this step.
     pub(crate) fn retain_contacts(&mut self, pair: usize, contacts: &[Contact]) {
         let Some(touching) = self.arbiter_of_pair(pair) else { return };
-        let is_kept = |contact: &Contact| contacts.iter().any(|kept| kept == contact);
-        if touching.contacts().all(|contact| is_kept(&contact)) {
-            return;
+        let mut is_kept = [true; 2];
+        for (is_kept, contact) in is_kept.iter_mut().zip(touching.contacts()) {
+            *is_kept = contacts.contains(&contact);
         }
-        let state = self.pairs.all[pair];
-        let Some(handle) = state.constraint else { return };
-        self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
-        let mut constraint = self.constraints.get(state.kind, handle);
-        for (point, contact) in constraint.points.iter_mut().zip(touching.contacts()) {
-            if !is_kept(&contact) {
-                (point.normal_mass, point.normal_impulse, point.rest_impulse) = (0.0, 0.0, 0.0);
-            }
+        if is_kept != [true; 2] {
+            self.has_handler_changes |= self.narrow_phase().retain_points(pair, is_kept);
         }
-        self.constraints.set(state.kind, handle, &constraint);
-        self.has_handler_changes = true;
-        self.pairs.all[pair].is_vetoed = true;
     }
 
     /// Overrides friction, restitution and tangent speed of a pair for this step, as a handler has set them. A sleeping pair
     /// wakes if these values differ from those with which it fell asleep.
     pub(crate) fn override_surface(&mut self, pair: usize, surface: SurfaceOverride) {
-        let state = self.pairs.all[pair];
-        let is_asleep = pair >= self.pairs.awake_count;
-        let Some(handle) = state.constraint.filter(|_| is_asleep || surface != SurfaceOverride::default())
-        else {
-            if is_asleep && state.responds {
-                self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
-            }
-            return;
-        };
-        let mut constraint = self.constraints.get(state.kind, handle);
-        let before = [constraint.friction, constraint.restitution, constraint.tangent_speed];
-        let [friction, restitution, speed] =
-            if is_asleep { self.narrow_phase().surface_parameters(pair) } else { before };
-        constraint.friction = surface.friction.unwrap_or(friction);
-        constraint.restitution = surface.restitution.unwrap_or(restitution);
-        // The sum of two finite speeds may overflow.
-        constraint.tangent_speed =
-            surface.tangent_speed.map_or(speed, |set| (speed + set).clamp(f32::MIN, f32::MAX));
-        if is_asleep && before == [constraint.friction, constraint.restitution, constraint.tangent_speed] {
-            return;
+        if let Some(restitution) = self.narrow_phase().override_surface(pair, surface) {
+            self.has_restitution |= restitution > 0.0;
+            self.has_handler_changes = true;
         }
-        self.sleep.request_wake_of_pair(self.pairs.bodies_of(&self.proxies, pair));
-        self.has_restitution |= constraint.restitution > 0.0;
-        self.constraints.set(state.kind, handle, &constraint);
-        self.has_handler_changes = true;
-        self.pairs.all[pair].has_surface_override = true;
     }
 }

@@ -7,8 +7,10 @@
 
 use super::Precise;
 use super::bodies::BodySet;
-use super::body_import::{gyration_radius, listed_body, pose_of, velocity_of, was_moved};
-use super::broad_phase::pair_finder::{initial_one_way_state, is_pair_reported};
+use super::body_import::{
+    gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
+};
+use super::broad_phase::pair_finder::is_pair_reported;
 use super::broad_phase::pairs::Pairs;
 use super::broad_phase::proxies::{Proxies, Proxy};
 use super::depth::FeatureGate;
@@ -16,6 +18,7 @@ use super::depth::interface::is_geom;
 use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, surface_velocity};
 use super::ids::piece_at;
 use super::listed::{Listed, is_simulated};
+use super::narrow_phase::pair_lifetime::initial_one_way_state;
 use super::saved::{EditPolicy, Saved};
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
@@ -82,10 +85,12 @@ impl Precise {
         let (Some(entry), Some(index)) = (objects.bodies.get(id), self.body_index(id)) else { return };
         let body = &entry.body;
         let is_movable = index < self.bodies.first_static();
-        let inverses = if is_movable { self.inverse_mass_and_inertia(index, body) } else { [0.0; 2] };
         let depth = self.depth.as_ref().map(FeatureGate::by_ref);
+        let mut inverses = if is_movable { inverse_mass_inertia_of(body) } else { [0.0; 2] };
+        inverses = depth.map_or(inverses, |space| space.without_fixed_inertia(index, inverses));
+        let is_at_other_z = depth.is_some_and(|space| space.was_moved_along_z(index, id));
         let velocity = if is_movable { [0.0; 4] } else { surface_velocity(body, id, depth) };
-        let has_moved = was_moved(&self.bodies, index, body) || self.was_moved_along_z(index, id);
+        let has_moved = was_moved(&self.bodies, index, body) || is_at_other_z;
         let has_mass_changed = inverses != self.bodies.inverse_mass_inertia[index];
         let is_at_rest = body.is_at_rest_under(self.bodies.gravity_scales[index]) && self.rests_along_z(id);
         if has_moved || has_mass_changed || !is_at_rest {
@@ -109,8 +114,9 @@ impl Precise {
             self.bodies.set_pose(index, pose_of(body));
             self.bodies.clear_delta_pose(index);
         }
-        self.import_body_z(index, id);
-        self.fix_rotation_if_vertical(index);
+        if let Some(space) = &mut self.depth {
+            space.import_body(&mut self.bodies, index, id);
+        }
         for &geom in &entry.geoms {
             self.update_proxies(geom, |proxy| {
                 let is_belt_changed = proxy.surface_velocity != velocity;
@@ -287,11 +293,14 @@ impl Precise {
         self.rebuild_bodies(objects);
         self.rebuild_proxies(objects);
         self.list_always_tested(objects);
-        self.fix_rotation_of_all();
         self.sleep.reset(&self.bodies.has_body);
-        self.keep_moving_boxes_awake();
+        if let Some(space) = &mut self.depth {
+            space.fix_rotation_of_all(&self.proxies, &mut self.bodies);
+            space.keep_moving_boxes_awake(&mut self.sleep);
+        }
         self.direct_solver.reset(self.bodies.states.len());
-        self.springs.clear_body_indices();
+        // The body indices in the springs have become invalid.
+        self.springs.clear();
         (1..=self.bodies.last_movable).for_each(|number| self.compute_extents(number, objects));
         self.restore(saved, objects, edits);
     }
@@ -364,11 +373,15 @@ impl Precise {
         self.proxy_flags.clear();
         self.has_restitution = false;
         let first_fixed = self.bodies.first_static();
-        self.add_moving_box_proxies();
+        let Precise { depth, proxies, has_restitution, .. } = self;
+        *has_restitution |= depth.as_mut().is_some_and(|space| space.add_moving_box_proxies(proxies));
         self.proxy_import(objects).push_all(|body| body < first_fixed);
         self.proxies.add_spare_positions();
         self.proxy_import(objects).push_all(|body| body >= first_fixed);
-        self.add_ground_and_static_proxies();
+        let Precise { depth, proxies, has_restitution, bodies, .. } = self;
+        *has_restitution |= depth
+            .as_mut()
+            .is_some_and(|space| space.add_ground_and_static_proxies(proxies, bodies.poses.len()));
         self.proxies.link_bodies(self.bodies.poses.len());
         self.proxy_flags.resize(self.proxies.all.len(), false);
     }

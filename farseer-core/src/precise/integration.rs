@@ -3,7 +3,7 @@
 //!
 //! A body in the iterative solver moves by the symplectic Euler method in substeps. [`apply_midpoint_correction`] turns the
 //! displacement into that of the midpoint rule where no impact occurred. For an isolated bounce [`resolve_bounce`] replaces the
-//! displacement by a closed form. The new poses are then tested against the fat AABBs ([`find_escaped_proxies`]).
+//! displacement by a closed form. The broad phase then tests the new poses against the fat AABBs.
 
 use crate::precise::parameters::contacts::{CENTRAL_IMPACT_TOLERANCE, MIDPOINT_MAX_VELOCITY_CHANGE};
 use std::ops::Range;
@@ -13,9 +13,7 @@ use wide::f32x4;
 use super::bodies::{BodySet, MotionState, sin_cos_of_rotation};
 use super::constraint_graph::{ColorUsage, ContactConstraintSimd, ContactPointSimd, SimdContacts};
 use super::joints::JointSystem;
-use super::scaled_parameters::{Parameters, StepContext};
-use crate::math::lanes::{gather, select};
-use crate::precise::broad_phase::proxies::Proxies;
+use super::scaled_parameters::StepContext;
 
 /// Begins a substep: adds to the velocity of each awake body its change by forces (`force_delta`) and its warm start.
 ///
@@ -39,6 +37,17 @@ pub(super) fn apply_warm_start(bodies: &mut BodySet, runs: &[Range<usize>], is_f
                 (velocity + f32x4::new(*warm_start) + f32x4::new(*force_delta)).to_array();
             state.velocity = *warm_started_velocity;
         }
+    }
+}
+
+/// Gives each kinematic body the velocity that the game prescribes, and the displacement velocity * dt. Impulses of the solver
+/// do not change the motion of a kinematic body. `dt` is the step in seconds.
+pub(super) fn integrate_kinematic(bodies: &mut BodySet, dt: f32) {
+    let BodySet { kinematic, states, initial_velocity, delta_pose, .. } = bodies;
+    for &number in kinematic.iter() {
+        let number = number as usize;
+        states[number].velocity = initial_velocity[number];
+        delta_pose[number] = initial_velocity[number].map(|velocity| velocity * dt);
     }
 }
 
@@ -276,63 +285,6 @@ pub(super) fn integrate_poses(bodies: &mut BodySet, runs: &[Range<usize>]) {
             let [x, y, ..] = crate::math::lanes::columns(poses);
             let (sine, cosine) = sin_cos_of_rotation(f32x4::new(*rotations));
             *poses = f32x4::transpose([x + dx, y + dy, cosine, sine]).map(f32x4::to_array);
-        }
-    }
-}
-
-/// Adds the motion in the step to `Proxies::travel`, and adds each proxy whose tight AABB has left its fat AABB to
-/// `Proxies::refitted`.
-///
-/// The motion of a proxy is |dx| + |dy| + |dz| + extent * |rotation|, for the displacement of its body in the step. The extent
-/// is the greatest distance of the surface from the body's origin. The motion is an upper bound for the path of each point of
-/// the proxy, rounded up to a multiple of 2^-26 length units. The tight AABB includes the speculative distance.
-#[inline(always)]
-pub(super) fn find_escaped_proxies(
-    proxies: &mut Proxies,
-    bodies: &BodySet,
-    runs: &[Range<usize>],
-    parameters: &Parameters,
-) {
-    let scale = f32x4::splat(parameters.travel_scale());
-    let speculative_distance = f32x4::splat(parameters.speculative_distance);
-    let Proxies {
-        all,
-        local_aabbs: boxes,
-        fat_aabbs: bounds,
-        travel: motion,
-        refitted: escaped,
-        movable_end: movable,
-        ..
-    } = proxies;
-    for four in runs.iter().flat_map(|run| run.clone().step_by(4)) {
-        let of = &all[four..four + 4];
-        let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
-        let [x, y, c, s] = gather(&bodies.poses, &places);
-        let [dx, dy, turned, dz] = gather(&bodies.delta_pose, &places);
-        let [cx, cy, hx, hy] = gather(boxes, &std::array::from_fn(|lane| (four + lane) as u32));
-        let radius = f32x4::new(std::array::from_fn(|lane| of[lane].shape.radius));
-        let reach = f32x4::new(std::array::from_fn(|lane| of[lane].shape.max_extent));
-        let (x, y) = (x + (c * cx - s * cy), y + (s * cx + c * cy));
-        let (ac, as_) = (c.abs(), s.abs());
-        let (ex, ey) = (
-            ac * hx + as_ * hy + radius + speculative_distance,
-            as_ * hx + ac * hy + radius + speculative_distance,
-        );
-        let [low_x, low_y, high_x, high_y] =
-            gather(bounds, &std::array::from_fn(|lane| (four + lane) as u32));
-        let has_left = (x - ex).simd_lt(low_x)
-            | (y - ey).simd_lt(low_y)
-            | (x + ex).simd_gt(high_x)
-            | (y + ey).simd_gt(high_y);
-        let travel = (dx.abs() + dy.abs() + dz.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
-        let most = f32x4::splat(1e9);
-        let way = select(travel.simd_lt(most), travel, most).to_array();
-        for (motion, way) in motion[four..four + 4].iter_mut().zip(way) {
-            *motion = motion.wrapping_add(way as u32);
-        }
-        let left = has_left.to_bitmask();
-        for lane in (0..4).filter(|lane| left >> lane & 1 == 1 && four + lane < *movable) {
-            escaped.push((four + lane) as u32);
         }
     }
 }

@@ -6,7 +6,7 @@ use super::Precise;
 use super::bodies::BodySet;
 use super::broad_phase::pairs::Pairs;
 use super::broad_phase::proxies::Proxies;
-use super::direct_solver::selection::IslandCensus;
+use super::direct_solver::island_stats::IslandCensus;
 use super::ids::IdTable;
 use super::island::falling_asleep::unite_islands;
 use super::island::report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
@@ -232,8 +232,8 @@ impl Precise {
             }
         }
         let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
-        for (id, joint) in all.filter(|(_, joint)| joint.enabled() && is_joint_of_any(joint, bodies)) {
-            let gap = self.joint_error_even_asleep((id, joint), &objects.bodies).unwrap_or(0.0).abs();
+        for (_, joint) in all.filter(|(_, joint)| joint.enabled() && is_joint_of_any(joint, bodies)) {
+            let gap = self.joint_import(&objects.bodies).joint_error_even_asleep(joint).unwrap_or(0.0).abs();
             let component = if joint.constraint_spec().keeps == ConstraintSpecKind::Angle {
                 &mut residual.angle
             } else {

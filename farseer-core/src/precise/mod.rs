@@ -21,12 +21,17 @@
 mod add_remove;
 mod bodies;
 mod body_import;
+mod body_io;
 pub(crate) mod broad_phase;
+mod candidate_pairs;
 mod constraint_graph;
 mod contact_events;
+mod contact_points;
 mod contact_solver;
 mod continuous_collision;
 pub(crate) mod depth;
+mod depth_events;
+mod depth_import;
 mod direct_solver;
 mod fingerprint;
 mod geom_import;
@@ -35,11 +40,16 @@ mod import;
 mod integration;
 mod island;
 mod island_report;
+mod joint_import;
+mod joint_stages;
 mod joints;
 mod listed;
+mod mass;
 mod minimum_degree;
 mod narrow_phase;
+mod non_finite;
 mod parameters;
+mod query_candidates;
 mod saved;
 mod scaled_parameters;
 mod shape;
@@ -47,20 +57,18 @@ pub(crate) mod skip_step;
 mod sleep_stages;
 mod sleeping_joints;
 mod sparse_ordering;
+mod spring_import;
 mod step;
 mod wake_import;
 
 use serde::Deserialize;
 
-use crate::body::BodyId;
-use crate::geom::GeomId;
-use crate::geom::surface::FrictionType;
-use crate::methods::SolverChoice;
 pub use crate::precise::island::report::IslandCost;
 pub use crate::precise::island::report::IslandResidual;
 pub use crate::precise::island::report::IslandSolver;
 pub use crate::precise::island::report::SolverReason;
 use crate::storage::reusing_clone::reusing_clone;
+use crate::surface::FrictionType;
 pub use island_report::{AwakeReason, Island};
 use saved::Saved;
 pub(crate) use scaled_parameters::StepContext;
@@ -69,21 +77,24 @@ use crate::precise::broad_phase::fat_aabbs::FatAabbs;
 use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::Proxies;
-use crate::precise::broad_phase::query_candidates::AlwaysTested;
 use crate::precise::contact_solver::rolling::RollingContact;
 use crate::precise::island::sleep::SleepState;
 use crate::precise::parameters::direct::IMMEDIATE_RESELECTION_BODIES;
 use bodies::BodySet;
 use constraint_graph::{ColorUsage, ConstraintGraph};
 use continuous_collision::FastBody;
+use continuous_collision::swept_motion::SweptMotion;
 use depth::{DepthState, FeatureGate};
 use direct_solver::DirectSolver;
 use direct_solver::selection::SolverSelection;
 use ids::IdTable;
 use import::PendingEdits;
+use joint_import::JointTable;
 use joints::JointSystem;
 use joints::springs::SpringRows;
+use narrow_phase::contact_reader::ContactReader;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
+use query_candidates::AlwaysTested;
 use scaled_parameters::Parameters;
 use sleeping_joints::SleepingJoint;
 
@@ -127,6 +138,8 @@ pub(crate) struct Precise {
     color_usage: ColorUsage,
     /// Joints with their constraints and solvers.
     joints: JointSystem,
+    /// Ids of the joints in `joints`, and the springs that became constraint rows in this update.
+    joint_table: JointTable,
     /// Springs that the solvers treat as constraint rows in this update.
     springs: SpringRows,
     /// Sleep state of bodies and islands: rest times, rings of sleeping bodies, requests to wake.
@@ -143,9 +156,9 @@ pub(crate) struct Precise {
     always_tested: Vec<AlwaysTested>,
     /// Touch events that the game has not received yet: pairs of convex pieces that began or ceased to touch.
     touch_events: Vec<TouchEvent>,
-    /// Contacts with static bodies that ended in this narrow phase: dynamic body, and penetration in length units. Empty
-    /// between stages.
-    ended_static_contacts: Vec<(BodyId, f32)>,
+    /// Contacts with static bodies that ended in this narrow phase: index of the dynamic body, and penetration in length
+    /// units. Empty between stages.
+    ended_static_contacts: Vec<(u32, f32)>,
     /// Numbers of computed and of recycled manifolds in the narrow phase of this step.
     narrow_phase_stats: NarrowPhaseStats,
     /// Scratch: indices of the pairs that the narrow phase updates in this step.
@@ -158,9 +171,9 @@ pub(crate) struct Precise {
     /// Candidates of continuous collision: bodies whose displacement in this step exceeds their least extent. Valid within a
     /// step only.
     fast_bodies: Vec<FastBody>,
-    /// A sensor and a geom of a fast body that crosses it within the step: creation number and id of each, the smaller number
-    /// first. Valid within a step only.
-    sensor_passthroughs: Vec<[(u32, GeomId); 2]>,
+    /// Proxies of a sensor and of a fast body that crosses it within the step, the one with the smaller creation number first.
+    /// A pair of geoms occurs once. Valid within a step only.
+    sensor_passthroughs: Vec<[u32; 2]>,
     /// Scratch: proxies whose fat AABBs continuous collision has enlarged to contain the sweep of a fast body.
     enlarged_proxies: Vec<u32>,
     /// Proxies of static and kinematic bodies whose pairs the broad phase searched in this step.
@@ -178,7 +191,7 @@ pub(crate) struct Precise {
 reusing_clone! {
     Precise {
         parameters, impulse_substep, dt, step_context, gravity_delta, loaded, edits, has_restitution, friction, max_contacts, bodies, proxies,
-        grid, pairs, constraints, color_usage, joints, springs, sleep, sleeping_joints, direct_solver, depth, ids, always_tested,
+        grid, pairs, constraints, color_usage, joints, joint_table, springs, sleep, sleeping_joints, direct_solver, depth, ids, always_tested,
         touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies,
         pair_scratch, new_pairs,
         proxy_flags, touching_scratch
@@ -212,6 +225,7 @@ impl Precise {
             constraints: ConstraintGraph::default(),
             color_usage: ColorUsage::default(),
             joints: JointSystem::default(),
+            joint_table: JointTable::default(),
             springs: SpringRows::default(),
             sleep: SleepState::default(),
             sleeping_joints: Vec::new(),
@@ -271,15 +285,28 @@ impl Precise {
     }
 
     /// Sets the user's choice of solvers, from this update on.
-    pub(crate) fn set_solver_choice(&mut self, choice: SolverChoice) {
+    pub(crate) fn set_solver_choice(&mut self, choice: crate::SolverChoice) {
         self.direct_solver.set_choice(choice);
+    }
+
+    /// Returns the parts from which contacts are read.
+    fn contact_reader(&self) -> ContactReader<'_> {
+        let Precise { bodies, proxies, pairs, constraints, depth, friction, .. } = self;
+        let depth = depth.as_ref().map(FeatureGate::by_ref);
+        ContactReader { bodies, proxies, pairs, constraints, depth, friction: *friction }
+    }
+
+    /// Returns the motion of all bodies in this step, between the solver and the write to the poses.
+    fn swept_motion(&self) -> SweptMotion<'_> {
+        let Precise { bodies, proxies, pairs, grid, sleep, depth, parameters, dt, .. } = self;
+        let depth = depth.as_ref().map(FeatureGate::by_ref);
+        SweptMotion { bodies, proxies, pairs, grid, sleep, depth, parameters, dt: *dt }
     }
 
     /// Returns the narrow phase, which borrows the bodies, proxies, pairs and constraints that it reads and writes.
     fn narrow_phase(&mut self) -> NarrowPhase<'_> {
         NarrowPhase {
             bodies: &self.bodies,
-            ids: &self.ids.bodies,
             proxies: &self.proxies,
             pairs: &mut self.pairs,
             constraints: &mut self.constraints,

@@ -68,7 +68,9 @@ impl Precise {
                     space.put_to_rest(body, id);
                 }
             }
-            self.put_hinge_to_rest(body);
+            if let Some(space) = &mut self.depth {
+                space.put_hinge_to_rest(body);
+            }
         }
     }
 
@@ -118,7 +120,7 @@ impl Precise {
     /// Requests that bodies wake whose joints have been added, removed or edited since the bodies fell asleep.
     #[inline]
     pub(super) fn wake_for_changed_joints(&mut self, objects: &Objects) {
-        if self.sleep.count > 0 && !self.joints.are_imported() {
+        if self.sleep.count > 0 && !self.joint_table.are_imported() {
             let Precise { ids, bodies, depth, sleep, sleeping_joints, .. } = self;
             let depth = depth.as_ref().map(FeatureGate::by_ref);
             JointComparison { ids, bodies, depth, objects }.wake_unless_known(sleeping_joints, sleep);
@@ -140,7 +142,7 @@ impl Precise {
             edited.contains(&second) || first.is_some_and(|first| edited.contains(&first))
         };
         let sleeping = self.sleeping_joints.iter().map(|joint| joint.held.bodies);
-        if self.joints.bodies_of_unlisted().chain(sleeping).any(is_of) {
+        if self.joint_table.bodies_of_unlisted(&self.joints).chain(sleeping).any(is_of) {
             self.invalidate_joints();
         }
     }
@@ -193,7 +195,7 @@ impl Precise {
 
     /// Returns the number of sleeping bodies, without hinged platforms.
     pub(crate) fn asleep_count(&self) -> usize {
-        self.sleep.count - self.sleeping_hinged_boxes()
+        self.sleep.count - self.depth.as_ref().map_or(0, |space| space.sleeping_hinged_boxes(&self.sleep))
     }
 
     /// Returns whether the body sleeps.

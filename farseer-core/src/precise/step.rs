@@ -1,144 +1,24 @@
-//! The step of the precise engine after the broad phase: narrow phase, solvers, write to the bodies, refit of AABBs.
+//! The step of the precise engine: its stages, in their order, as the simulator calls them. The stages that read and write the
+//! bodies of the game are in [`body_io`](super::body_io).
 //!
 //! Islands in the direct solver and free articulations have solvers of their own. All other constraints are solved by the
 //! [iterative solver](super::contact_solver::iterative_solver) in substeps. If it has no constraint at all, all bodies move in
 //! free flight without substeps ([`integrate_free_flight`]).
 
-use crate::precise::parameters::broad_phase::COORDINATE_HEADROOM;
-use wide::f32x4;
-
 use super::Precise;
-use super::bodies::BodySet;
-use super::body_import::{BodyForces, pose_of, read_body};
 use super::broad_phase::fat_aabbs::FatAabbs;
-use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes};
-use super::direct_solver::island_io::IslandSolver;
-use super::integration::{integrate_free_flight, integrate_poses};
+use super::broad_phase::pair_finder::PairFinder;
+use super::continuous_collision::{end_paths, find_impacts, list_fast_bodies, toi_of_carried};
+use super::depth::{FeatureGate, brace_at_stops, finish_hinges, list_hinged_boxes, restitution_threshold_3d};
+use super::direct_solver::island_solver::IslandSolver;
+use super::integration::integrate_free_flight;
 use super::narrow_phase::NarrowPhaseStats;
 use super::scaled_parameters::LoadAdaptation;
 pub(crate) use super::scaled_parameters::StepContext;
 use crate::math::Vector2;
-use crate::objects::Objects;
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
-use crate::precise::contact_solver::soft_step::{update_circle_contact, update_circle_contacts};
-use crate::report::{Event, Report};
-
-/// Returns the lanes of `numbers`, with 0 in place of each lane that is not finite.
-fn zero_unless_finite(numbers: f32x4) -> f32x4 {
-    numbers & (numbers * f32x4::ZERO).simd_eq(f32x4::ZERO)
-}
 
 impl Precise {
-    /// Third stage of a step, the narrow phase: updates manifolds and contact constraints of the pairs that have moved beyond
-    /// their tolerance. `max_contacts`: most contact points per pair, 0..=2. Returns the number of updated pairs.
-    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, max_contacts: u32) -> usize {
-        self.narrow_phase_stats = NarrowPhaseStats::default();
-        self.rolling_contacts.clear();
-        self.release_one_way();
-        let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
-        let has_limit_changed = std::mem::replace(&mut self.max_contacts, max_contacts) != max_contacts;
-        if has_friction_changed || has_limit_changed {
-            self.wake_all();
-            (0..self.pairs.len()).for_each(|pair| self.pairs.invalidate(pair));
-        }
-        if std::mem::take(&mut self.has_handler_changes) {
-            self.clear_handler_overrides();
-        }
-        let mut separated = std::mem::take(&mut self.pair_scratch);
-        let speculative_distance = self.parameters.speculative_distance;
-        update_circle_contacts(
-            &mut self.constraints.one_point,
-            &self.bodies.poses,
-            &self.bodies.circles,
-            speculative_distance,
-            |pair| separated.push(pair),
-        );
-        self.constraints.update_direct_constraints(|lane| {
-            let is_separated =
-                update_circle_contact(lane, &self.bodies.poses, &self.bodies.circles, speculative_distance);
-            separated.extend((is_separated == Some(true)).then_some(lane.pair));
-            is_separated.is_some()
-        });
-        separated.sort_unstable();
-        let separated_circles = separated.len();
-        for pair in separated.drain(..) {
-            self.narrow_phase().update_contact(pair as usize);
-        }
-        self.pair_scratch = separated;
-        let updated =
-            separated_circles + self.update_static_sensor_pairs() + self.narrow_phase().update_contacts();
-        self.find_contacts_ahead_of_kinematic();
-        self.store_penetration();
-        updated
-    }
-
-    /// Ends the vetoes and surface settings that collision handlers made for one step, and invalidates the vetoed awake pairs.
-    /// A sleeping pair keeps its contact constraint as the handlers left it until it wakes.
-    fn clear_handler_overrides(&mut self) {
-        for pair in 0..self.pairs.len() {
-            let is_awake = pair < self.pairs.awake_count;
-            let was_vetoed = std::mem::take(&mut self.pairs.all[pair].is_vetoed);
-            self.pairs.all[pair].was_vetoed = was_vetoed;
-            self.has_handler_changes |= was_vetoed;
-            if was_vetoed && is_awake {
-                self.pairs.invalidate(pair);
-            }
-            if is_awake && std::mem::take(&mut self.pairs.all[pair].has_surface_override) {
-                self.narrow_phase().reset_surface_parameters(pair);
-            }
-        }
-    }
-
-    /// Fourth stage of a step: copies velocities and forces of the awake [`Body`](crate::Body) objects to `bodies`, for the
-    /// solvers.
-    ///
-    /// A body whose velocity would not be finite after the step is disabled, with an event. In this step such a body has
-    /// velocity 0 and no forces.
-    pub(crate) fn read_bodies(
-        &mut self,
-        objects: &mut Objects,
-        gravity: Vector2,
-        step: &StepContext,
-        report: &mut Report,
-    ) {
-        let Precise { bodies, ids, sleep, edits, depth, .. } = self;
-        let substeps = f32x4::splat(step.substeps as f32);
-        for run in &sleep.awake_body_runs {
-            let (states, initial_velocities) =
-                (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
-            let (force_deltas, force_position_deltas) =
-                (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
-            let ids = run.clone().zip(&ids.bodies[run.clone()]);
-            for ((((state, initial_velocity), force_delta), force_position_delta), (number, id)) in states
-                .iter_mut()
-                .zip(initial_velocities)
-                .zip(force_deltas)
-                .zip(force_position_deltas)
-                .zip(ids)
-            {
-                let entry = id.filter(|_| !sleep.is_asleep(number)).and_then(|id| objects.bodies.get_mut(id));
-                let (Some(id), Some(entry)) = (*id, entry) else { continue };
-                let mut read = read_body(&mut entry.body, gravity, step.dt, step.h);
-                if let Some(space) = depth {
-                    space.begin_velocity(number, &entry.body, &mut read, step, id);
-                }
-                let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
-                if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
-                    read = BodyForces::default();
-                    entry.body.set_enabled(false);
-                    report.push(Event::NotFinite { body: id, disabled: true });
-                    edits.needs_rebuild = true;
-                }
-                (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
-                (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
-            }
-        }
-        if let Some(space) = &self.depth {
-            space.clear_fixed_rotation_velocities(&mut self.bodies, &self.sleep);
-        }
-        self.begin_world_box_velocities();
-    }
-
     /// Returns the length of the last step, seconds, >= 0; 0 before the first step.
     pub(crate) fn last_dt(&self) -> f32 {
         self.dt
@@ -156,175 +36,83 @@ impl Precise {
         self.set_sleep(may_sleep, gravity);
         self.depth.iter_mut().for_each(|space| space.newly_asleep.clear());
         (self.dt, self.gravity_delta) = (dt, [gravity.x * dt, gravity.y * dt]);
-        self.begin_world_boxes(dt);
+        if let Some(space) = &mut self.depth {
+            space.begin_world_boxes(&mut self.bodies, dt);
+        }
+        let Precise { bodies, proxies, grid, depth, parameters, .. } = self;
+        let depth = depth.as_mut().map(FeatureGate::by_mut);
+        FatAabbs { bodies, proxies, grid, depth, parameters, dt }.pair_sweeping_boxes(&mut self.pairs);
         let kept = self.step_context.filter(|last| last.dt == dt && last.substeps == substeps);
         *self.step_context.insert(kept.unwrap_or_else(|| StepContext::new(dt, substeps, &self.parameters)))
     }
 
-    /// Sixth stage of a step: writes the new poses and velocities to the [`Body`](crate::Body) objects and adds an event for
-    /// each moved body.
-    ///
-    /// A body whose new pose or velocity is not finite keeps the pose and velocity that it had before the step. The fastest of
-    /// such bodies is disabled, and impulses that are not finite are cleared.
-    pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
-        self.finish_kinematic();
-        if !self.is_finite() {
-            self.restore_non_finite_bodies(objects, report);
+    /// Second stage of a step, the broad phase: removes pairs whose fat AABBs do not overlap any more, and returns the number of
+    /// new candidate pairs. [`candidate_geoms`](Self::candidate_geoms) returns the geoms of each candidate; candidates are
+    /// sorted by creation numbers.
+    pub(crate) fn find_pairs(&mut self) -> usize {
+        let mut refitted = std::mem::take(&mut self.proxies.refitted);
+        if !refitted.is_empty() {
+            self.narrow_phase().remove_separated_pairs(&refitted);
         }
-        let Precise { bodies, ids, sleep, depth, .. } = self;
-        for run in &sleep.awake_body_runs {
-            let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
-            let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
-            let ids = run.clone().zip(&ids.bodies[run.clone()]);
-            for ((((state, rotation), pose), delta_pose), (number, id)) in
-                states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids)
-            {
-                let id = id.filter(|_| !sleep.is_asleep(number));
-                let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) else { continue };
-                let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *delta_pose);
-                let [vx, vy, spin, vz] = state.velocity;
-                entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
-                *rotation = entry.body.rotation();
-                if let (Some(space), Some(id)) = (&mut *depth, id) {
-                    space.store_position(number, id, *delta_pose, vz);
-                }
-                if let Some(body) = id.filter(|_| *delta_pose != [0.0; 4]) {
-                    report.counters.bodies_moved += 1;
-                    report.push(Event::BodyUpdated { body });
-                }
-            }
+        self.store_ended_contacts();
+        let found = self.find_new_pairs(&refitted);
+        self.searched_static_proxies.clear();
+        if self.depth.is_none() {
+            let proxies = &self.proxies.all;
+            let is_static_sensor = |&&proxy: &&u32| !proxies[proxy as usize].body_type.takes_impulses();
+            self.searched_static_proxies.extend(refitted.iter().filter(is_static_sensor));
         }
-        integrate_poses(bodies, &sleep.awake_body_runs);
-        for at in 0..self.bodies.kinematic.len() {
-            let number = self.bodies.kinematic[at] as usize;
-            // A kinematic body that reaches its target has the pose of the target, bit for bit.
-            if let Some(entry) = self.ids.bodies[number].and_then(|id| objects.bodies.get(id)) {
-                self.bodies.set_pose(number, pose_of(&entry.body));
-            }
-        }
-        if let Some(space) = &self.depth {
-            space.reset_fixed_rotation_poses(&mut self.bodies, &self.sleep);
-        }
-        self.store_world_boxes();
+        refitted.clear();
+        self.proxies.refitted = refitted;
+        found
     }
 
-    /// Gives each kinematic body the velocity that the game prescribes, and the displacement velocity * dt. Impulses of the
-    /// solver do not change the motion of a kinematic body.
-    fn finish_kinematic(&mut self) {
-        let BodySet { kinematic, states, initial_velocity, delta_pose, .. } = &mut self.bodies;
-        for &number in kinematic.iter() {
-            let number = number as usize;
-            states[number].velocity = initial_velocity[number];
-            delta_pose[number] = initial_velocity[number].map(|velocity| velocity * self.dt);
+    /// Finds the new pairs of these proxies, and stores them in `new_pairs`. Returns their number.
+    fn find_new_pairs(&mut self, refitted: &[u32]) -> usize {
+        let Precise { proxies, pairs, grid, depth, proxy_flags, new_pairs, .. } = self;
+        let depth = depth.as_ref().map(FeatureGate::by_ref);
+        PairFinder { proxies, pairs, grid, depth }.find(refitted, proxy_flags, new_pairs)
+    }
+
+    /// Third stage of a step, the narrow phase: updates manifolds and contact constraints of the pairs that have moved beyond
+    /// their tolerance. `max_contacts`: most contact points per pair, 0..=2. Returns the number of updated pairs.
+    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, max_contacts: u32) -> usize {
+        self.narrow_phase_stats = NarrowPhaseStats::default();
+        self.rolling_contacts.clear();
+        self.narrow_phase().release_one_way();
+        let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
+        let has_limit_changed = std::mem::replace(&mut self.max_contacts, max_contacts) != max_contacts;
+        if has_friction_changed || has_limit_changed {
+            self.wake_all();
+            (0..self.pairs.len()).for_each(|pair| self.pairs.invalidate(pair));
         }
-    }
-
-    /// Returns whether the new poses and velocities of all awake bodies are finite.
-    fn is_finite(&self) -> bool {
-        let BodySet { poses, delta_pose, states, .. } = &self.bodies;
-        let mut sum = f32x4::ZERO;
-        for run in &self.sleep.awake_body_runs {
-            let of_run = poses[run.clone()].iter().zip(&delta_pose[run.clone()]).zip(&states[run.clone()]);
-            for ((pose, delta_pose_of_body), state) in of_run {
-                // The headroom leaves room for the corners of shapes around the body.
-                let place =
-                    (f32x4::new(*pose) + f32x4::new(*delta_pose_of_body)) * f32x4::splat(COORDINATE_HEADROOM);
-                sum += (place + f32x4::new(state.velocity)) * f32x4::ZERO;
-            }
+        if std::mem::take(&mut self.has_handler_changes) {
+            self.has_handler_changes |= self.narrow_phase().clear_handler_overrides();
         }
-        sum.to_array() == [0.0; 4] && self.is_depth_finite()
+        let searched = std::mem::take(&mut self.searched_static_proxies);
+        let mut narrow_phase = self.narrow_phase();
+        let updated = narrow_phase.update_circles()
+            + narrow_phase.update_static_sensor_pairs(&searched)
+            + narrow_phase.update_contacts();
+        narrow_phase.find_contacts_ahead_of_kinematic();
+        self.searched_static_proxies = searched;
+        self.store_ended_contacts();
+        updated
     }
 
-    /// Returns whether the new z positions and the angular velocities about X and Y of all awake bodies are finite. True in
-    /// plain 2D.
-    fn is_depth_finite(&self) -> bool {
-        self.depth.as_ref().is_none_or(|space| {
-            self.sleep.awake_bodies(self.bodies.last_movable).all(|number| {
-                let place =
-                    (space.z_positions[number] + self.bodies.delta_pose[number][3]) * COORDINATE_HEADROOM;
-                place.is_finite() && space.is_spin_finite(number)
-            })
-        })
-    }
-
-    /// Gives each awake body whose new pose or velocity is not finite the pose and velocity that it had before the step. The
-    /// fastest of these bodies is disabled, and impulses that are not finite are cleared.
-    #[cold]
-    fn restore_non_finite_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
-        let is_finite = |number: usize| {
-            let (pose, path) = (self.bodies.poses[number], self.bodies.delta_pose[number]);
-            let velocity = self.bodies.states[number].velocity;
-            let z = self.depth.as_ref().map_or(0.0, |space| space.z_positions[number]);
-            let from = [pose[0], pose[1], 0.0, z];
-            let spins = self.depth.as_ref().is_none_or(|space| space.is_spin_finite(number));
-            spins
-                && (0..4).all(|i| {
-                    velocity[i].is_finite() && ((path[i] + from[i]) * COORDINATE_HEADROOM).is_finite()
-                })
-        };
-        let non_finite: Vec<usize> =
-            self.sleep.awake_bodies(self.bodies.last_movable).filter(|&number| !is_finite(number)).collect();
-        let speed = |number: usize| {
-            let [x, y, spin, z] = self.bodies.initial_velocity[number].map(f64::from);
-            x * x + y * y + spin * spin + z * z
-        };
-        let fastest = non_finite.iter().map(|&number| speed(number)).fold(0.0, f64::max);
-        for &number in &non_finite {
-            let disabled = speed(number) >= fastest;
-            (self.bodies.states[number].velocity, self.bodies.delta_pose[number]) =
-                (self.bodies.initial_velocity[number], [0.0; 4]);
-            let Some(body) = self.ids.bodies[number] else { continue };
-            if let Some(space) = self.depth.as_deref_mut() {
-                space.reset_non_finite_spin(number);
-                space.body_mut(body).target = None;
-            }
-            if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
-                entry.body.set_enabled(false);
-                entry.body.clear_target();
-                self.edits.needs_rebuild = true;
-            }
-            report.push(Event::NotFinite { body, disabled });
+    /// Stores the penetrations of ended contacts with static bodies.
+    fn store_ended_contacts(&mut self) {
+        let Precise { depth, ended_static_contacts: ended, sleep, .. } = self;
+        if let Some(space) = depth.as_mut().filter(|_| !ended.is_empty()) {
+            space.store_residual_penetrations(ended, sleep);
         }
-        self.reset_non_finite_impulses();
-    }
-
-    /// Sets the accumulated impulses, rest impulses and separations in the constraints of the iterative solver to 0 where they
-    /// are not finite.
-    fn reset_non_finite_impulses(&mut self) {
-        self.for_each_impulse(|impulse| *impulse = zero_unless_finite(*impulse));
-        let mut forget = |points: &mut [super::constraint_graph::ContactPointSimd]| {
-            points.iter_mut().for_each(|point| point.separation = zero_unless_finite(point.separation));
-        };
-        self.constraints.two_points.for_each(|row| forget(&mut row.points));
-        self.constraints.one_point.for_each(|row| forget(&mut row.points));
-        self.constraints.two_points_static.for_each(|row| forget(&mut row.points));
-        self.constraints.one_point_static.for_each(|row| forget(&mut row.points));
-        self.constraints.depth.for_each_point(&mut forget);
-    }
-
-    /// Calls `change` with each accumulated impulse and rest impulse of the contact constraints in the iterative solver, four
-    /// lanes at a time.
-    fn for_each_impulse(&mut self, change: impl Fn(&mut f32x4)) {
-        if self.depth.is_some() {
-            return self.for_each_impulse_3d(&change);
-        }
-        let change = |tangent: &mut f32x4, points: &mut [super::constraint_graph::ContactPointSimd]| {
-            change(tangent);
-            for point in points {
-                change(&mut point.normal_impulse);
-                change(&mut point.rest_impulse);
-            }
-        };
-        self.constraints.two_points.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
-        self.constraints.one_point.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
-        self.constraints.two_points_static.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
-        self.constraints.one_point_static.for_each(|row| change(&mut row.tangent_impulse, &mut row.points));
     }
 
     /// Fifth stage of a step, the solver: computes new velocities and displacements of all awake bodies in `bodies`.
     pub(crate) fn solve(&mut self, step: &StepContext) {
         if self.impulse_substep != step.h {
-            self.scale_impulses(step.h);
+            self.constraints.scale_impulses(step.h / self.impulse_substep, self.depth.is_some());
+            self.impulse_substep = step.h;
         }
         self.select_solvers(&step.load_adaptation);
         if let Some(space) = &mut self.depth {
@@ -341,7 +129,7 @@ impl Precise {
             let mut solver = self.iterative_solver();
             solver.solve(step);
             solver.store_pivots(step);
-            self.store_rolling_contacts();
+            self.narrow_phase().store_rolling_contacts();
         }
         self.joints.store(&mut self.bodies, step);
         self.direct_solver.store(&mut self.bodies, step.dt);
@@ -362,7 +150,7 @@ impl Precise {
         }
         if has_depth {
             self.direct_solver.check_listed_contacts(&self.constraints);
-        } else if self.direct_solver.count_friction_checks(&self.sleep, self.bodies.last_movable)
+        } else if self.direct_solver.count_friction_checks(self.sleep.awake_bodies(self.bodies.last_movable))
             && self.solver_selection().has_slipping_contact()
         {
             self.direct_solver.timer.is_due = true;
@@ -424,7 +212,7 @@ impl Precise {
     /// Returns the iterative solver, which borrows the parts that it reads and writes.
     fn iterative_solver(&mut self) -> IterativeSolver<'_> {
         let restitution_threshold = match &self.depth {
-            Some(_) => self.restitution_threshold_3d(),
+            Some(_) => restitution_threshold_3d(self.gravity_delta, &self.parameters),
             None => self.parameters.restitution_threshold,
         };
         IterativeSolver {
@@ -445,30 +233,71 @@ impl Precise {
         }
     }
 
-    /// Stores the rolling contacts that the iterative solver has moved, after the last substep, and clears their list.
-    fn store_rolling_contacts(&mut self) {
-        let mut rolling = std::mem::take(&mut self.rolling_contacts);
-        for roll in rolling.drain(..).filter(|roll| roll.pivot.is_none()) {
-            if let Some(handle) = self.pairs.all[roll.pair as usize].constraint {
-                self.narrow_phase().store_rolling_contact(roll, handle);
-            }
-        }
-        self.rolling_contacts = rolling;
+    /// Lists the fast bodies of the step in `fast_bodies`. Returns whether there are any.
+    pub(crate) fn find_fast_bodies(&mut self) -> bool {
+        self.sensor_passthroughs.clear();
+        // With a depth axis, the contact normal follows from the last displacement, so that no body may penetrate another
+        // deeply.
+        let max_threshold =
+            if self.depth.is_some() { self.parameters.speculative_distance } else { f32::MAX };
+        list_fast_bodies(&self.bodies, &self.sleep, max_threshold, &mut self.fast_bodies);
+        !self.fast_bodies.is_empty()
     }
 
-    /// Scales the accumulated contact impulses from the substep length of the last step to `h` seconds, since an impulse is
-    /// force times time.
-    fn scale_impulses(&mut self, h: f32) {
-        let factor = f32x4::splat(h / self.impulse_substep);
-        self.impulse_substep = h;
-        self.for_each_impulse(|impulse| *impulse = zero_unless_finite(*impulse * factor));
+    /// Finds the new pairs that fast bodies have along their paths, and stores them in `new_pairs`. Returns the number of these
+    /// pairs. No pair is removed here.
+    ///
+    /// With a depth axis many bodies are a little fast. There the fat AABBs are enlarged to the swept AABBs, since larger ones
+    /// last for several steps.
+    pub(crate) fn find_pairs_of_fast_bodies(&mut self) -> usize {
+        if self.depth.is_some() {
+            let mut enlarged = std::mem::take(&mut self.enlarged_proxies);
+            for at in 0..self.fast_bodies.len() {
+                let body = self.fast_bodies[at].body as usize;
+                self.fat_aabbs().enlarge_body_to_sweep(body, &mut enlarged);
+            }
+            let found = self.find_new_pairs(&enlarged);
+            enlarged.clear();
+            self.enlarged_proxies = enlarged;
+            return found;
+        }
+        let mut found = std::mem::take(&mut self.new_pairs);
+        let mut is_known = std::mem::take(&mut self.proxy_flags);
+        found.clear();
+        self.swept_motion().query_sweeps(&self.fast_bodies, (&mut is_known, &mut found));
+        (self.proxy_flags, self.new_pairs) = (is_known, found);
+        self.new_pairs.len()
+    }
+
+    /// Ends the paths of fast bodies at their times of impact. Returns whether a body then moves on with the body that it hit.
+    ///
+    /// If so, the caller finds the new pairs on that path and calls [`clamp_carried_motion`](Self::clamp_carried_motion).
+    pub(crate) fn clamp_to_toi(&mut self, step: &StepContext) -> bool {
+        let mut fast = std::mem::take(&mut self.fast_bodies);
+        let mut passthroughs = std::mem::take(&mut self.sensor_passthroughs);
+        find_impacts(self.swept_motion(), &self.joints, &mut fast, &mut passthroughs);
+        end_paths(&mut self.bodies, &mut fast, step.substeps as f32);
+        (self.fast_bodies, self.sensor_passthroughs) = (fast, passthroughs);
+        !self.fast_bodies.is_empty()
+    }
+
+    /// Ends the path of each carried body, one that moves on with the body that it hit, at the first static body on the path.
+    pub(crate) fn clamp_carried_motion(&mut self) {
+        let mut fast = std::mem::take(&mut self.fast_bodies);
+        for flight in fast.drain(..) {
+            if let Some(time) = toi_of_carried(self.swept_motion(), &flight) {
+                let path = &mut self.bodies.delta_pose[flight.body as usize];
+                *path = path.map(|way| way * time);
+            }
+        }
+        self.fast_bodies = fast;
     }
 
     /// End of the sixth stage of a step: computes a new fat AABB for each proxy whose tight AABB has left its fat AABB. The
     /// broad phase of the next step searches the pairs of these proxies.
     pub(crate) fn refit_aabbs(&mut self) {
-        let Precise { bodies, proxies, grid, depth, parameters, sleep, pairs, .. } = self;
+        let Precise { bodies, proxies, grid, depth, parameters, dt, .. } = self;
         let depth = depth.as_mut().map(FeatureGate::by_mut);
-        FatAabbs { bodies, proxies, grid, depth, parameters, dt: self.dt }.refit(sleep, pairs);
+        FatAabbs { bodies, proxies, grid, depth, parameters, dt: *dt }.refit(&self.sleep, &self.pairs);
     }
 }

@@ -3,7 +3,7 @@
 use super::PhysicsSimulator;
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::geom::GeomId;
-use crate::geom::surface::mix_restitution;
+use crate::surface::mix_restitution;
 
 /// Contacts.
 impl PhysicsSimulator {

@@ -25,7 +25,6 @@ use serde::{Deserialize, Serialize};
 use crate::body::BodyId;
 use crate::broad_phase::BroadPhase;
 use crate::contacts::arbiter::ArbiterList;
-use crate::geom::surface::FrictionType;
 use crate::joints::JointId;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
@@ -35,6 +34,7 @@ use crate::pipeline::Pipeline;
 use crate::precise::Precise;
 use crate::report::{Event, Report, StepCounters, StepTimes};
 use crate::storage::reusing_clone::reusing_clone;
+use crate::surface::FrictionType;
 use crate::{Error, Result};
 
 pub use context::Context;

@@ -5,12 +5,12 @@ use super::callbacks::Handler;
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair, may_keep_touching};
-use crate::geom::surface::SurfaceOverride;
 use crate::objects::Objects;
 use crate::precise::skip_step::StepSettings;
 use crate::precise::{Precise, StepContext};
 use crate::report::{Event, Stopwatch};
 use crate::springs::StepLengths;
+use crate::surface::SurfaceOverride;
 
 impl PhysicsSimulator {
     /// The state of the precise set, while it is chosen.
@@ -177,7 +177,7 @@ impl PhysicsSimulator {
             if kept_joint.breakpoint() == f32::MAX || !kept_joint.enabled() {
                 continue;
             }
-            let Some(error) = precise.joint_error((joint, &*kept_joint), &objects.bodies) else { continue };
+            let Some(error) = precise.joint_import(&objects.bodies).joint_error(kept_joint) else { continue };
             kept_joint.set_error(error);
             if kept_joint.breaks() {
                 objects.has_edited_joints = true;

@@ -7,13 +7,9 @@
 //! | [`hash_grid`] | spatial index of the fat AABBs |
 //! | [`pair_finder`] | new pairs, and the removal of separated pairs |
 //! | [`pairs`] | the pairs and what is cached of their contacts |
-//! | [`query_candidates`] | geoms that an AABB query of the game has to test |
-//! | [`static_sensor_pairs`] | pairs of sensors with static or kinematic bodies |
 
 pub(super) mod fat_aabbs;
 pub(super) mod hash_grid;
 pub(super) mod pair_finder;
 pub(super) mod pairs;
 pub(super) mod proxies;
-pub(super) mod query_candidates;
-pub(super) mod static_sensor_pairs;

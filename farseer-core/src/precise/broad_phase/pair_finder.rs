@@ -4,16 +4,10 @@
 //! filters and body types decide which of them become pairs. New pairs are sorted by creation numbers, so their order does
 //! not depend on the grid.
 
-use crate::geom::GeomId;
-use crate::precise::Precise;
 use crate::precise::broad_phase::hash_grid::{HashGrid, overlap};
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
-use crate::precise::constraint_graph::ConstraintKind;
 use crate::precise::depth::{DepthState, FeatureGate};
-use crate::precise::ids::geom_of;
-use crate::precise::narrow_phase::NarrowPhase;
-use crate::precise::narrow_phase::one_way::{OneWayState, PairMotion};
 use crate::storage::order::sort_by_number;
 
 /// Returns two proxies in the order A, B of a pair; `None` if they cannot be a pair. A has the lesser body type, then the
@@ -37,7 +31,11 @@ pub(in crate::precise) fn order_pair(
 }
 
 /// Returns whether the fat AABBs of two proxies overlap. With a depth axis their fat intervals along z must overlap, too.
-fn fat_aabbs_overlap(proxies: &Proxies, depth: Option<FeatureGate<&DepthState>>, [a, b]: [u32; 2]) -> bool {
+pub(in crate::precise) fn fat_aabbs_overlap(
+    proxies: &Proxies,
+    depth: Option<FeatureGate<&DepthState>>,
+    [a, b]: [u32; 2],
+) -> bool {
     let bounds = &proxies.fat_aabbs;
     overlap(&bounds[a as usize], &bounds[b as usize])
         && depth.as_ref().is_none_or(|space| space.intervals_overlap(a, b))
@@ -53,9 +51,15 @@ pub(in crate::precise) struct PairFinder<'a> {
 }
 
 impl PairFinder<'_> {
-    /// Finds the new pairs of these proxies with the hash grid and stores them in `found`, sorted by creation numbers.
-    /// `refitted` holds indices of proxies with a new fat AABB; `known` is a workspace with an entry for each proxy, all false.
-    pub(in crate::precise) fn find(&self, refitted: &[u32], known: &mut [bool], found: &mut Vec<[u32; 2]>) {
+    /// Finds the new pairs of these proxies with the hash grid and stores them in `found`, sorted by creation numbers. Returns
+    /// their number. `refitted` holds indices of proxies with a new fat AABB; `known` is a workspace with an entry for each
+    /// proxy, all false.
+    pub(in crate::precise) fn find(
+        &self,
+        refitted: &[u32],
+        known: &mut [bool],
+        found: &mut Vec<[u32; 2]>,
+    ) -> usize {
         let PairFinder { proxies, pairs, grid, depth } = *self;
         found.clear();
         for &proxy in refitted {
@@ -82,83 +86,7 @@ impl PairFinder<'_> {
         }
         sort_by_number(found, |&pair| proxies.creation_numbers(pair));
         found.dedup();
-    }
-}
-
-impl NarrowPhase<'_> {
-    /// Removes the pairs of these proxies whose fat AABBs do not overlap any more. `refitted` holds indices of proxies with a
-    /// new fat AABB; `separated` is an empty workspace.
-    fn remove_separated_pairs(&mut self, refitted: &[u32], separated: &mut Vec<u32>) {
-        let NarrowPhase { proxies, pairs, depth, .. } = self;
-        for &proxy in refitted {
-            let is_separated =
-                |&pair: &usize| !fat_aabbs_overlap(proxies, *depth, pairs.triggers[pair].proxies);
-            separated.extend(pairs.pairs_of(proxy).filter(is_separated).map(|pair| pair as u32));
-        }
-        // Removal from the last pair on keeps the indices of the others valid.
-        separated.sort_unstable();
-        separated.dedup();
-        for pair in separated.drain(..).rev() {
-            self.record_separation(pair as usize);
-            self.remove_pair(pair as usize);
-        }
-    }
-
-    /// Adds a pair of the proxies A and B without contacts to the awake pairs, and returns its index.
-    pub(in crate::precise) fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
-        let all = self.proxies;
-        let [a, b] = proxies.map(|proxy| &all.all[proxy as usize]);
-        let (responds, is_reported) = (a.responds && b.responds, is_pair_reported(all, proxies));
-        let is_static_sensor = !(a.body_type.takes_impulses() || b.body_type.takes_impulses());
-        let pair = self.pairs.push(proxies, self.constraint_kind(proxies), responds, is_reported);
-        self.pairs.set_static_sensor(pair, is_static_sensor);
-        self.pairs.all[pair].is_on_ground =
-            self.depth.as_ref().is_some_and(|space| space.ground_proxy == proxies[0]);
-        self.pairs.all[pair].one_way_state = initial_one_way_state(all, self.pairs, pair);
-        if self.pairs.all[pair].one_way_state != OneWayState::Closed {
-            let motion = PairMotion {
-                bodies: self.bodies,
-                proxies: all,
-                pairs: self.pairs,
-                speculative_distance: self.parameters.speculative_distance,
-                is_after_step: false,
-            };
-            let state = motion.state_of_group(pair);
-            self.pairs.all[pair].one_way_state = state;
-        }
-        self.wake_pair(pair)
-    }
-
-    /// Returns the kind of the contact constraint of a pair [A, B]: whether it has two points, whether A is static, and whether
-    /// there is a depth axis.
-    fn constraint_kind(&self, proxies: [u32; 2]) -> ConstraintKind {
-        let [a, b] = proxies.map(|proxy| self.proxies.all[proxy as usize].shape);
-        let is_fixed = proxies[0] as usize >= self.proxies.first_fixed;
-        match &self.depth {
-            None => ConstraintKind {
-                has_two_points: a.vertex_count > 0 && b.vertex_count > 0,
-                is_static: is_fixed,
-                is_3d: false,
-            },
-            Some(space) => {
-                let has_two_points = !proxies.iter().any(|&proxy| space.is_sphere(proxy));
-                ConstraintKind { has_two_points, is_static: is_fixed, is_3d: true }
-            }
-        }
-    }
-}
-
-/// Returns the one-way state of a new pair: `Apart` if the pair has collision response and a one-way geom, else `Closed`.
-pub(in crate::precise) fn initial_one_way_state(
-    proxies: &Proxies,
-    pairs: &Pairs,
-    pair: usize,
-) -> OneWayState {
-    let is_one_way = |proxy: u32| proxies.all[proxy as usize].one_way.is_some();
-    if pairs.all[pair].responds && pairs.triggers[pair].proxies.into_iter().any(is_one_way) {
-        OneWayState::Apart
-    } else {
-        OneWayState::Closed
+        found.len()
     }
 }
 
@@ -168,68 +96,4 @@ pub(in crate::precise) fn is_pair_reported(proxies: &Proxies, pair: [u32; 2]) ->
     let both = pair.map(|proxy| &proxies.all[proxy as usize]);
     !both.iter().all(|proxy| proxy.body_type == BodyType::Fixed)
         && both.iter().any(|proxy| proxy.is_reported && !proxy.is_world)
-}
-
-impl Precise {
-    /// Returns the number of proxies whose fat AABB has changed since the last [`find_pairs`](Self::find_pairs).
-    pub(crate) fn refitted_count(&self) -> usize {
-        self.proxies.refitted.len()
-    }
-
-    /// Removes pairs whose fat AABBs do not overlap any more, and returns the number of new candidate pairs.
-    /// [`candidate_geoms`](Self::candidate_geoms) returns the geoms of each candidate; candidates are sorted by creation
-    /// numbers.
-    pub(crate) fn find_pairs(&mut self) -> usize {
-        let mut refitted = std::mem::take(&mut self.proxies.refitted);
-        if !refitted.is_empty() {
-            let mut separated = std::mem::take(&mut self.pair_scratch);
-            self.narrow_phase().remove_separated_pairs(&refitted, &mut separated);
-            self.pair_scratch = separated;
-        }
-        self.store_penetration();
-        let found = self.find_new_pairs(&refitted);
-        self.searched_static_proxies.clear();
-        if self.depth.is_none() {
-            let Precise { searched_static_proxies: static_proxies, proxies, .. } = self;
-            let is_static_sensor = |&&proxy: &&u32| !proxies.all[proxy as usize].body_type.takes_impulses();
-            static_proxies.extend(refitted.iter().filter(is_static_sensor));
-        }
-        refitted.clear();
-        self.proxies.refitted = refitted;
-        found
-    }
-
-    /// Finds the new pairs of these proxies, and stores them in `new_pairs`. Returns their number.
-    pub(in crate::precise) fn find_new_pairs(&mut self, refitted: &[u32]) -> usize {
-        let Precise { proxies, pairs, grid, depth, proxy_flags, new_pairs, .. } = self;
-        new_pairs.clear();
-        if !refitted.is_empty() {
-            let depth = depth.as_ref().map(FeatureGate::by_ref);
-            PairFinder { proxies, pairs, grid, depth }.find(refitted, proxy_flags, new_pairs);
-        }
-        new_pairs.len()
-    }
-
-    /// Returns the geoms of the candidate pair `at`, an index into `new_pairs`. The geom with the smaller creation number is
-    /// first.
-    pub(crate) fn candidate_geoms(&self, at: usize) -> (GeomId, GeomId) {
-        let [a, b] = self.new_pairs[at].map(|proxy| &self.proxies.all[proxy as usize]);
-        if a.creation_number < b.creation_number {
-            (geom_of(a), geom_of(b))
-        } else {
-            (geom_of(b), geom_of(a))
-        }
-    }
-
-    /// Adds the candidate pair `at`, an index into `new_pairs`, to the pairs. Sensor pairs without a body that can move go to
-    /// the sleeping pairs.
-    pub(crate) fn add_candidate_pair(&mut self, at: usize) {
-        let proxies = self.new_pairs[at];
-        let pair = self.narrow_phase().add_pair(proxies);
-        if self.pairs.all[pair].is_static_sensor {
-            self.narrow_phase().sleep_pair(pair);
-        } else {
-            self.sleep.wake_for_new_pair(&self.pairs, &self.proxies, pair);
-        }
-    }
 }

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::math::plane::Vector;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies};
 use crate::precise::constraint_graph::{ConstraintHandle, ConstraintKind};
-use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Value in place of the index of a pair: there is no pair. In place of a link it ends a proxy's list of pairs.
@@ -76,6 +75,20 @@ pub(in crate::precise) struct CachedManifoldZ {
     pub(in crate::precise) points_z: [f32; 2],
 }
 
+/// Decision whether a pair with a one-way geom collides. All pairs between the geom and one other body share it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub(in crate::precise) enum OneWayState {
+    /// The pair has no one-way geom, or no collision response: it collides like any other pair.
+    #[default]
+    Closed,
+    /// The shapes do not overlap, and neither has landed on the other. The first touch decides.
+    Apart,
+    /// The shapes overlap without a landing: the other shape passes, and the contact is ignored.
+    Passes,
+    /// One shape has landed on the other, and the pair collides.
+    Landed,
+}
+
 /// State of a pair that is not needed to decide whether the pair has moved: contact constraint, touch, handlers and one-way
 /// state. It is stored apart from the [`RecheckTrigger`], which every step reads.
 #[derive(Debug, Clone, Copy)]
@@ -99,7 +112,7 @@ pub(in crate::precise) struct Pair {
     /// Whether A is the ground of a world with a depth axis.
     pub(in crate::precise) is_on_ground: bool,
     /// Whether the pair is one of a sensor and a static or kinematic body, so that no impulse can move either side. See
-    /// [`static_sensor_pairs`](crate::precise::broad_phase::static_sensor_pairs).
+    /// [`static_sensor_pairs`](crate::precise::narrow_phase::static_sensor_pairs).
     pub(in crate::precise) is_static_sensor: bool,
     /// Whether a one-way geom stops the other body of the pair or lets it pass.
     pub(in crate::precise) one_way_state: OneWayState,
@@ -204,6 +217,24 @@ impl Pairs {
             let proxy = &proxies.all[proxy as usize];
             (proxy.body as usize, proxy.body_type)
         })
+    }
+
+    /// Returns kind and handle of the contact constraint of a pair; `None` if the pair has none.
+    #[inline(always)]
+    pub(in crate::precise) fn constraint(&self, pair: usize) -> Option<(ConstraintKind, ConstraintHandle)> {
+        let state = &self.all[pair];
+        state.constraint.map(|handle| (state.kind, handle))
+    }
+
+    /// Returns whether a pair has a contact constraint.
+    #[inline(always)]
+    pub(in crate::precise) fn has_constraint(&self, pair: usize) -> bool {
+        self.all[pair].constraint.is_some()
+    }
+
+    /// Returns the creation numbers of the geoms of a pair, packed: the order of pairs in lists.
+    pub(in crate::precise) fn creation_numbers(&self, proxies: &Proxies, pair: usize) -> u128 {
+        proxies.creation_numbers(self.triggers[pair].proxies)
     }
 
     /// Returns the indices of the pairs of all proxies of a body. A pair between two proxies of the body does not exist.

@@ -15,6 +15,7 @@ mod color_usage;
 mod constraint_handle;
 mod contact_constraint;
 mod contact_constraint_simd;
+mod impulse_scaling;
 
 use super::depth::ContactConstraint3Simd;
 use crate::storage::reusing_clone::reusing_clone;

@@ -296,14 +296,21 @@ impl RollingSolver<'_> {
 }
 
 impl NarrowPhase<'_> {
+    /// Stores the rolling contacts that the iterative solver has moved, after the last substep, and clears their list.
+    pub(in crate::precise) fn store_rolling_contacts(&mut self) {
+        let mut rolling = std::mem::take(self.rolling_contacts);
+        for roll in rolling.drain(..).filter(|roll| roll.pivot.is_none()) {
+            if let Some(handle) = self.pairs.all[roll.pair as usize].constraint {
+                self.store_rolling_contact(roll, handle);
+            }
+        }
+        *self.rolling_contacts = rolling;
+    }
+
     /// Stores manifold, impulses and separations of a rolling contact in its pair and its constraint, after the last substep.
     /// The cached manifold gets the present vertices, with anchors and separations for the pose at the beginning of the step: a
     /// snapshot restores constraints from these manifolds, with equal arms.
-    pub(in crate::precise) fn store_rolling_contact(
-        &mut self,
-        roll: RollingContact,
-        handle: ConstraintHandle,
-    ) {
+    fn store_rolling_contact(&mut self, roll: RollingContact, handle: ConstraintHandle) {
         let pair = roll.pair as usize;
         let kind = self.pairs.all[pair].kind;
         let old = self.constraints.get(kind, handle);

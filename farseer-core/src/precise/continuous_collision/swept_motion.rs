@@ -1,18 +1,19 @@
 //! Motion of all bodies through the step, as continuous collision reads it: swept AABBs, times of impact (TOI), obstacles.
 
 use crate::math::plane::{difference, rotate, sum, translation};
-use crate::math::scalar::{self, nearest_finite};
+use crate::math::scalar;
 use crate::precise::bodies::BodySet;
-use crate::precise::broad_phase::hash_grid::{HashGrid, PackedAabb};
+use crate::precise::broad_phase::fat_aabbs::aabb_contains;
+use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::broad_phase::pair_finder::order_pair;
-use crate::precise::broad_phase::pairs::Pairs;
+use crate::precise::broad_phase::pairs::{OneWayState, Pairs};
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use crate::precise::continuous_collision::FastBody;
 use crate::precise::continuous_collision::time_of_impact::{SweptPair, SweptShape, conservative_advancement};
-use crate::precise::continuous_collision::{FastBody, aabb_contains};
 use crate::precise::depth::{DepthState, FeatureGate};
 use crate::precise::island::sleep::SleepState;
 use crate::precise::narrow_phase::flush_geoms::FlushFilter;
-use crate::precise::narrow_phase::one_way::{OneWayState, PairMotion};
+use crate::precise::narrow_phase::one_way::PairMotion;
 use crate::precise::parameters::narrow_phase::{TOI_PENETRATION_RATIO, TOI_TOLERANCE_RATIO};
 use crate::precise::scaled_parameters::Parameters;
 use crate::storage::order::sort_by_number;
@@ -48,30 +49,6 @@ impl<'a> SweptMotion<'a> {
             pose: self.bodies.poses[body as usize],
             displacement: self.displacement(body).map(|way| way * fraction),
         }
-    }
-
-    /// Returns the swept AABB of a proxy in world axes, length units: the AABB of its whole path through the step. The array is
-    /// the displacement of its body: x, y (length units), rotation (radians), z (length units).
-    ///
-    /// A rotation moves a point by at most its chord, which is no longer than twice the distance of the point from the origin
-    /// of the body.
-    pub(in crate::precise) fn swept_aabb(&self, proxy: u32, [dx, dy, turned, _]: [f32; 4]) -> PackedAabb {
-        let turning = self.proxies.all[proxy as usize].shape.max_extent * turned.abs().min(2.0);
-        let [x, y, to_x, to_y] = self.proxies.tight_aabb(proxy as usize, self.bodies, self.parameters);
-        let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
-        let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
-        [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)].map(nearest_finite)
-    }
-
-    /// Returns whether the fat AABB of a proxy contains its swept AABB and, with a depth axis, the fat interval contains its
-    /// swept interval. `dz` is the displacement of its body along z in the step, length units.
-    pub(in crate::precise) fn contains_sweep(&self, proxy: u32, swept_aabb: &PackedAabb, dz: f32) -> bool {
-        let body = self.proxies.all[proxy as usize].body;
-        aabb_contains(&self.proxies.fat_aabbs[proxy as usize], swept_aabb)
-            && self.depth.as_ref().is_none_or(|space| {
-                let depths = space.swept_interval(proxy, body, dz, self.parameters.speculative_distance);
-                space.interval(proxy as usize).contains(depths)
-            })
     }
 
     /// Returns the mask of the grid's levels that may contain obstacles of fast bodies: all levels if a body sleeps or is a
@@ -113,7 +90,7 @@ impl<'a> SweptMotion<'a> {
         levels: u64,
         (is_known, pairs): (&mut [bool], &mut Vec<[u32; 2]>),
     ) {
-        let swept = self.swept_aabb(proxy, displacement);
+        let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
         if aabb_contains(&self.proxies.fat_aabbs[proxy as usize], &swept) {
             return;
         }

@@ -4,11 +4,8 @@
 //! hand.
 
 use super::DepthState;
-use crate::body::Body;
-use crate::precise::Precise;
 use crate::precise::bodies::BodySet;
-use crate::precise::body_import::inverse_mass_inertia_of;
-use crate::precise::broad_phase::proxies::Proxy;
+use crate::precise::broad_phase::proxies::{Proxies, Proxy};
 use crate::precise::island::sleep::SleepState;
 
 impl DepthState {
@@ -54,48 +51,51 @@ impl DepthState {
             }
         }
     }
-}
 
-impl Precise {
     /// Returns the inverse mass (1/mass units) and the inverse moment of inertia about z (1/(mass units * length units^2)) of a
-    /// dynamic body. The inverse moment of inertia is 0 if the rotation of the body is fixed.
-    pub(in crate::precise) fn inverse_mass_and_inertia(&self, body_index: usize, body: &Body) -> [f32; 2] {
-        let [mass, inertia] = inverse_mass_inertia_of(body);
-        let is_steady = self.depth.as_ref().is_some_and(|space| space.is_rotation_fixed(body_index));
-        [mass, if is_steady { 0.0 } else { inertia }]
+    /// body, of which both are given. The inverse moment of inertia is 0 if the rotation of the body is fixed.
+    pub(in crate::precise) fn without_fixed_inertia(
+        &self,
+        body_index: usize,
+        [mass, inertia]: [f32; 2],
+    ) -> [f32; 2] {
+        [mass, if self.is_rotation_fixed(body_index) { 0.0 } else { inertia }]
     }
 
     /// Fixes the rotation of a proxy's body if the shape of the proxy is vertical. Called when the proxy is added to `Proxies`.
-    pub(in crate::precise) fn fix_rotation_of_proxy(&mut self, proxy: u32) {
-        let Precise { depth: Some(space), proxies, .. } = self else { return };
+    pub(in crate::precise) fn fix_rotation_of_proxy(
+        &mut self,
+        proxy: u32,
+        proxies: &Proxies,
+        bodies: &mut BodySet,
+    ) {
         let Proxy { is_world, body, .. } = proxies.all[proxy as usize];
-        if space.is_vertical(proxy) && !is_world {
+        if self.is_vertical(proxy) && !is_world {
             let number = body as usize;
-            (*super::entry_mut(&mut space.has_fixed_rotation, number), space.any_fixed_rotation) =
-                (true, true);
-            self.fix_rotation(number);
+            (*super::entry_mut(&mut self.has_fixed_rotation, number), self.any_fixed_rotation) = (true, true);
+            fix_rotation(bodies, number);
         }
     }
 
     /// Fixes the rotation of the bodies of all vertical proxies.
-    pub(in crate::precise) fn fix_rotation_of_all(&mut self) {
-        (0..self.proxies.all.len()).for_each(|proxy| self.fix_rotation_of_proxy(proxy as u32));
+    pub(in crate::precise) fn fix_rotation_of_all(&mut self, proxies: &Proxies, bodies: &mut BodySet) {
+        (0..proxies.all.len()).for_each(|proxy| self.fix_rotation_of_proxy(proxy as u32, proxies, bodies));
     }
 
     /// Fixes the rotation of an imported body if it has a vertical shape.
-    pub(in crate::precise) fn fix_rotation_if_vertical(&mut self, body_index: usize) {
-        if self.depth.as_ref().is_some_and(|space| space.is_rotation_fixed(body_index)) {
-            self.fix_rotation(body_index);
+    pub(in crate::precise) fn fix_rotation_if_vertical(&self, bodies: &mut BodySet, body_index: usize) {
+        if self.is_rotation_fixed(body_index) {
+            fix_rotation(bodies, body_index);
         }
     }
+}
 
-    /// Sets the inverse moment of inertia, the angle and the angular velocity about z of a body to 0.
-    fn fix_rotation(&mut self, body_index: usize) {
-        self.bodies.inverse_mass_inertia[body_index][1] = 0.0;
-        let [x, y, ..] = self.bodies.poses[body_index];
-        self.bodies.poses[body_index] = [x, y, 1.0, 0.0];
-        if let Some(hot) = self.bodies.states.get_mut(body_index) {
-            hot.velocity[2] = 0.0;
-        }
+/// Sets the inverse moment of inertia, the angle and the angular velocity about z of a body to 0.
+fn fix_rotation(bodies: &mut BodySet, body_index: usize) {
+    bodies.inverse_mass_inertia[body_index][1] = 0.0;
+    let [x, y, ..] = bodies.poses[body_index];
+    bodies.poses[body_index] = [x, y, 1.0, 0.0];
+    if let Some(hot) = bodies.states.get_mut(body_index) {
+        hot.velocity[2] = 0.0;
     }
 }

@@ -15,14 +15,11 @@
 
 use super::DepthState;
 use super::interface::{self, HingeFeature, WorldBoxHinge};
-use crate::body::BodyId;
-use crate::precise::Precise;
 use crate::precise::bodies::BodySet;
 use crate::precise::broad_phase::pairs::{Pair, Pairs};
-use crate::precise::broad_phase::proxies::{BodyType, Proxies};
+use crate::precise::broad_phase::proxies::Proxies;
 use crate::precise::constraint_graph::{ColorUsage, ConstraintGraph};
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
-use crate::precise::ids::geom_of;
 use crate::precise::island::sleep::SleepState;
 use crate::precise::parameters::depth::{HINGE_REST_MAX_DISTANCE, HINGE_STOP_MAX_ANGLE};
 use crate::precise::scaled_parameters::StepContext;
@@ -264,87 +261,60 @@ pub(in crate::precise) fn finish_hinges(
     }
 }
 
-/// Sleep and snapshots of hinged boxes.
-impl Precise {
+/// Sleep of hinged boxes.
+impl DepthState {
     /// Returns whether the body with this index is a hinged box.
     pub(in crate::precise) fn is_hinged(&self, body_index: usize) -> bool {
-        HingeFeature::ENABLED && self.depth.as_ref().is_some_and(|space| space.hinge_of(body_index).is_some())
+        HingeFeature::ENABLED && self.hinge_of(body_index).is_some()
+    }
+
+    /// Returns the body index of the hinged box with this id; `None` if there is none.
+    pub(in crate::precise) fn hinged_body(&self, id: u32) -> Option<usize> {
+        let (place, world_box) = self.world_box_by_id(id)?;
+        world_box.hinge()?;
+        Some(self.moving_boxes.binary_search(&(place as u32)).ok()? + 1)
     }
 
     /// Returns the number of sleeping hinged boxes.
-    pub(in crate::precise) fn sleeping_hinged_boxes(&self) -> usize {
-        let moving = self.depth.as_ref().map_or(0, |space| space.moving_boxes.len());
-        let moving = if HingeFeature::ENABLED { moving } else { 0 };
-        (1..=moving).filter(|&body_index| self.sleep.is_asleep(body_index)).count()
+    pub(in crate::precise) fn sleeping_hinged_boxes(&self, sleep: &SleepState) -> usize {
+        let moving = if HingeFeature::ENABLED { self.moving_boxes.len() } else { 0 };
+        (1..=moving).filter(|&body_index| sleep.is_asleep(body_index)).count()
     }
 
     /// Marks hinged boxes in `color_usage`, so that no solver treats them as bodies with a single contact.
-    pub(in crate::precise) fn mark_hinged_boxes(&mut self) {
-        let Precise { depth: Some(space), color_usage, .. } = self else { return };
-        let moving = if HingeFeature::ENABLED { space.moving_boxes.len() } else { 0 };
-        let numbers = (1..=moving).filter(|&body_index| space.hinge_of(body_index).is_some());
+    pub(in crate::precise) fn mark_hinged_boxes(&self, color_usage: &mut ColorUsage) {
+        let moving = if HingeFeature::ENABLED { self.moving_boxes.len() } else { 0 };
+        let numbers = (1..=moving).filter(|&body_index| self.hinge_of(body_index).is_some());
         numbers.for_each(|body_index| color_usage.mark_hinged(body_index));
-    }
-
-    /// Returns the id of a body for a snapshot, or the id that stands for a sleeping hinged box; `None` for all other bodies
-    /// without an id. A box is identified by its proxy, because the list of boxes may be newer than the list of bodies.
-    pub(in crate::precise) fn saved_body_id(&self, body_index: usize) -> Option<BodyId> {
-        let of_world_box = || {
-            let mut proxies = self.proxies.proxies_of(body_index).map(|at| &self.proxies.all[at as usize]);
-            proxies
-                .find(|proxy| proxy.body_type == BodyType::Hinged)
-                .map(|proxy| interface::world_box_body_id(geom_of(proxy)))
-        };
-        self.ids.bodies[body_index].or_else(|| if HingeFeature::ENABLED { of_world_box() } else { None })
-    }
-
-    /// Returns the body index of the body or hinged box that an id in a snapshot stands for; `None` if it no longer exists.
-    pub(in crate::precise) fn body_of_saved_id(&self, name: BodyId) -> Option<usize> {
-        self.body_index(name).or_else(|| {
-            if !HingeFeature::ENABLED {
-                return None;
-            }
-            let space = self.depth.as_ref()?;
-            let (place, world_box) = space.world_box_by_id(interface::world_box_of_body_id(name)?)?;
-            world_box.hinge()?;
-            Some(space.moving_boxes.binary_search(&(place as u32)).ok()? + 1)
-        })
     }
 
     /// Returns whether a sleeping hinged box may stay asleep: its angular velocity is 0 and the game has not edited its hinge.
     pub(in crate::precise) fn may_hinge_stay_asleep(&self, body_index: usize) -> bool {
-        let world_box = self.depth.as_ref().and_then(|space| space.hinged_box(body_index));
         HingeFeature::ENABLED
-            && world_box.and_then(|world_box| world_box.motion).is_some_and(|motion| {
+            && self.hinged_box(body_index).and_then(|world_box| world_box.motion).is_some_and(|motion| {
                 motion.yaw_rate == 0.0 && motion.hinge().is_some_and(|hinged_box| !hinged_box.is_edited)
             })
     }
 
     /// Copies the yaw rate that the game has set (rad/s) to the solver's velocity of a hinged box that wakes. Other bodies stay
     /// unchanged.
-    pub(in crate::precise) fn import_hinge_velocity(&mut self, body_index: usize) {
-        if !self.is_hinged(body_index) {
+    pub(in crate::precise) fn import_hinge_velocity(&self, bodies: &mut BodySet, body_index: usize) {
+        if !HingeFeature::ENABLED {
             return;
         }
-        let world_box = self.depth.as_ref().and_then(|space| space.hinged_box(body_index));
-        if let Some(motion) = world_box.and_then(|world_box| world_box.motion) {
-            self.bodies.states[body_index].velocity[2] = motion.yaw_rate;
+        if let Some(motion) = self.hinged_box(body_index).and_then(|world_box| world_box.motion) {
+            bodies.states[body_index].velocity[2] = motion.yaw_rate;
         }
     }
 
     /// Sets the stored yaw rate of a hinged box that fell asleep to 0. Other bodies stay unchanged.
     pub(in crate::precise) fn put_hinge_to_rest(&mut self, body_index: usize) {
-        if !self.is_hinged(body_index) {
-            return;
-        }
-        if let Some(space) = self.depth.as_deref_mut() {
-            let place = space.moving_boxes[body_index - 1] as usize;
-            space.world_boxes[place].motion.iter_mut().for_each(|motion| motion.yaw_rate = 0.0);
+        if self.is_hinged(body_index) {
+            let place = self.moving_boxes[body_index - 1] as usize;
+            self.world_boxes[place].motion.iter_mut().for_each(|motion| motion.yaw_rate = 0.0);
         }
     }
-}
 
-impl DepthState {
     /// Returns the world box with this body index; `None` if the body is not a hinged box.
     fn hinged_box(&self, body_index: usize) -> Option<&interface::WorldBox> {
         let place = *self.moving_boxes.get(body_index.checked_sub(1)?)?;

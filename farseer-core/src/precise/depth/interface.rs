@@ -5,13 +5,13 @@
 
 use serde::{Deserialize, Serialize};
 
+pub use super::contact_point::DepthContactPoint;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::filter::CollisionFilter;
-use crate::geom::surface::SurfaceCoefficients;
-use crate::math::Vector2;
 use crate::shape::{Footprint, SlantedBox};
 use crate::storage::arena::Id;
+use crate::surface::SurfaceCoefficients;
 
 /// State of a body along the depth axis: input of an update and output after the update.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -277,22 +277,6 @@ pub struct DepthContactEvent {
     pub contact: Option<DepthContact>,
 }
 
-/// Contact point in three axes: position, separation and impulses.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct DepthContactPoint {
-    /// World position of the contact point in the plane of x and y, length units; y down.
-    pub position: Vector2,
-    /// Separation of both shapes at the contact point in length units, negative for penetration.
-    pub separation: f32,
-    /// Feature id: constant as long as the same vertices or edges touch.
-    pub feature: u32,
-    /// Normal impulse of the contact point in the last update, mass units * length units/s, >= 0.
-    pub impulse: f32,
-    /// Friction impulses of the contact point along the first and the second tangent, mass units * length units/s. The first
-    /// tangent lies in the plane of x and y; the second tangent is the cross product of normal and first tangent.
-    pub friction_impulse: [f32; 2],
-}
-
 /// Slot index of the `GeomId` that stands for the ground. World boxes have the slots below it; geoms have the lower half of the
 /// range of `u32`.
 const GROUND_SLOT: u32 = u32::MAX - 1;
@@ -313,12 +297,12 @@ pub(in crate::precise) fn world_box_geom_id(world_box: &WorldBox) -> GeomId {
 }
 
 /// Returns the `BodyId` that stands for a sleeping hinged box in a snapshot, from the `GeomId` of the box.
-pub(super) fn world_box_body_id(world_box: GeomId) -> BodyId {
+pub(in crate::precise) fn world_box_body_id(world_box: GeomId) -> BodyId {
     BodyId::new(world_box.slot() as u32, 0)
 }
 
 /// Returns the id of the hinged box that a `BodyId` of a snapshot stands for; `None` for a real body.
-pub(super) fn world_box_of_body_id(body: BodyId) -> Option<u32> {
+pub(in crate::precise) fn world_box_of_body_id(body: BodyId) -> Option<u32> {
     let slot = body.slot() as u32;
     (slot > u32::MAX / 2 && slot <= FIRST_WORLD_BOX_SLOT).then(|| FIRST_WORLD_BOX_SLOT - slot)
 }
@@ -354,12 +338,12 @@ pub(in crate::precise) struct DepthInterval {
 impl DepthInterval {
     /// Returns the interval from `low` to `high`, in length units, with infinite ends replaced by the greatest finite numbers.
     /// Loading a snapshot refuses infinite ends.
-    pub(super) fn new(low: f32, high: f32) -> Self {
+    pub(in crate::precise) fn new(low: f32, high: f32) -> Self {
         DepthInterval { low: low.max(f32::MIN), high: high.min(f32::MAX) }
     }
 
     /// Returns whether two intervals overlap or touch.
-    pub(super) fn overlaps(self, other: DepthInterval) -> bool {
+    pub(in crate::precise) fn overlaps(self, other: DepthInterval) -> bool {
         self.low <= other.high && other.low <= self.high
     }
 

@@ -5,7 +5,7 @@
 //!
 //! | stage | files |
 //! |---|---|
-//! | input of the engine above, output to it | [`interface`], [`import`], [`contact_events`] |
+//! | input of the engine above, output to it | [`interface`], [`body_state`] |
 //! | broad phase: cells over x and z, intervals along z | this file, [`world_boxes`] |
 //! | continuous collision | [`continuous_collision`] |
 //! | narrow phase: prisms along z, spheres, ground | [`prism_collision`], [`sphere_sphere`], [`sheared_box`] |
@@ -16,15 +16,15 @@
 //! The engine above owns depth positions, shapes and world boxes. It passes changes of these to the precise set before each
 //! update.
 
+mod body_state;
 mod contact_constraint_3d;
-mod contact_events;
 mod contact_patch;
+pub(super) mod contact_point;
 mod continuous_collision;
 mod fixed_rotation;
 mod footprint;
 mod friction_3d;
 mod hinged_box;
-mod import;
 pub(crate) mod interface;
 mod one_way;
 mod predicted_miss;
@@ -37,7 +37,7 @@ mod vertical_dispatch;
 mod vertical_prism;
 mod vertical_shapes;
 mod vertical_sheared_box;
-mod world_boxes;
+pub(super) mod world_boxes;
 
 use std::ops::Range;
 
@@ -47,12 +47,13 @@ use super::scaled_parameters::{AabbMargin, Parameters};
 use super::shape::ShapeRef;
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::geom::surface::{FrictionType, mix_restitution};
 use crate::math::scalar::nearest_finite;
 use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::proxies::{Proxies, Proxy};
+use crate::precise::island::sleep::SleepState;
 use crate::shape::SlantedBox;
 use crate::storage::reusing_clone::reusing_clone;
+use crate::surface::{FrictionType, mix_restitution};
 pub(super) use contact_constraint_3d::{ContactConstraint3Simd, tangents};
 pub(super) use friction_3d::{BallSpin, accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
 pub(super) use hinged_box::{brace_at_stops, finish_hinges, list_hinged_boxes};
@@ -61,6 +62,7 @@ pub(super) use one_way::will_land;
 use prism_collision::SolidKind;
 pub(super) use prism_collision::{ContactMargins, PosedSolid, PreviousAxis};
 pub(super) use sphere_sphere::collide_spheres as touch_balls;
+pub(super) use step::restitution_threshold_3d;
 use vertical_shapes::VerticalSolid;
 
 /// State of the depth axis: depth data of bodies, geoms, proxies and world boxes. "Body index" means the index into `BodySet`,
@@ -128,7 +130,7 @@ pub(super) struct FeatureGate<S> {
 
 impl FeatureGate<Box<DepthState>> {
     /// Returns an empty depth state; `None` without the feature `space`.
-    pub(super) fn new() -> Option<Self> {
+    pub(in crate::precise) fn new() -> Option<Self> {
         #[cfg(feature = "space")]
         return Some(FeatureGate { state: Box::default(), proof: () });
         #[cfg(not(feature = "space"))]
@@ -202,7 +204,7 @@ fn entry_mut<T: Clone + Default>(table: &mut Vec<T>, slot: usize) -> &mut T {
 /// Depth states of bodies and depth shapes of geoms, which the engine above sets and reads.
 impl DepthState {
     /// Returns the world box with this id, and its index into `world_boxes`; `None` for an unknown id.
-    pub(super) fn world_box_by_id(&self, id: u32) -> Option<(usize, &WorldBox)> {
+    pub(in crate::precise) fn world_box_by_id(&self, id: u32) -> Option<(usize, &WorldBox)> {
         let place = self.world_boxes.binary_search_by_key(&id, |world_box| world_box.id).ok()?;
         Some((place, &self.world_boxes[place]))
     }
@@ -215,6 +217,13 @@ impl DepthState {
     fn state_of(&self, body_index: usize) -> Option<DepthBodyState> {
         let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
         Some(entry(&self.bodies, slot as usize))
+    }
+
+    /// Returns the depth state of a dynamic or kinematic body by its body index, to be changed; `None` for world boxes and
+    /// static bodies.
+    fn state_mut_of(&mut self, body_index: usize) -> Option<&mut DepthBodyState> {
+        let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
+        Some(entry_mut(&mut self.bodies, slot as usize))
     }
 
     /// Returns z of the first body relative to the second one (length units), and the velocity of the first along z relative to
@@ -251,15 +260,15 @@ impl DepthState {
         self.body_mut(id).acceleration += acceleration;
     }
 
-    pub(super) fn body_mut(&mut self, id: BodyId) -> &mut DepthBodyState {
+    pub(in crate::precise) fn body_mut(&mut self, id: BodyId) -> &mut DepthBodyState {
         entry_mut(&mut self.bodies, id.slot())
     }
 
-    pub(super) fn shape(&self, id: GeomId) -> DepthShape {
+    pub(in crate::precise) fn shape(&self, id: GeomId) -> DepthShape {
         entry(&self.shapes, id.slot())
     }
 
-    pub(super) fn shape_mut(&mut self, id: GeomId) -> &mut DepthShape {
+    pub(in crate::precise) fn shape_mut(&mut self, id: GeomId) -> &mut DepthShape {
         entry_mut(&mut self.shapes, id.slot())
     }
 }
@@ -268,7 +277,7 @@ impl DepthState {
 impl DepthState {
     /// Rebuilds the depth data by body index after `bodies` was rebuilt: z positions, ball spins, and the flags of spheres and
     /// fixed rotations. World boxes must have their body indices in `box_bodies`. `ids`: id of each body, by body index.
-    pub(super) fn rebuild_bodies(&mut self, bodies: &BodySet, ids: &[Option<BodyId>]) {
+    pub(in crate::precise) fn rebuild_bodies(&mut self, bodies: &BodySet, ids: &[Option<BodyId>]) {
         let DepthState {
             z_positions,
             ball_spins: spins,
@@ -428,6 +437,29 @@ impl DepthState {
         (bottom >= 0.0 && self.extents[proxy as usize].ground_surface.is_some()).then_some(self.ground_proxy)
     }
 
+    /// Returns the penetration of a body when its last contact with a static body ended, length units, >= 0.
+    pub(super) fn residual_penetration(&self, body_index: usize) -> f32 {
+        self.state_of(body_index).map_or(0.0, |state| state.residual_penetration)
+    }
+
+    /// Stores the penetrations of ended static contacts as residual penetrations of their bodies, since a body may return to
+    /// the face, and clears `ended`. Sleeping bodies keep their stored value, because they have not moved.
+    ///
+    /// `ended`: body index, and penetration in length units.
+    pub(super) fn store_residual_penetrations(&mut self, ended: &mut Vec<(u32, f32)>, sleep: &SleepState) {
+        ended.retain(|&(body, _)| !sleep.is_asleep(body as usize));
+        for &(body, _) in &*ended {
+            if let Some(state) = self.state_mut_of(body as usize) {
+                state.residual_penetration = 0.0;
+            }
+        }
+        for (body, depth) in ended.drain(..) {
+            if let Some(state) = self.state_mut_of(body as usize) {
+                state.residual_penetration = state.residual_penetration.max(depth);
+            }
+        }
+    }
+
     pub(super) fn is_spin_finite(&self, body_index: usize) -> bool {
         self.ball_spins[body_index].velocity.iter().all(|velocity| velocity.is_finite())
     }
@@ -444,6 +476,11 @@ impl DepthState {
         self.extents
             .iter()
             .any(|extent| extent.ground_surface.is_some_and(|[_, restitution]| restitution > 0.0))
+    }
+
+    /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
+    pub(in crate::precise) fn supports_on_ground(&self, [a, b]: [u32; 2]) -> bool {
+        (a != self.ground_proxy || self.has_ground(b)) && (b != self.ground_proxy || self.has_ground(a))
     }
 
     /// Returns whether the ground supports this proxy.

@@ -1,17 +1,10 @@
-//! Stages of a step in three axes: velocities and positions along z, and the contact solver's calls for constraints in three
-//! axes.
+//! The contact solver's calls for constraints in three axes.
 //!
 //! `ConstraintGraph3` holds constraints with two points (prisms) and with one point (spheres). It has one list of each for
 //! dynamic bodies A and one for static bodies A. Each solver stage runs over these four lists.
 
-use super::friction_3d::BallSpin;
-use super::interface::{DepthBodyState, DepthTarget};
-use super::{DepthState, accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
-use crate::body::Body;
-use crate::math::decay;
-use crate::math::plane::length;
-use crate::precise::Precise;
-use crate::precise::body_import::BodyForces;
+use super::{accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
+use crate::math::plane::{Vector, length};
 use crate::precise::constraint_graph::ConstraintGraph3;
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::contact_solver::soft_step::{
@@ -19,113 +12,7 @@ use crate::precise::contact_solver::soft_step::{
 };
 use crate::precise::integration::resolve_bounce;
 use crate::precise::parameters::depth::RESTITUTION_GRAVITY_STEPS;
-use crate::precise::scaled_parameters::StepContext;
-
-impl DepthState {
-    /// Start of a step: stores the velocity of a body along z and its change per substep by forces and drag in component 3 of
-    /// the vectors of `read`. A sphere also gets its angular velocity about x and y, after drag, in `ball_spins`. See
-    /// [`read_body`](crate::precise::body_import::read_body) for x and y.
-    pub(in crate::precise) fn begin_velocity(
-        &mut self,
-        body_index: usize,
-        body: &Body,
-        read: &mut BodyForces,
-        step: &StepContext,
-        id: crate::body::BodyId,
-    ) {
-        if body.is_kinematic() {
-            self.begin_kinematic(id, step.dt);
-            read.velocity[3] = self.body(id).velocity;
-            return;
-        }
-        let state = self.body(id);
-        if state.target.is_some() {
-            self.body_mut(id).target = None;
-        }
-        read.velocity[3] = state.velocity;
-        let (drag, rotational_drag) = body.drag_rates();
-        let ((slowed, grown), (turning_slowed, _)) =
-            (decay::decay_and_integral(drag, step.dt), decay::decay_and_integral(rotational_drag, step.dt));
-        let acceleration = state.acceleration - quadratic_drag(body, read.velocity);
-        let gained = state.velocity * slowed + acceleration * grown;
-        read.force_delta[3] = gained * (step.h / step.dt);
-        read.force_position_delta[3] = acceleration * (0.5 * step.dt * step.dt);
-        let BallSpin { velocity, .. } = &mut self.ball_spins[body_index];
-        *velocity = [0.0; 4];
-        if self.is_ball[body_index] {
-            let [x, y] = state.angular_velocity;
-            *velocity = [x + x * turning_slowed, y + y * turning_slowed, 0.0, 0.0];
-        }
-    }
-
-    /// End of a step: stores z, velocity along z (`velocity`, length units/s), angular velocity about x and y, and displacement
-    /// of a body in its depth state, and sets its acceleration to 0. The displacement argument has components x, y (length
-    /// units), rotation (radians) and z.
-    pub(in crate::precise) fn store_position(
-        &mut self,
-        body_index: usize,
-        id: crate::body::BodyId,
-        [x_displacement, y_displacement, _, z_displacement]: [f32; 4],
-        velocity: f32,
-    ) {
-        self.z_positions[body_index] += z_displacement;
-        if let Some(target) = self.body_mut(id).target.as_mut().filter(|target| !target.is_reached) {
-            target.is_reached = true;
-            self.z_positions[body_index] = target.z;
-        }
-        let ([x, y, ..], z) = (self.ball_spins[body_index].velocity, self.z_positions[body_index]);
-        let state = self.body_mut(id);
-        (state.z, state.velocity, state.acceleration, state.angular_velocity) = (z, velocity, 0.0, [x, y]);
-        state.displacement = [x_displacement, y_displacement, z_displacement];
-    }
-
-    /// Returns the velocity of a kinematic body along z in the coming step, in length units/s: its own velocity, or the
-    /// velocity that reaches its target in `dt` seconds.
-    pub(in crate::precise) fn kinematic_velocity(&self, id: crate::body::BodyId, dt: f32) -> f32 {
-        let state = self.body(id);
-        match state.target {
-            None => state.velocity,
-            Some(DepthTarget { is_reached: true, .. }) => 0.0,
-            Some(DepthTarget { z, .. }) => (z - state.z) / dt,
-        }
-    }
-
-    /// Start of a step: sets the velocity along z of a kinematic body with a target to the velocity that reaches the target in
-    /// `dt` seconds. A target that needs an infinite velocity is dropped.
-    fn begin_kinematic(&mut self, id: crate::body::BodyId, dt: f32) {
-        let velocity = self.kinematic_velocity(id, dt);
-        let state = self.body_mut(id);
-        let Some(DepthTarget { is_reached, .. }) = state.target else { return };
-        state.velocity = velocity;
-        state.target = state.target.filter(|_| !is_reached && state.velocity.is_finite());
-    }
-
-    /// Returns whether the next step moves a kinematic body along z.
-    pub(in crate::precise) fn is_kinematic_moving(&self, id: crate::body::BodyId) -> bool {
-        let DepthBodyState { velocity, target, .. } = self.body(id);
-        target.map_or(velocity != 0.0, |target| !target.is_reached)
-    }
-
-    /// Sets velocity, acceleration, displacement and ball spin of a body that falls asleep to 0, and appends the body to
-    /// `newly_asleep`.
-    pub(in crate::precise) fn put_to_rest(&mut self, body_index: usize, id: crate::body::BodyId) {
-        self.ball_spins[body_index] = BallSpin::default();
-        let state = self.body_mut(id);
-        (state.velocity, state.acceleration, state.angular_velocity) = (0.0, 0.0, [0.0; 2]);
-        state.displacement = [0.0; 3];
-        self.newly_asleep.push(id);
-    }
-}
-
-/// Returns the deceleration of a body along z by quadratic drag, in length units/s^2. Components 0, 1 and 3 of the array are
-/// its velocity along x, y and z in length units/s.
-fn quadratic_drag(body: &Body, [x, y, _, z]: [f32; 4]) -> f32 {
-    if !body.is_quadratic_drag_enabled() {
-        return 0.0;
-    }
-    let speed = (x * x + y * y + z * z).sqrt();
-    z * speed * body.quadratic_drag_coefficient() * body.inverse_mass()
-}
+use crate::precise::scaled_parameters::{Parameters, StepContext};
 
 /// Stages of the contact solver for constraints in three axes.
 impl IterativeSolver<'_> {
@@ -225,21 +112,18 @@ impl IterativeSolver<'_> {
     }
 }
 
-impl Precise {
-    /// Returns the approach speed in length units/s below which there is no restitution. A resting body approaches no faster
-    /// than gravity accelerates it in a few steps. Without gravity the threshold is 0.
-    pub(in crate::precise) fn restitution_threshold_3d(&self) -> f32 {
-        let resting = RESTITUTION_GRAVITY_STEPS * length(self.gravity_delta);
-        if resting < self.parameters.restitution_threshold {
-            resting
-        } else {
-            self.parameters.restitution_threshold
-        }
-    }
+/// Returns the approach speed in length units/s below which there is no restitution. A resting body approaches no faster than
+/// gravity accelerates it in a few steps. Without gravity the threshold is 0. `gravity_delta`: velocity change by gravity in
+/// the step, length units/s.
+pub(in crate::precise) fn restitution_threshold_3d(gravity_delta: Vector, parameters: &Parameters) -> f32 {
+    let resting = RESTITUTION_GRAVITY_STEPS * length(gravity_delta);
+    if resting < parameters.restitution_threshold { resting } else { parameters.restitution_threshold }
+}
 
+impl ConstraintGraph3 {
     /// Calls `change` for each accumulated, summed and rest impulse of the constraints in three axes, in mass units * length
     /// units/s (twist: times length units).
-    pub(in crate::precise) fn for_each_impulse_3d(&mut self, change: &impl Fn(&mut wide::f32x4)) {
+    pub(in crate::precise) fn for_each_impulse(&mut self, change: &impl Fn(&mut wide::f32x4)) {
         fn change_all<const P: usize>(
             row: &mut super::ContactConstraint3Simd<P>,
             change: &impl Fn(&mut wide::f32x4),
@@ -255,8 +139,7 @@ impl Precise {
                 change(&mut point.rest_impulse);
             }
         }
-        let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
-            &mut self.constraints.depth;
+        let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } = self;
         prisms.for_each(|row| change_all(row, change));
         balls.for_each(|row| change_all(row, change));
         prisms_fixed.for_each(|row| change_all(row, change));

@@ -11,27 +11,29 @@ use super::interface::{
 use super::prism_collision::PosedSolid;
 use super::vertical_shapes::{VerticalSolid, clamp_any};
 use crate::geom::GeomId;
-use crate::geom::surface::SurfaceCoefficients;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
 use crate::math::scalar;
-use crate::precise::Precise;
 use crate::precise::bodies::{BodySet, MotionState};
-use crate::precise::broad_phase::proxies::{BodyType, Proxy};
+use crate::precise::broad_phase::fat_aabbs::FatAabbs;
+use crate::precise::broad_phase::pairs::Pairs;
+use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::fingerprint::Fingerprint;
 use crate::precise::geom_import::world_box_filter;
 use crate::precise::ids::owner_of;
+use crate::precise::island::sleep::SleepState;
 use crate::precise::parameters::depth::WORLD_BOX_MAX_SWEEP;
 use crate::precise::scaled_parameters::Parameters;
 use crate::precise::shape::Shape;
 use crate::shape::SlantedBox;
+use crate::surface::SurfaceCoefficients;
 
 /// `Proxy::list_index` of the ground: an index beyond all world boxes, because the ground is none.
 const NO_WORLD_BOX: u32 = u32::MAX;
 
 /// Returns the velocity of a box as the solver stores it: x, y (length units/s), yaw rate (rad/s), z (length units/s). In
 /// contact constraints with a moving box the arms are those about the vertical axis, as the yaw rate needs.
-fn solver_velocity(motion: &WorldBoxMotion) -> [f32; 4] {
+pub(in crate::precise) fn solver_velocity(motion: &WorldBoxMotion) -> [f32; 4] {
     let [x, y, z] = motion.velocity;
     [x, y, motion.yaw_rate, z]
 }
@@ -140,47 +142,39 @@ impl WorldBoxMotion {
     }
 }
 
-/// Changes and queries of world boxes between updates.
-impl Precise {
-    /// Sets all world boxes. All lists of bodies and proxies are rebuilt before the next step.
-    pub(crate) fn set_world_boxes(&mut self, world_boxes: impl Iterator<Item = WorldBox>) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
-        space.world_boxes.clear();
-        space.world_boxes.extend(world_boxes);
-        space.has_one_way = space.world_boxes.iter().any(|world_box| world_box.is_one_way);
-        let moving_boxes = (0..).zip(&space.world_boxes).filter(|(_, world_box)| world_box.motion.is_some());
-        space.moving_boxes.clear();
-        space.moving_boxes.extend(moving_boxes.map(|(place, _)| place));
-        self.edits.needs_rebuild = true;
+/// Changes of world boxes between updates.
+impl DepthState {
+    /// Sets all world boxes.
+    pub(in crate::precise) fn set_world_boxes(&mut self, world_boxes: impl Iterator<Item = WorldBox>) {
+        self.world_boxes.clear();
+        self.world_boxes.extend(world_boxes);
+        self.has_one_way = self.world_boxes.iter().any(|world_box| world_box.is_one_way);
+        let moving_boxes = (0..).zip(&self.world_boxes).filter(|(_, world_box)| world_box.motion.is_some());
+        self.moving_boxes.clear();
+        self.moving_boxes.extend(moving_boxes.map(|(place, _)| place));
     }
 
-    /// Sets the motion of the moving box with this id; an unknown id is ignored. A hinged box wakes if its motion or its hinge
-    /// changes.
-    pub(crate) fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
-        let Some((place, _)) = space.world_box_by_id(id) else { return };
-        let known = space.world_boxes[place].motion.replace(motion);
-        let body_index = space.moving_boxes.binary_search(&(place as u32)).map_or(0, |at| at + 1);
-        if let Some(hot) =
-            self.bodies.states.get_mut(body_index).filter(|_| body_index > 0 && !self.edits.needs_rebuild)
-        {
-            hot.velocity = solver_velocity(&motion);
-            if motion.hinge().is_some() && known != Some(motion) {
-                self.sleep.request_wake(body_index);
-            }
-        }
+    /// Sets the motion of the moving box with this id. Returns its body index, and whether its motion or its hinge has changed;
+    /// `None` for an unknown id and for a static box.
+    pub(in crate::precise) fn set_world_box_motion(
+        &mut self,
+        id: u32,
+        motion: WorldBoxMotion,
+    ) -> Option<(usize, bool)> {
+        let (place, _) = self.world_box_by_id(id)?;
+        let known = self.world_boxes[place].motion.replace(motion);
+        let at = self.moving_boxes.binary_search(&(place as u32)).ok()?;
+        Some((at + 1, known != Some(motion)))
     }
 
     /// Iterates over the moving boxes: id, centre (world coordinates, length units), yaw (radians; `None` if the box never
     /// rotates) and motion.
-    pub(crate) fn moving_world_boxes(
+    pub(in crate::precise) fn moving_world_boxes(
         &self,
     ) -> impl Iterator<Item = (u32, Vector3, Option<f32>, WorldBoxMotion)> + '_ {
-        self.depth.iter().flat_map(|space| {
-            let moving = space.moving_boxes.iter().map(|&place| &space.world_boxes[place as usize]);
-            moving.filter_map(|world_box| {
-                Some((world_box.id, world_box.shape.centre, world_box.yaw, world_box.motion?))
-            })
+        let moving = self.moving_boxes.iter().map(|&place| &self.world_boxes[place as usize]);
+        moving.filter_map(|world_box| {
+            Some((world_box.id, world_box.shape.centre, world_box.yaw, world_box.motion?))
         })
     }
 }
@@ -268,70 +262,64 @@ impl DepthState {
     }
 }
 
-impl Precise {
+/// World boxes as bodies and proxies, when all lists are rebuilt.
+impl DepthState {
     /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of
-    /// moving boxes. Then rebuilds the depth data by body index.
-    pub(in crate::precise) fn rebuild_world_boxes(&mut self) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
-        self.bodies.add_world_box([0.0, 0.0, 1.0, 0.0], 0.0);
+    /// moving boxes.
+    pub(in crate::precise) fn add_box_bodies(&mut self, bodies: &mut BodySet) {
+        bodies.add_world_box([0.0, 0.0, 1.0, 0.0], 0.0);
         let mut moving = 0;
-        space.box_bodies.clear();
-        for world_box in &space.world_boxes {
+        self.box_bodies.clear();
+        for world_box in &self.world_boxes {
             let body_index = if let Some(motion) = world_box.motion {
                 moving += 1;
-                self.bodies.states[moving].velocity = solver_velocity(&motion);
+                bodies.states[moving].velocity = solver_velocity(&motion);
                 if let Some(hinge) = motion.hinge() {
-                    self.bodies.inverse_mass_inertia[moving] = [0.0, hinge.inverse_inertia()];
-                    self.bodies.kinematic.retain(|&body_index| body_index as usize != moving);
+                    bodies.inverse_mass_inertia[moving] = [0.0, hinge.inverse_inertia()];
+                    bodies.kinematic.retain(|&body_index| body_index as usize != moving);
                 }
                 moving
             } else {
-                self.bodies.add_world_box(pose_of(world_box), world_box.rotation);
-                self.bodies.poses.len() - 1
+                bodies.add_world_box(pose_of(world_box), world_box.rotation);
+                bodies.poses.len() - 1
             };
-            space.box_bodies.push(body_index as u32);
-        }
-        space.rebuild_bodies(&self.bodies, &self.ids.bodies);
-        for body_index in 1..=self.bodies.last_movable {
-            if let Some(id) = self.ids.bodies[body_index] {
-                self.import_body_z(body_index, id);
-            }
+            self.box_bodies.push(body_index as u32);
         }
     }
 
     /// Adds the moving boxes to the awake bodies. Only hinged boxes can fall asleep.
-    pub(in crate::precise) fn keep_moving_boxes_awake(&mut self) {
-        let count = self.depth.as_ref().map_or(0, |space| space.moving_boxes.len());
-        (1..=count).for_each(|body_index| self.sleep.add_body(body_index));
+    pub(in crate::precise) fn keep_moving_boxes_awake(&self, sleep: &mut SleepState) {
+        (1..=self.moving_boxes.len()).for_each(|body_index| sleep.add_body(body_index));
     }
 
-    /// Adds the proxies of moving boxes, before those of geoms.
-    pub(in crate::precise) fn add_moving_box_proxies(&mut self) {
-        self.add_box_proxies(true);
+    /// Adds the proxies of moving boxes, before those of geoms. Returns whether a box has a restitution coefficient above 0.
+    pub(in crate::precise) fn add_moving_box_proxies(&mut self, proxies: &mut Proxies) -> bool {
+        self.add_box_proxies(proxies, true)
     }
 
-    /// Adds the proxies of the ground and of static boxes, after those of geoms.
-    pub(in crate::precise) fn add_ground_and_static_proxies(&mut self) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
-        let still = space.world_boxes.len() - space.moving_boxes.len();
-        space.ground_proxy = self.proxies.all.len() as u32;
-        let ground = Proxy {
-            list_index: NO_WORLD_BOX,
-            ..world_proxy(ground_geom_id(), self.bodies.poses.len() - still - 1)
-        };
-        self.proxies.push(ground);
-        self.add_box_proxies(false);
-        let Some(space) = self.depth.as_deref_mut() else { return };
-        space.rebuild_proxies(&self.proxies);
-        self.has_restitution |= space.any_ground_bounces();
+    /// Adds the proxies of the ground and of static boxes, after those of geoms. Returns whether a static box, or the ground
+    /// under a proxy, has a restitution coefficient above 0. `body_count`: number of bodies, with boxes and the ground.
+    pub(in crate::precise) fn add_ground_and_static_proxies(
+        &mut self,
+        proxies: &mut Proxies,
+        body_count: usize,
+    ) -> bool {
+        let still = self.world_boxes.len() - self.moving_boxes.len();
+        self.ground_proxy = proxies.all.len() as u32;
+        let ground =
+            Proxy { list_index: NO_WORLD_BOX, ..world_proxy(ground_geom_id(), body_count - still - 1) };
+        proxies.push(ground);
+        let any_box_bounces = self.add_box_proxies(proxies, false);
+        self.rebuild_proxies(proxies);
+        any_box_bounces | self.any_ground_bounces()
     }
 
-    /// Adds the proxies of the moving world boxes if `moving`, else those of the static ones.
-    fn add_box_proxies(&mut self, moving: bool) {
-        let Precise { depth: Some(space), proxies, has_restitution: bounces, .. } = self else { return };
-        let space = &mut **space;
-        space.box_proxies.resize(space.world_boxes.len(), 0);
-        for (place, (world_box, &body_index)) in space.world_boxes.iter().zip(&space.box_bodies).enumerate() {
+    /// Adds the proxies of the moving world boxes if `moving`, else those of the static ones. Returns whether one of them has a
+    /// restitution coefficient above 0.
+    fn add_box_proxies(&mut self, proxies: &mut Proxies, moving: bool) -> bool {
+        let mut any_bounces = false;
+        self.box_proxies.resize(self.world_boxes.len(), 0);
+        for (place, (world_box, &body_index)) in self.world_boxes.iter().zip(&self.box_bodies).enumerate() {
             let WorldBox { shape, filter, surface, surface_velocity: [vx, vy, vz], motion, .. } = world_box;
             if motion.is_some() != moving {
                 continue;
@@ -347,8 +335,8 @@ impl Precise {
             let lean = (shape.shear * depth).abs() + (shape.climb * depth).abs();
             let shape = proxies.vertices.add_box([x, y]).expanded(lean);
             let SurfaceCoefficients { friction, restitution } = *surface;
-            *bounces |= restitution > 0.0;
-            space.box_proxies[place] = proxies.all.len() as u32;
+            any_bounces |= restitution > 0.0;
+            self.box_proxies[place] = proxies.all.len() as u32;
             proxies.push(Proxy {
                 list_index: place as u32,
                 body_type: mobility,
@@ -362,23 +350,28 @@ impl Precise {
                 ..world_proxy(world_box_geom_id(world_box), body_index as usize)
             });
         }
+        any_bounces
+    }
+
+    /// Returns the proxy index of the world box with this id; `None` for an unknown id.
+    pub(in crate::precise) fn proxy_of_world_box(&self, id: u32) -> Option<usize> {
+        let (place, _) = self.world_box_by_id(id)?;
+        self.box_proxies.get(place).map(|&proxy| proxy as usize)
     }
 
     /// Returns the number of proxies of the ground and of world boxes.
     pub(in crate::precise) fn world_proxy_count(&self) -> usize {
-        self.depth.as_ref().map_or(0, |space| space.world_boxes.len() + 1)
+        self.world_boxes.len() + 1
     }
 }
 
 /// Stages of the step that concern world boxes.
-impl Precise {
+impl DepthState {
     /// Start of a step: sets the velocities of moving boxes in `BodySet::states`, so that the broad phase uses the velocities
     /// of this step. `dt` is the step in seconds.
-    pub(in crate::precise) fn begin_world_boxes(&mut self, dt: f32) {
-        let Precise { depth: Some(space), bodies, .. } = self else { return };
-        let space = &mut **space;
-        for (body_index, &place) in (1..).zip(&space.moving_boxes) {
-            let world_box = &mut space.world_boxes[place as usize];
+    pub(in crate::precise) fn begin_world_boxes(&mut self, bodies: &mut BodySet, dt: f32) {
+        for (body_index, &place) in (1..).zip(&self.moving_boxes) {
+            let world_box = &mut self.world_boxes[place as usize];
             let WorldBox { shape, yaw, motion: Some(motion), .. } = world_box else { continue };
             motion.begin_step(shape.centre, yaw.unwrap_or_default(), dt);
             if let Some(hinge) = motion.hinge_mut() {
@@ -386,36 +379,12 @@ impl Precise {
             }
             bodies.states[body_index].velocity = solver_velocity(motion);
         }
-        (0..space.moving_boxes.len()).for_each(|at| self.pair_sweeping_box(at, dt));
-    }
-
-    /// Pairs a box that moves farther than the speculative distance in this step with all proxies in its swept AABB. The narrow
-    /// phase tests existing pairs without contacts again. `at` is an index into `moving_boxes`, `dt` is the step in seconds.
-    fn pair_sweeping_box(&mut self, at: usize, dt: f32) {
-        let Some(space) = &self.depth else { return };
-        let proxy = space.box_proxies[space.moving_boxes[at] as usize];
-        let one = &self.proxies.all[proxy as usize];
-        if space.sweep_distance(one, &self.bodies, &self.parameters, dt) == 0.0 {
-            return;
-        }
-        let [x, y, _, z] = self.bodies.states[one.body as usize].velocity.map(|velocity| velocity * dt);
-        let motion = self.swept_motion();
-        if !motion.contains_sweep(proxy, &motion.swept_aabb(proxy, [x, y, 0.0, z]), z) {
-            self.fat_aabbs().insert(proxy);
-        }
-        let Precise { pairs, pair_scratch: lost, .. } = self;
-        lost.extend(
-            pairs.pairs_of(proxy).filter(|&pair| pairs.manifolds[pair].count == 0).map(|pair| pair as u32),
-        );
-        lost.drain(..).for_each(|pair| pairs.triggers[pair as usize].motion_tolerance = 0);
     }
 
     /// Start of solving: sets the velocities of moving boxes in the solver; forces do not change these velocities.
-    pub(in crate::precise) fn begin_world_box_velocities(&mut self) {
-        let Precise { depth: Some(space), bodies, .. } = self else { return };
-        let space = &mut **space;
-        for (body_index, &place) in (1..).zip(&space.moving_boxes) {
-            let Some(motion) = &space.world_boxes[place as usize].motion else { continue };
+    pub(in crate::precise) fn begin_world_box_velocities(&self, bodies: &mut BodySet) {
+        for (body_index, &place) in (1..).zip(&self.moving_boxes) {
+            let Some(motion) = &self.world_boxes[place as usize].motion else { continue };
             let velocity = solver_velocity(motion);
             bodies.states[body_index] = MotionState { velocity, ..MotionState::default() };
             bodies.initial_velocity[body_index] = velocity;
@@ -425,11 +394,9 @@ impl Precise {
 
     /// End of a step: stores centre, yaw and velocity of each moving box in `world_boxes`, and its pose in `BodySet` and
     /// `z_positions`.
-    pub(in crate::precise) fn store_world_boxes(&mut self) {
-        let Precise { depth: Some(space), bodies, proxies, .. } = self else { return };
-        let space = &mut **space;
-        for (body_index, &place) in (1..).zip(&space.moving_boxes) {
-            let world_box = &mut space.world_boxes[place as usize];
+    pub(in crate::precise) fn store_world_boxes(&mut self, bodies: &mut BodySet, proxies: &mut Proxies) {
+        for (body_index, &place) in (1..).zip(&self.moving_boxes) {
+            let world_box = &mut self.world_boxes[place as usize];
             let Some(motion) = &mut world_box.motion else { continue };
             let [x, y, turned, z] = bodies.delta_pose[body_index];
             world_box.shape.centre = motion.end_step(world_box.shape.centre, [x, y, z]);
@@ -445,17 +412,46 @@ impl Precise {
                     world_box.shape.centre = hinge.box_centre(world_box.shape.turn, world_box.shape.centre.y);
                     motion.yaw_rate = bodies.states[body_index].velocity[2];
                 }
-                let proxy = space.box_proxies[place as usize] as usize;
+                let proxy = self.box_proxies[place as usize] as usize;
                 let vertical = vertical_of(world_box);
                 proxies.all[proxy].fingerprint = Fingerprint::of_world_box(world_box);
-                if let Some(known) = space.extents[proxy].vertical.checked_sub(1) {
-                    space.vertical_solids[known as usize] = vertical;
+                if let Some(known) = self.extents[proxy].vertical.checked_sub(1) {
+                    self.vertical_solids[known as usize] = vertical;
                 }
             }
-            let world_box = &space.world_boxes[place as usize];
+            let world_box = &self.world_boxes[place as usize];
             bodies.poses[body_index] = pose_of(world_box);
-            space.z_positions[body_index] = origin_of(world_box).z;
+            self.z_positions[body_index] = origin_of(world_box).z;
         }
+    }
+}
+
+impl FatAabbs<'_> {
+    /// Pairs each box that moves farther than the speculative distance in this step with all proxies in its swept AABB. The
+    /// narrow phase tests existing pairs without contacts again.
+    pub(in crate::precise) fn pair_sweeping_boxes(&mut self, pairs: &mut Pairs) {
+        let count = self.depth.as_ref().map_or(0, |space| space.moving_boxes.len());
+        (0..count).for_each(|at| self.pair_sweeping_box(at, pairs));
+    }
+
+    /// Pairs a box with all proxies in its swept AABB: see [`pair_sweeping_boxes`](Self::pair_sweeping_boxes). `at` is an index
+    /// into `moving_boxes`.
+    fn pair_sweeping_box(&mut self, at: usize, pairs: &mut Pairs) {
+        let Some(space) = &self.depth else { return };
+        let proxy = space.box_proxies[space.moving_boxes[at] as usize];
+        let one = &self.proxies.all[proxy as usize];
+        if space.sweep_distance(one, self.bodies, self.parameters, self.dt) == 0.0 {
+            return;
+        }
+        let [x, y, _, z] = self.bodies.states[one.body as usize].velocity.map(|velocity| velocity * self.dt);
+        if !self.contains_sweep(proxy, [x, y, 0.0, z]) {
+            self.insert(proxy);
+        }
+        pairs.for_each_index_of(proxy, |pairs, pair| {
+            if pairs.manifolds[pair].count == 0 {
+                pairs.triggers[pair].motion_tolerance = 0;
+            }
+        });
     }
 }
 

@@ -10,11 +10,14 @@
 //! accurate to second order in the length of an interval. Steady motors and forces move bodies as far as in continuous time.
 
 use super::cost_model::max_newton_steps;
-use super::island_io::{DirectIsland, IslandSolver, RowReader};
-use super::island_newton::{IslandSystem, SolveStats, max_or_nan};
+use super::island_body::max_or_nan;
+use super::island_io::{DirectIsland, RowReader};
+use super::island_newton::{IslandSystem, SolveStats};
+use super::island_solver::IslandSolver;
+use crate::precise::joints::JointSystem;
 use crate::precise::joints::articulation_step::{SubstepPlan, momentum_conserving_stiffness};
 use crate::precise::joints::island_rows::StepInterval;
-use crate::precise::joints::{JointSystem, mass_of_inverse};
+use crate::precise::mass::mass_of_inverse;
 use crate::precise::parameters::direct::{
     ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,
 };

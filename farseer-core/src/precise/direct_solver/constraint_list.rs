@@ -4,7 +4,7 @@
 //! of the augmented Lagrangian along that line; [`island_newton`](super::island_newton) adds the terms of the masses.
 
 use super::constraint::{Constraint, FIXED, Jacobian};
-use super::island_newton::{add, max_or_nan};
+use super::island_body::{add, max_or_nan};
 use super::mat3::Vec3;
 
 /// Adds the `impulses` of the rows of one constraint, as impulses on its two bodies, to `impulse_sums`. There is one sum per

@@ -9,7 +9,7 @@ use crate::precise::parameters::direct::UNLOADED_POINT_DEPTH;
 use std::ops::{Deref, DerefMut};
 
 use super::constraint::{BodyIndices, Constraint, ConstraintRows, Jacobian, RowMask};
-use super::island_newton::IslandBody;
+use super::island_body::IslandBody;
 use super::mat3::Vec3;
 use crate::precise::constraint_graph::ParkedConstraint;
 

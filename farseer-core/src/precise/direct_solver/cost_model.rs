@@ -9,9 +9,9 @@
 //! limit of the average: houses, figures and bridges need ten Newton steps per update for a second, and none afterwards.
 
 use super::block_ldlt::BlockLdlt;
+use super::island_history::{IslandHistory, ReselectionTimer};
 use super::island_io::DirectIsland;
 use super::island_newton::SolveStats;
-use super::{IslandHistory, ReselectionTimer};
 use crate::methods::SolverChoice;
 use crate::precise::parameters::direct::{
     BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, FACTOR_BLOCK_COST, FACTOR_PRODUCT_COST,

@@ -7,10 +7,50 @@
 //! Gauss-Seidel sweeps, until the budget is spent.
 
 use super::DirectSolver;
-use super::island_newton::{IslandBody, IslandSystem};
+use super::island_body::IslandBody;
+use super::island_history::IslandHistory;
+use super::island_newton::IslandSystem;
 use super::mat3::Vec3;
+use crate::precise::broad_phase::pairs::Pairs;
+use crate::precise::broad_phase::proxies::Proxies;
+use crate::precise::constraint_graph::ConstraintGraph;
+use crate::precise::narrow_phase::constraint_lifetime::move_to_direct_solver;
+use crate::precise::scaled_parameters::LoadAdaptation;
 
 impl DirectSolver {
+    /// Moves contact constraints between the graph colours and the direct solver, as selected. A constraint keeps its impulses
+    /// when it moves.
+    ///
+    /// The rest impulse of a constraint that returns to the iterative solver is its whole last load. After an impact such rest
+    /// impulses would press against each other for a second in contact cycles. Islands with joints are softer in the iterative
+    /// solver. In both cases the rest impulse is multiplied by the `adapted_fraction` of `learning`. `h` is the length of the
+    /// substeps in which the impulses last acted, in seconds.
+    pub(in crate::precise) fn move_constraints(
+        &mut self,
+        pairs: &mut Pairs,
+        proxies: &Proxies,
+        constraints: &mut ConstraintGraph,
+        learning: &LoadAdaptation,
+        h: f32,
+    ) {
+        for pair in 0..pairs.awake_count {
+            let Some((_, handle)) = pairs.constraint(pair) else { continue };
+            let body = pairs.bodies_of(proxies, pair)[1].0;
+            let (is_direct, was_direct) = (self.is_direct(body), handle.is_in_direct_solver());
+            if is_direct != was_direct {
+                let IslandHistory { formed_by_motion, has_accepted_solution, .. } = self.history[body];
+                let may_rock = has_accepted_solution
+                    || (formed_by_motion && self.census.stats_of(body as u32).has_contact_cycles());
+                if was_direct && may_rock {
+                    let points = &mut constraints.direct_constraint_mut(handle).constraint.points;
+                    points.iter_mut().for_each(|point| point.rest_impulse *= learning.adapted_fraction);
+                }
+                move_to_direct_solver(pairs, constraints, pair, is_direct, h);
+            }
+        }
+        self.history.iter_mut().for_each(|entry| entry.has_accepted_solution &= entry.is_direct);
+    }
+
     /// Hands all released islands over to the iterative solver. Returns whether there was one: then contact constraints must
     /// [move](Self::move_constraints) to the graph colours before the iterative solver runs.
     pub(super) fn release_unsolved(&mut self) -> bool {

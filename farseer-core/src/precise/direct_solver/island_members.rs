@@ -1,19 +1,132 @@
-//! Membership of the islands of the direct solver: lists their contacts, joints and springs, and the edges of their graphs.
+//! Membership of the islands of the direct solver: lists their bodies, contacts, joints and springs, and the edges of their
+//! graphs.
 
 use super::DirectSolver;
 use super::constraint::{BodyIndices, FIXED};
+use super::island_body::IslandBody;
+use super::island_history::merged_history;
 use super::island_io::DirectIsland;
-use super::island_newton::IslandBody;
 use super::lateral_friction::{clear_impulses, is_planar};
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::Proxies;
-use crate::precise::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactConstraint};
+use crate::precise::constraint_graph::{ConstraintGraph, ContactConstraint};
+use crate::precise::island::sleep::SleepState;
 use crate::precise::island::union_find::UnionFind;
 use crate::precise::joints::JointSystem;
 use crate::precise::joints::springs::SpringRows;
+use crate::precise::parameters::direct::{
+    BUSY_ISLAND_PAUSE, FACTOR_PRODUCTS_PER_BODY, JOINTED_FACTOR_PRODUCTS_PER_BODY, RESELECTION_PERIOD,
+};
 use crate::storage::order::{packed_key, sort_by_number_in};
 
 impl DirectSolver {
+    /// In 2.5D: lists the islands anew in this update, unless they list all planar contacts of the direct solver and no other
+    /// contacts. The normal of a contact may turn towards the depth axis or back while the contact persists.
+    pub(in crate::precise) fn check_listed_contacts(&mut self, constraints: &ConstraintGraph) {
+        if !self.is_listed || self.timer.is_due {
+            return;
+        }
+        let in_plane =
+            constraints.direct_constraints().iter().filter(|row| is_planar(&row.constraint)).count();
+        let islands = &self.islands[..self.count];
+        let listed: usize = islands.iter().map(|island| island.contact_handles.len()).sum();
+        let mut handles = islands.iter().flat_map(|island| &island.contact_handles);
+        self.is_listed = listed == in_plane
+            && handles.all(|&handle| is_planar(&constraints.direct_constraint(handle).constraint));
+    }
+
+    /// Lists the awake bodies of the islands that the direct solver gets, up to the body index `last_movable`. With `selects`
+    /// solvers are selected anew, otherwise each island keeps its solver. Starts the pauses of islands that the direct solver
+    /// gives up, and starts or ends the friction checks of the others.
+    pub(in crate::precise) fn choose_members(
+        &mut self,
+        selects: bool,
+        sleep: &SleepState,
+        last_movable: usize,
+    ) {
+        let DirectSolver { census, keyed_items, history, timer, .. } = self;
+        keyed_items.clear();
+        for body in sleep.awake_bodies(last_movable) {
+            let root = census.union_find.find(body as u32);
+            let (stats, history) = (&census.stats[root as usize], &mut history[body]);
+            let is_wanted =
+                if selects { stats.rejection_reason(timer.choice).is_none() } else { history.is_direct };
+            keyed_items.extend(is_wanted.then_some((root, body as u32)));
+            if !selects {
+                continue;
+            }
+            history.formed_by_motion |= stats.moves;
+            let is_given_up = stats.joints > 0 && stats.was_paused && !is_wanted;
+            if (stats.must_back_off() || is_given_up) && history.pause == 0 {
+                history.pause = RESELECTION_PERIOD;
+                timer.has_paused = true;
+            }
+            let is_watched = !is_wanted && stats.is_small_cycle() && !(stats.moves || stats.formed_by_motion);
+            if !is_watched {
+                history.friction_checks = 0;
+            } else if history.friction_checks == 0 {
+                history.begin_friction_checks();
+            }
+        }
+    }
+
+    /// Lists the members of each island of the direct solver, in ascending order, and analyses its matrix.
+    /// [`choose_members`](Self::choose_members) has listed the bodies; `selects` is as there. An island whose factorisation has
+    /// too much fill-in goes to the iterative solver for a pause of [`BUSY_ISLAND_PAUSE`] updates.
+    pub(in crate::precise) fn plan_islands(
+        &mut self,
+        selects: bool,
+        pairs: &Pairs,
+        proxies: &Proxies,
+        (joints, springs): (&JointSystem, &SpringRows),
+    ) {
+        let DirectSolver {
+            islands,
+            count,
+            census,
+            keyed_items,
+            edges,
+            jointed_bodies,
+            sort_keys,
+            history,
+            timer,
+            ..
+        } = self;
+        sort_by_number_in(sort_keys, keyed_items, |&(root, body)| packed_key([root, body]));
+        if selects {
+            history.iter_mut().for_each(|entry| entry.is_direct = false);
+        }
+        jointed_bodies.clear();
+        if census.stats.iter().any(|of| of.joints > 0) {
+            list_jointed_bodies((joints, springs), &mut census.union_find, jointed_bodies, sort_keys);
+        }
+        *count = 0;
+        for members in keyed_items.chunk_by(|one, other| one.0 == other.0) {
+            if islands.len() == *count {
+                islands.push(DirectIsland::default());
+            }
+            let (island, stats) = (&mut islands[*count], &mut census.stats[members[0].0 as usize]);
+            island.begin(members);
+            list_contact_edges(members, pairs, proxies, edges, sort_keys);
+            let mut max_products = FACTOR_PRODUCTS_PER_BODY;
+            if stats.joints > 0 {
+                add_joint_edges(members, jointed_bodies, edges, sort_keys);
+                max_products = JOINTED_FACTOR_PRODUCTS_PER_BODY;
+            }
+            let mut merged = merged_history(members, history);
+            if island.system.factor.analyse(members.len(), edges, max_products * members.len()) {
+                stats.island_index = Some(*count as u32);
+                *count += 1;
+            } else {
+                (merged.is_direct, merged.pause) = (false, BUSY_ISLAND_PAUSE);
+                timer.has_paused = true;
+            }
+            if selects {
+                members.iter().for_each(|&(_, body)| history[body as usize] = merged);
+            }
+        }
+    }
+
     /// Lists the contacts of each island of the direct solver, in ascending order of the creation numbers of their geoms. A
     /// contact that is not planar is left out, and its impulses are set to 0.
     pub(in crate::precise) fn list_contacts(
@@ -25,18 +138,18 @@ impl DirectSolver {
         let DirectSolver { islands, census, keyed_items, sort_keys, .. } = self;
         keyed_items.clear();
         let all = (0..pairs.awake_count)
-            .filter(|&pair| pairs.all[pair].constraint.is_some_and(ConstraintHandle::is_in_direct_solver));
+            .filter(|&pair| pairs.constraint(pair).is_some_and(|(_, handle)| handle.is_in_direct_solver()));
         keyed_items.extend(all.map(|pair| {
-            let body = proxies.all[pairs.triggers[pair].proxies[1] as usize].body;
-            (census.stats_of(body).island_index.unwrap_or(0), pair as u32)
+            let [_, (body, _)] = pairs.bodies_of(proxies, pair);
+            (census.stats_of(body as u32).island_index.unwrap_or(0), pair as u32)
         }));
         // Island by island, and within an island by creation numbers.
         sort_by_number_in(sort_keys, keyed_items, |&(_, pair)| {
-            proxies.creation_numbers(pairs.triggers[pair as usize].proxies)
+            pairs.creation_numbers(proxies, pair as usize)
         });
         sort_by_number_in(sort_keys, keyed_items, |&(place, _)| place.into());
         for &(place, pair) in keyed_items.iter() {
-            let Some(handle) = pairs.all[pair as usize].constraint else { continue };
+            let Some((_, handle)) = pairs.constraint(pair as usize) else { continue };
             let DirectIsland { system, contact_handles, contact_bodies, .. } = &mut islands[place as usize];
             let contact = &mut rows.direct_constraint_mut(handle).constraint;
             if !is_planar(contact) {
@@ -108,9 +221,9 @@ pub(super) fn list_contact_edges(
     edges.clear();
     for (one, &(_, body)) in members.iter().enumerate() {
         for pair in pairs.pairs_of_body(proxies, body as usize) {
-            let [a, b] = pairs.triggers[pair].proxies.map(|proxy| proxies.all[proxy as usize].body);
+            let [a, b] = pairs.bodies_of(proxies, pair).map(|(body, _)| body as u32);
             let other = if a == body { b } else { a };
-            if pairs.all[pair].constraint.is_some() && body < other {
+            if pairs.has_constraint(pair) && body < other {
                 edges.extend(place(other).map(|other| [one as u32, other as u32]));
             }
         }

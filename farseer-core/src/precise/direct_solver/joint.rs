@@ -18,7 +18,7 @@ use crate::precise::parameters::direct::STABLE_STIFFNESS;
 use std::ops::{Deref, DerefMut};
 
 use super::constraint::{BodyIndices, Constraint, ConstraintRows, FIXED, Jacobian, RowMask};
-use super::island_newton::{IslandBody, max_or_nan};
+use super::island_body::{IslandBody, max_or_nan};
 use super::mat3::Vec3;
 
 /// Index of the joint row for translation along the direction n, the normal of the Jacobian.

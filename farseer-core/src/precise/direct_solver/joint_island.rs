@@ -9,16 +9,19 @@
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_constraint_impulses;
 use super::cost_model::max_newton_steps;
-use super::island_io::{DirectIsland, IslandSolver, RestingBody, RowReader};
-use super::island_newton::{IslandBody, IslandSystem, SolveStats, Tolerances, dot, max_or_nan};
+use super::island_body::{IslandBody, dot, max_or_nan};
+use super::island_io::{DirectIsland, RestingBody, RowReader};
+use super::island_newton::{IslandSystem, SolveStats, Tolerances};
+use super::island_solver::IslandSolver;
 use super::joint::JointRows;
 use super::mat3::Vec3;
 use crate::methods::SolverChoice;
 use crate::precise::bodies::BodySet;
 use crate::precise::constraint_graph::{ConstraintGraph, ContactConstraint};
+use crate::precise::joints::JointSystem;
 use crate::precise::joints::island_rows::StepInterval;
 use crate::precise::joints::springs::SpringRows;
-use crate::precise::joints::{INFINITE_MASS, JointSystem};
+use crate::precise::mass::INFINITE_MASS;
 use crate::precise::parameters::direct::{
     ACCEPTED_ENERGY_RATIO, ACCEPTED_ENERGY_SLACK, ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL,
     ACCEPTED_RESIDUAL_FRACTION, ACCEPTED_ROTATION, ACCEPTED_VELOCITY_ERROR, CORRECTION_ERROR_RATIO,
@@ -34,13 +37,10 @@ impl IslandSolver<'_> {
         let (unit, is_optional) = (self.length_unit(), self.choice != SolverChoice::Direct);
         let IslandSolver { bodies, constraints: rows, joints, springs, parameters, step, .. } = self;
         if island.is_unchanged_at_rest(bodies, joints, rows) {
-            island.joints.iter().for_each(|&at| joints.mark_solved(at));
+            joints.mark_all_solved(&island.joints);
             return SolveStats { newton_steps: 0, residual: 0.0, is_solved: true };
         }
-        island.resting_bodies.clear();
-        // Reserved for the update in which the island comes to rest: no allocation then.
-        island.resting_bodies.reserve(island.system.members.len());
-        island.separations.reserve(island.contact_handles.len().saturating_sub(island.separations.len()));
+        island.begin_resting_lists();
         let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
         let slop = island.load_bodies(bodies, substeps, unit);
         let mut reader = RowReader {
@@ -52,15 +52,7 @@ impl IslandSolver<'_> {
             penetration_slop: slop,
             velocity_tolerance: unit * RESTING_VELOCITY_ERROR,
         };
-        island.is_released = false;
-        island.make_contacts(rows, &reader, false);
-        island.apply_angular_damping(springs, dt);
-        island.make_joint_rows(
-            joints,
-            StepInterval { dt, force_dt: dt, force_substeps: substeps, step_dt: dt },
-            ERROR_ARM * unit,
-        );
-        island.make_spring_rows(springs, dt, ERROR_ARM * unit);
+        island.make_all_rows(rows, (joints, springs), &reader, unit);
         let is_driven = island.system.is_driven();
         if is_driven {
             reader.velocity_tolerance = unit * MOVING_VELOCITY_ERROR;
@@ -73,15 +65,15 @@ impl IslandSolver<'_> {
         let gains_energy = island.system.gains_energy(free_energy, dt, unit);
         island.find_displacements(dt, false);
         let max_correction = f64::from(parameters.recovery_speed) * dt;
-        let resolved_fraction = (JOINTED_PENETRATION_RATE * dt).min(1.0);
         let deepest = island.system.advance_separations(dt, slop);
         let error_before = island.compute_position_errors(joints, (0.0, false));
         // Stiff springs without friction creep towards their rest length, so velocities below the tolerance add up.
         let is_at_rest = island.springs.is_empty()
             && island.system.max_speed(ERROR_ARM * unit) <= reader.velocity_tolerance;
-        if stats.newton_steps == 0 && is_at_rest && !is_driven && deepest <= slop && error_before <= slop {
+        let may_rest = stats.newton_steps == 0 && is_at_rest && !is_driven && error_before <= slop;
+        if may_rest && deepest <= slop {
             island.keep_at_rest(rows, &reader);
-            island.joints.iter().for_each(|&at| joints.mark_solved(at));
+            joints.mark_all_solved(&island.joints);
             return stats;
         }
         let rotation = island.system.max_angular_speed() * dt;
@@ -92,7 +84,7 @@ impl IslandSolver<'_> {
                 joints,
                 (dt, deepest),
                 [slop, max_correction, JOINTED_PENETRATION_SPEED * unit * dt],
-                resolved_fraction,
+                (JOINTED_PENETRATION_RATE * dt).min(1.0),
                 (!is_pulled).then_some(error_before),
             ),
             false => f64::INFINITY,
@@ -100,9 +92,9 @@ impl IslandSolver<'_> {
         // All penetration is held, and so nothing was corrected.
         let is_overlap_held =
             deepest > slop && error_after == error_before && island.system.greatest_correction() <= slop;
-        if stats.newton_steps == 0 && is_at_rest && !is_driven && is_overlap_held && error_before <= slop {
+        if may_rest && is_overlap_held {
             island.keep_at_rest(rows, &reader);
-            island.joints.iter().for_each(|&at| joints.mark_solved(at));
+            joints.mark_all_solved(&island.joints);
             return stats;
         }
         let has_gap = error_after > ACCEPTED_JOINT_ERROR * unit;
@@ -115,12 +107,20 @@ impl IslandSolver<'_> {
         stats.is_solved &=
             !gains_energy && rotation <= ACCEPTED_ROTATION && error_after <= ACCEPTED_JOINT_ERROR * unit;
         if !island.is_released {
-            let DirectIsland { system, joints: of_island, .. } = &*island;
-            of_island.iter().zip(&system.joints).for_each(|(&at, rows)| joints.store_solution(at, rows, dt));
-            island.springs.iter().for_each(|&at| springs.mark_solved(at));
-            island.store_solution(rows, substeps, step.h);
+            self.store_jointed_solution(island);
         }
         stats
+    }
+
+    /// Stores the solution of an island with joints: forces of joints and impulses of contacts. Its joints and springs are
+    /// solved then.
+    fn store_jointed_solution(&mut self, island: &DirectIsland) {
+        let IslandSolver { constraints: rows, joints, springs, step, .. } = self;
+        for (&at, rows) in island.joints.iter().zip(&island.system.joints) {
+            joints.store_solution(at, rows, f64::from(step.dt));
+        }
+        island.springs.iter().for_each(|&at| springs.mark_solved(at));
+        island.store_solution(rows, f64::from(step.substeps), step.h);
     }
 }
 
@@ -165,6 +165,31 @@ impl DirectIsland {
                 .extend(system.members.iter().map(|member| RestingBody::of(bodies, member.body as usize)));
         }
         system.members.iter_mut().for_each(|member| member.velocity = [0.0; 3]);
+    }
+
+    /// Clears the lists that tell of an island at rest, and reserves their memory for the update in which the island comes to
+    /// rest: no allocation then.
+    fn begin_resting_lists(&mut self) {
+        self.resting_bodies.clear();
+        self.resting_bodies.reserve(self.system.members.len());
+        self.separations.reserve(self.contact_handles.len().saturating_sub(self.separations.len()));
+    }
+
+    /// Builds the rows of all contacts, joints and springs of the island for a whole step. `unit` is the length unit.
+    fn make_all_rows(
+        &mut self,
+        rows: &ConstraintGraph,
+        (joints, springs): (&JointSystem, &SpringRows),
+        reader: &RowReader<'_>,
+        unit: f64,
+    ) {
+        let (dt, force_substeps) = (reader.dt, reader.substeps);
+        self.is_released = false;
+        self.make_contacts(rows, reader, false);
+        self.apply_angular_damping(springs, dt);
+        let whole_step = StepInterval { dt, force_dt: dt, force_substeps, step_dt: dt };
+        self.make_joint_rows(joints, whole_step, ERROR_ARM * unit);
+        self.make_spring_rows(springs, dt, ERROR_ARM * unit);
     }
 
     /// Builds the rows of all joints of the island for an `interval` of the step. `error_arm` is the length that one radian

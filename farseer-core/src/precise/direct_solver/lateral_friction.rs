@@ -10,31 +10,9 @@
 //! axis. A contact with another normal is left out while it has no load; else its island goes to the iterative solver.
 
 use super::constraint::FIXED;
-use super::contact::FRICTION;
-use super::island_io::finite_or_zero;
-use super::island_newton::{IslandBody, IslandSystem};
-use crate::math::plane::{Vector, dot};
+use super::island_body::{IslandBody, finite_or_zero};
+use crate::math::plane::dot;
 use crate::precise::constraint_graph::{ContactConstraint, ContactConstraintZ};
-use crate::precise::parameters::direct::{
-    HEAVY_MASS_RATIO, LATERAL_FRICTION_CONVERGED, LATERAL_FRICTION_SWEEPS, SUPPORT_NORMAL_SQUARED,
-};
-
-/// Returns whether a contact normal is within 60 degrees of the direction of gravity, so that one body lies on the other.
-/// `gravity` is the velocity change by gravity in a step, length units/s.
-#[inline(always)]
-pub(in crate::precise) fn is_support_normal(normal: Vector, gravity: Vector) -> bool {
-    let along = dot(normal, gravity);
-    along * along > SUPPORT_NORMAL_SQUARED * dot(gravity, gravity)
-}
-
-/// Returns whether a heavy body lies on a light one: its mass is over [`HEAVY_MASS_RATIO`] times as large. `a` and `b` are the
-/// inverse masses of A and B in 1/mass units, `normal` points from A to B. `gravity` is the velocity change by gravity in a
-/// step, length units/s.
-#[inline(never)]
-pub(in crate::precise) fn is_heavy_on_light([a, b]: [f32; 2], normal: Vector, gravity: Vector) -> bool {
-    let (above, below) = if dot(normal, gravity) > 0.0 { (a, b) } else { (b, a) };
-    above > 0.0 && below > HEAVY_MASS_RATIO * above && is_support_normal(normal, gravity)
-}
 
 /// Returns whether a contact lies in the plane: its normal has no depth component, and no ball rolls along the depth axis by
 /// it.
@@ -55,9 +33,9 @@ pub(super) fn clear_impulses(contact: &mut ContactConstraint) {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LateralFriction {
     /// Effective mass of the row, mass units.
-    effective_mass: f64,
+    pub(super) effective_mass: f64,
     /// Friction coefficient, dimensionless, >= 0.
-    friction: f64,
+    pub(super) friction: f64,
     /// Velocity of B relative to A along the depth axis by kinematic bodies and belts, length units/s.
     prescribed_velocity: f64,
     /// Impulse on B along the depth axis over the whole step, mass units * length units/s.
@@ -93,7 +71,7 @@ impl LateralFriction {
     /// Returns the velocity of B relative to A along the depth axis, length units/s, with the prescribed velocity. `bodies` are
     /// indices into `members`, or [`FIXED`].
     #[inline(never)]
-    fn slip_velocity(&self, bodies: [u32; 2], members: &[IslandBody]) -> f64 {
+    pub(super) fn slip_velocity(&self, bodies: [u32; 2], members: &[IslandBody]) -> f64 {
         let [a, b] = bodies.map(|at| if at == FIXED { 0.0 } else { members[at as usize].depth_velocity });
         b - a + self.prescribed_velocity
     }
@@ -102,54 +80,11 @@ impl LateralFriction {
 /// Applies `impulse` along the depth axis to body B of a contact, and the opposite impulse to A. Unit: mass units * length
 /// units/s.
 #[inline(never)]
-fn apply_lateral_impulse(bodies: [u32; 2], members: &mut [IslandBody], impulse: f64) {
+pub(super) fn apply_lateral_impulse(bodies: [u32; 2], members: &mut [IslandBody], impulse: f64) {
     for (member, impulse) in bodies.into_iter().zip([-impulse, impulse]) {
         if member != FIXED {
             let member = &mut members[member as usize];
             member.depth_velocity += impulse / member.mass;
-        }
-    }
-}
-
-impl IslandSystem {
-    /// Warm start along the depth axis, before the plane is solved: applies the impulses of the last step to the depth
-    /// velocities. A contact that slips faster than `min_slip_speed` (length units/s) along the depth axis then gets a smaller
-    /// friction coefficient in the plane, by the direction of its slip.
-    pub(super) fn apply_lateral_friction(&mut self, min_slip_speed: f64) {
-        let IslandSystem { contacts, lateral_frictions, members, .. } = self;
-        for (contact, friction) in contacts.iter().zip(lateral_frictions.iter()) {
-            apply_lateral_impulse(contact.bodies, members, friction.impulse);
-        }
-        for (contact, friction) in contacts.iter_mut().zip(lateral_frictions) {
-            let (along, slip) =
-                (contact.velocity_error[FRICTION], friction.slip_velocity(contact.bodies, members));
-            if slip.abs() > min_slip_speed {
-                contact.friction *= along.abs() / (along * along + slip * slip).sqrt();
-            }
-        }
-    }
-
-    /// Gauss-Seidel solve of the friction along the depth axis, after that of the plane. Each row stays within the part of its
-    /// friction cone that the friction in the plane leaves. `unit` is the length unit.
-    pub(super) fn solve_lateral_friction(&mut self, unit: f64) {
-        let IslandSystem { contacts, lateral_frictions, members, .. } = self;
-        for _ in 0..LATERAL_FRICTION_SWEEPS {
-            let mut has_converged = true;
-            for (contact, friction) in contacts.iter_mut().zip(lateral_frictions.iter_mut()) {
-                let [one, two, along] = contact.impulses;
-                let cone_limit = friction.friction * (one + two);
-                contact.friction_limit = (cone_limit * cone_limit - along * along).max(0.0).sqrt();
-                let wanted = friction.impulse
-                    - friction.effective_mass * friction.slip_velocity(contact.bodies, members);
-                let impulse = contact.clamp_friction(wanted);
-                let change = impulse - friction.impulse;
-                friction.impulse = impulse;
-                has_converged &= change.abs() <= LATERAL_FRICTION_CONVERGED * unit * friction.effective_mass;
-                apply_lateral_impulse(contact.bodies, members, change);
-            }
-            if has_converged {
-                break;
-            }
         }
     }
 }

@@ -11,22 +11,15 @@
 //!
 //! A direct solution without contact cycles is cheap. Moving cycles are expensive, and heaps rest well in the iterative solver.
 
-use super::IslandStats;
 use super::constraint::{BodyIndices, FIXED};
 use super::island_newton::IslandSystem;
-use super::lateral_friction::is_heavy_on_light;
+use super::island_stats::IslandStats;
+use super::load::{exceeds_mass_ratio, is_heavy_on_light};
 use super::selection::SolverSelection;
 use crate::precise::constraint_graph::ContactConstraint;
 use crate::precise::parameters::direct::{
     CYCLIC_DEPTH_ISLAND_BODIES, HEAVY_MASS_RATIO, JAMMING_MASS_RATIO, LOADED_TOWER_BODIES,
 };
-
-/// Returns whether two dynamic bodies with these inverse masses have a mass ratio above `ratio`.
-#[inline(always)]
-pub(super) fn exceeds_mass_ratio([a, b]: [f32; 2], ratio: f32) -> bool {
-    let (heavy, light) = if a < b { (a, b) } else { (b, a) };
-    heavy > 0.0 && light > ratio * heavy
-}
 
 impl IslandStats {
     /// Returns whether an island in 2D goes to the direct solver because of its mass ratios.
@@ -83,7 +76,6 @@ impl SolverSelection<'_> {
     pub(super) fn has_unsolved_load(&self) -> bool {
         self.has_large_mass_ratio()
             && (0..self.pairs.awake_count).any(|pair| {
-                let state = &self.pairs.all[pair];
                 let differs = || {
                     let inverse_masses = self
                         .pairs
@@ -91,9 +83,10 @@ impl SolverSelection<'_> {
                         .map(|(body, _)| self.bodies.inverse_mass_inertia[body][0]);
                     exceeds_mass_ratio(inverse_masses, HEAVY_MASS_RATIO)
                 };
-                let handle = state.constraint.filter(|home| !home.is_in_direct_solver() && differs());
-                handle.is_some_and(|handle| {
-                    self.classify_load(&self.constraints.get(state.kind, handle)).contains(&true)
+                let constraint = self.pairs.constraint(pair);
+                let iterative = constraint.filter(|(_, handle)| !handle.is_in_direct_solver() && differs());
+                iterative.is_some_and(|(kind, handle)| {
+                    self.classify_load(&self.constraints.get(kind, handle)).contains(&true)
                 })
             })
     }

@@ -2,8 +2,8 @@
 //!
 //! The direct solver solves all contacts and joints of an island at once as rigid constraints, by an [augmented Lagrangian
 //! method with semismooth Newton steps](island_newton) on a [sparse LDL^T factorisation](block_ldlt). Columns, houses and walls
-//! stand without sag or drift with it. The iterative solver takes all other islands. This file holds solver selection. The
-//! conditions for each island are:
+//! stand without sag or drift with it. The iterative solver takes all other islands. [Solver selection](selection) finds the
+//! facts about the islands, and these conditions decide ([`island_stats`]):
 //!
 //! | island | goes to the direct solver |
 //! |---|---|
@@ -12,12 +12,15 @@
 //! | 2D, [large mass ratio](mass_ratio) | always |
 //! | 2D, no contact cycles | if its bodies were calm when they came together, or from 16 bodies on |
 //! | 2D, contact cycles, from 40 bodies on | if its bodies were calm when they came together |
-//! | 2D, contact cycles, up to 39 bodies | if calm as above and friction [slips](IslandStats::slips) in the iterative solver |
+//! | 2D, contact cycles, up to 39 bodies | if calm as above and friction [slips](island_stats::IslandStats::slips) in the iterative solver |
 //! | 2.5D | if a heavy body lies on a light one, all contacts are [planar](lateral_friction), and up to 24 bodies have cycles |
 //!
 //! An island that costs too much goes to the iterative solver for a pause: islands with joints or contact cycles by a
 //! [budget](cost_model), others by their number of Newton steps. A contact constraint is either in a graph colour or in the
-//! direct solver; it keeps its impulses when it moves.
+//! direct solver; it keeps its impulses when it moves ([`fallback`]).
+//!
+//! The stages of an update, in their order: [`selection`] and [`island_members`] list the islands, [`island_solver`] solves
+//! them, and [`fallback`] hands islands over that could not be solved.
 
 mod block_ldlt;
 mod bounded_articulation;
@@ -26,86 +29,28 @@ mod constraint_list;
 mod contact;
 mod cost_model;
 mod fallback;
-pub(in crate::precise) mod island_io;
+mod island_body;
+mod island_history;
+mod island_io;
 mod island_members;
 mod island_newton;
+pub(in crate::precise) mod island_solver;
+pub(in crate::precise) mod island_stats;
 pub(in crate::precise) mod joint;
 pub(in crate::precise) mod joint_island;
 mod lateral_friction;
+mod lateral_solver;
+pub(in crate::precise) mod load;
 mod mass_ratio;
 pub(in crate::precise) mod mat3;
 pub(in crate::precise) mod selection;
 
-use serde::{Deserialize, Serialize};
-
 use crate::methods::SolverChoice;
-use crate::precise::island::report::SolverReason;
-use crate::precise::parameters::direct::{
-    ACYCLIC_MOVING_ISLAND_BODIES, CYCLIC_DEPTH_ISLAND_BODIES, CYCLIC_ISLAND_BODIES, DIRECT_ISLAND_BODIES,
-    FRICTION_CHECK_MAX_DOUBLINGS, RESELECTION_PERIOD,
-};
+use crate::precise::parameters::direct::RESELECTION_PERIOD;
 use crate::storage::reusing_clone::reusing_clone;
+pub(super) use island_history::{IslandHistory, ReselectionTimer};
 use island_io::DirectIsland;
-pub(super) use lateral_friction::{is_heavy_on_light, is_support_normal};
-use selection::IslandCensus;
-
-/// Island history of one body: solver, costs, pauses and friction checks of its island in past updates. Solver selection and
-/// the budget read it. All members of an island in the direct solver have equal histories; snapshots save them.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct IslandHistory {
-    /// Whether the island of the body is in the direct solver.
-    pub(super) is_direct: bool,
-    /// Running average of the Newton steps per update of the island. Unit: dimensionless, a count.
-    #[serde(rename = "effort")]
-    pub(super) average_newton_steps: f32,
-    /// Whether the last update of the island needed Newton steps.
-    #[serde(rename = "is_hot")]
-    pub(super) was_iterated: bool,
-    /// Number of further updates for which the iterative solver keeps the island; 0 without a pause.
-    #[serde(rename = "rest")]
-    pub(super) pause: u8,
-    /// Whether a body of the island was not calm (faster than
-    /// [`CALM_ISLAND_MAX_SPEED`](crate::precise::parameters::direct::CALM_ISLAND_MAX_SPEED)) at an earlier solver selection. If
-    /// not, the island is built in place.
-    #[serde(rename = "is_loose")]
-    pub(super) formed_by_motion: bool,
-    /// Whether the direct solver had an accepted solution since it took the island. Set for islands with joints only.
-    #[serde(rename = "was_solved")]
-    pub(super) has_accepted_solution: bool,
-    /// Budget of an island with joints or contact cycles, dimensionless, -1..=0. At 0 no cost is overdrawn; below -1 the
-    /// greatest overdraft is exceeded and the island gets a pause.
-    pub(super) budget: f32,
-    /// Length of the last pause of an island with a budget, in updates, less one for each update without Newton steps since
-    /// then. The next pause is twice as long.
-    pub(super) back_off: u8,
-    /// Number of updates until the next friction check of the body in the iterative solver: whether its contacts
-    /// [slip](IslandStats::slips).
-    #[serde(rename = "look_in")]
-    pub(super) friction_check_in: u8,
-    /// Number of friction checks of the body so far plus one; 0 for a body that is not checked.
-    #[serde(rename = "watch")]
-    pub(super) friction_checks: u8,
-}
-
-impl IslandHistory {
-    /// Starts the friction checks of the body; the first one is in the next update. Called for a new contact, and when solver
-    /// selection leaves a small island with contact cycles to the iterative solver.
-    fn begin_friction_checks(&mut self) {
-        (self.friction_check_in, self.friction_checks) = (1, 1);
-    }
-
-    /// Counts one update of the friction checks. Returns whether friction at the body is checked in this update. The time
-    /// between two checks doubles from check to check, up to 2^[`FRICTION_CHECK_MAX_DOUBLINGS`] updates.
-    fn is_friction_check_due(&mut self) -> bool {
-        self.friction_check_in = self.friction_check_in.saturating_sub(1);
-        let is_due = self.friction_checks > 0 && self.friction_check_in == 0;
-        if is_due {
-            self.friction_check_in = 1 << self.friction_checks.min(FRICTION_CHECK_MAX_DOUBLINGS);
-            self.friction_checks = self.friction_checks.saturating_add(1);
-        }
-        is_due
-    }
-}
+use island_stats::IslandCensus;
 
 /// The direct solver of a simulator: its islands, the histories of all islands, and the scratch space of solver selection.
 #[derive(Debug, Default)]
@@ -114,7 +59,7 @@ pub(super) struct DirectSolver {
     pub(super) history: Vec<IslandHistory>,
     /// Timer of solver selection: decides in which update solvers are selected anew for all islands.
     pub(super) timer: ReselectionTimer,
-    /// Whether `islands` lists the present contacts and joints. If not, `select_solvers` lists them before the next solve.
+    /// Whether `islands` lists the present contacts and joints. If not, they are listed before the next solve.
     is_listed: bool,
     /// Islands of the direct solver. The first `count` are in use; the others keep their memory.
     islands: Vec<DirectIsland>,
@@ -138,161 +83,6 @@ pub(super) struct DirectSolver {
 
 reusing_clone! {
     DirectSolver { history, timer, is_listed, islands, count, step_lengths, census, keyed_items, edges, jointed_bodies, sort_keys }
-}
-
-/// Timer of solver selection: decides in which update islands are computed and solvers are selected again. Snapshots save it.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct ReselectionTimer {
-    /// Whether solvers are selected in this update, because an island of the direct solver has gained or lost constraints, or
-    /// joints, springs or the choice have changed.
-    pub(super) is_due: bool,
-    /// Whether solvers are selected within [`RESELECTION_PERIOD`] updates, because an island of the iterative solver has gained
-    /// or lost constraints or a pause has ended.
-    pub(super) may_be_due: bool,
-    /// Number of updates since `may_be_due` was set.
-    #[serde(rename = "age")]
-    waited_updates: u8,
-    /// Whether some island is in a pause, so that pauses are counted down.
-    #[serde(rename = "has_resting")]
-    has_paused: bool,
-    /// Hash of all joints and springs in the last update. A different hash makes the selection due.
-    #[serde(rename = "joints")]
-    joint_signature: u64,
-    /// The user's choice of solvers for all islands: automatic, direct or iterative.
-    choice: SolverChoice,
-}
-
-impl ReselectionTimer {
-    /// Clears `is_due`, `may_be_due` and `waited_updates`, since solvers are selected in this update.
-    fn restart(&mut self) {
-        (self.is_due, self.may_be_due, self.waited_updates) = (false, false, 0);
-    }
-}
-
-/// Facts about one island in the present update, on which solver selection depends.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct IslandStats {
-    /// Number of dynamic bodies of the island.
-    bodies: u32,
-    /// Number of contact constraints of the island.
-    contacts: u32,
-    /// Number of bodies of the island whose last solver is the direct solver.
-    direct_bodies: u32,
-    /// Number of further updates for which the iterative solver keeps the island; 0 without a pause.
-    pause: u8,
-    /// Number of joints and springs of the island; 0 in 2.5D.
-    joints: u32,
-    /// Whether the island has a joint or a hinged body that the direct solver cannot take.
-    has_unsupported_joint: bool,
-    /// Whether a contact of the island is about to apply restitution.
-    bounces: bool,
-    /// Whether a body of the island is not calm: faster than
-    /// [`CALM_ISLAND_MAX_SPEED`](crate::precise::parameters::direct::CALM_ISLAND_MAX_SPEED).
-    moves: bool,
-    /// Whether a body of the island was not calm at an earlier solver selection. If not, the island is built in place.
-    formed_by_motion: bool,
-    /// In 2D: whether a contact of the island slides although its friction is within the limit. Such a contact shows that the
-    /// iterative solver has not converged. A structure that stands by friction alone, such as a card house, then creeps until
-    /// it topples.
-    slips: bool,
-    /// For islands with joints: whether the island had a pause lately, so that its [`back_off`](IslandHistory::back_off) is not
-    /// 0.
-    was_paused: bool,
-    /// For islands with joints: whether a joint has a position error above
-    /// [`ACCEPTED_JOINT_ERROR`](crate::precise::parameters::direct::ACCEPTED_JOINT_ERROR).
-    has_joint_gap: bool,
-    /// Whether the simulator has a depth axis (2.5D) and the island has contacts.
-    has_depth: bool,
-    /// Whether a contact of the island [excludes a solution in the plane](lateral_friction::blocks_planar_solution).
-    has_nonplanar_contact: bool,
-    /// Whether a heavy body of the island lies on a light one: see [`classify_load`](selection::SolverSelection::classify_load).
-    has_heavy_on_light: bool,
-    /// Whether a much heavier body may jam a light one in the island: see [`classify_load`](selection::SolverSelection::classify_load).
-    may_jam: bool,
-    /// Index of the island in the list of the direct solver; `None` if the iterative solver has it.
-    island_index: Option<u32>,
-}
-
-impl IslandStats {
-    /// Returns the reason why the direct solver does not take this island under the user's `choice`; `None` if it takes the
-    /// island.
-    pub(super) fn rejection_reason(&self, choice: SolverChoice) -> Option<SolverReason> {
-        let refusals = [
-            (self.bodies < 2 && self.joints == 0, SolverReason::OneBody),
-            (self.has_unsupported_joint, SolverReason::Joints),
-            (choice == SolverChoice::Iterative, SolverReason::Chosen),
-            (self.bodies > DIRECT_ISLAND_BODIES && self.contacts > self.joints, SolverReason::TooLarge),
-            (self.bounces, SolverReason::Bounces),
-        ];
-        first_reason(&refusals)
-            .or_else(|| if choice == SolverChoice::Direct { None } else { self.cost_objection() })
-    }
-
-    /// Returns whether the island gets a pause of [`RESELECTION_PERIOD`] updates: a contact bounces or is not planar. In 2.5D
-    /// the pause is only for islands with a heavy body on a light one; the direct solver takes no others there.
-    fn must_back_off(&self) -> bool {
-        (self.bounces || self.has_nonplanar_contact) && (self.has_heavy_on_light || !self.has_depth)
-    }
-
-    /// Returns whether the island has more contacts than bodies. Then the contact graph has cycles, or bodies are supported
-    /// from two sides.
-    fn has_contact_cycles(&self) -> bool {
-        self.contacts > self.bodies
-    }
-
-    /// Returns whether the island has contacts.
-    pub(super) fn has_contacts(&self) -> bool {
-        self.contacts > 0
-    }
-
-    /// Returns whether the island is in 2D and has contact cycles, no joints and fewer than [`CYCLIC_ISLAND_BODIES`] bodies.
-    /// The iterative solver suffices for such an island unless friction [slips](Self::slips).
-    fn is_small_cycle(&self) -> bool {
-        self.has_contact_cycles() && self.bodies < CYCLIC_ISLAND_BODIES && self.joints == 0 && !self.has_depth
-    }
-
-    /// Returns the reason why the iterative solver has this island, for the island report.
-    pub(super) fn iterative_reason(&self, choice: SolverChoice) -> SolverReason {
-        let pause = (self.pause > 0).then_some(SolverReason::Rests { updates: self.pause });
-        let is_free = self.contacts == 0 && self.joints == 0;
-        let joints = is_free.then_some(SolverReason::Joints);
-        joints.or(self.rejection_reason(choice)).or(pause).unwrap_or(SolverReason::NotAskedYet)
-    }
-
-    /// Returns the reason why a direct solution of the island is not worth its cost; `None` if it is. Each condition is a row
-    /// of the table at the head of the module.
-    fn cost_objection(&self) -> Option<SolverReason> {
-        let IslandStats { bodies, direct_bodies, .. } = *self;
-        let (has_cycles, is_built) = (self.has_contact_cycles(), !(self.moves || self.formed_by_motion));
-        let was_direct = 2 * direct_bodies > bodies;
-        let pause = (self.pause > 0, SolverReason::Rests { updates: self.pause });
-        first_reason(&if self.joints > 0 {
-            let has_failed = self.was_paused && !was_direct && self.has_joint_gap;
-            [pause, (has_failed, SolverReason::Moves), pause, pause]
-        } else if self.has_depth {
-            [
-                pause,
-                (self.has_nonplanar_contact, SolverReason::HasDepth),
-                (!(self.has_heavy_on_light || was_direct), SolverReason::HasDepth),
-                (has_cycles && bodies > CYCLIC_DEPTH_ISLAND_BODIES, SolverReason::TooLarge),
-            ]
-        } else if self.is_loaded() {
-            [pause; 4]
-        } else {
-            [
-                pause,
-                (self.is_small_cycle() && !(is_built && (self.slips || was_direct)), SolverReason::TooSmall),
-                (has_cycles && !is_built && !was_direct, SolverReason::Moves),
-                (!has_cycles && !is_built && bodies < ACYCLIC_MOVING_ISLAND_BODIES, SolverReason::Moves),
-            ]
-        })
-    }
-}
-
-/// Returns the reason of the first pair in `refusals` whose condition is true; `None` if all are false.
-#[inline(never)]
-fn first_reason(refusals: &[(bool, SolverReason)]) -> Option<SolverReason> {
-    refusals.iter().find(|(applies, _)| *applies).map(|&(_, reason)| reason)
 }
 
 impl DirectSolver {
@@ -379,6 +169,16 @@ impl DirectSolver {
     /// Marks the islands as listed: they list the present contacts and joints.
     pub(super) fn mark_listed(&mut self) {
         self.is_listed = true;
+    }
+
+    /// Counts one update of the friction checks of all awake bodies, which are given by index. Returns whether one of them is
+    /// due.
+    pub(super) fn count_friction_checks(&mut self, awake_bodies: impl Iterator<Item = usize>) -> bool {
+        let mut is_due = false;
+        for body in awake_bodies {
+            is_due |= self.history[body].is_friction_check_due();
+        }
+        is_due
     }
 
     /// Counts one update of the timer and of all pauses. Returns whether solvers are selected in this update; the timer then

@@ -18,7 +18,7 @@
 //! All numbers are `f64`: along a long chain the reciprocal of the inertia loses half of its digits.
 
 /// A vector in the plane: x and y.
-pub(super) type Vec2 = [f64; 2];
+pub(in crate::precise) type Vec2 = [f64; 2];
 
 /// Returns the scalar product of two vectors.
 #[inline(always)]
@@ -38,6 +38,12 @@ pub(super) fn perp(arm: Vec2) -> Vec2 {
     [-arm[1], arm[0]]
 }
 
+/// Returns the vector rotated by an angle that is given as cosine and sine.
+#[inline(always)]
+pub(super) fn rotate([c, s]: [f64; 2], [x, y]: Vec2) -> Vec2 {
+    [c * x - s * y, s * x + c * y]
+}
+
 /// Returns a + s b.
 #[inline(always)]
 pub(super) fn add_scaled(a: Vec2, b: Vec2, s: f64) -> Vec2 {
@@ -46,7 +52,7 @@ pub(super) fn add_scaled(a: Vec2, b: Vec2, s: f64) -> Vec2 {
 
 /// Degrees of freedom that a joint locks between a body and its parent in the tree, or how the root of a tree is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum LockedDofs {
+pub(in crate::precise) enum LockedDofs {
     /// Locks nothing: the body is the root of a free tree.
     #[default]
     Free,

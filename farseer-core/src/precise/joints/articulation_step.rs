@@ -22,11 +22,11 @@ use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
 use super::articulated_body::{
     ArticulatedLink, LockedDofs, Vec2, add_scaled, cross, dot, for_each_down, perp, propagate_down,
-    propagate_momentum_up, propagate_up,
+    propagate_momentum_up, propagate_up, rotate,
 };
 use super::energy_balance::{BalancedLink, EnergyBalance, InitialEnergy, LinkEndState, max_rounding_error};
 use super::joint_constraint::JointConstraint;
-use super::{Articulation, begin_links};
+use super::link_state::begin_links;
 use crate::precise::parameters::direct::STABLE_STIFFNESS;
 use crate::precise::parameters::joints::{
     ARTICULATION_SUBSTEP_PARTS, IMPLICIT_STIFFNESS_RATIO, JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES,
@@ -63,12 +63,6 @@ pub(super) fn nonlinear_rotation(angle: f64) -> [f64; 2] {
     }
     let x = angle * angle;
     [1.0 - x * (0.5 - x * (1.0 / 24.0)), -angle * x * (1.0 / 6.0 - x * (1.0 / 120.0))]
-}
-
-/// Returns the vector rotated by an angle that is given as cosine and sine.
-#[inline(always)]
-pub(super) fn rotate([c, s]: [f64; 2], [x, y]: Vec2) -> Vec2 {
-    [c * x - s * y, s * x + c * y]
 }
 
 impl ArticulatedLink {
@@ -610,16 +604,17 @@ pub(super) fn max_spins([max_start, max_end]: [f64; 2], start_spin: f64, change:
 }
 
 /// Moves a free tree through all substeps of a step, and repeats the step with more substeps if its energy error is too large.
+/// Returns the number of substeps.
 ///
 /// Forces of springs and of the game may depend on the position. They act in full at the start of the step, as for bodies
 /// without joints. `length_unit` is the length unit of the simulator.
 pub(super) fn step_free_tree(
-    Articulation { links, substeps, .. }: &mut Articulation,
+    links: &mut [ArticulatedLink],
     constraints: &[JointConstraint],
     bodies: &BodySet,
     step: &StepContext,
     length_unit: f64,
-) {
+) -> u32 {
     let dt = f64::from(step.dt);
     let mut plan = begin_step(links, constraints, bodies, step);
     loop {
@@ -632,7 +627,7 @@ pub(super) fn step_free_tree(
         begin_step(links, constraints, bodies, step);
         plan = refined;
     }
-    *substeps = plan.substeps;
+    plan.substeps
 }
 
 /// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps.

@@ -84,7 +84,7 @@ impl MotorLimitLanes {
     pub(super) fn set_joint(&mut self, lane: usize, joint: &JointConstraint, impulse: f64, h: f64) {
         let drive = joint.drive;
         let mut limit_impulse = impulse;
-        if let Some(motor) = drive.and_then(|drive| drive.motor()) {
+        if let Some(motor) = drive.and_then(|drive| drive.motor) {
             let max_impulse = f64::from(motor.greatest_effort) * h;
             let motor_impulse = clamp_symmetric(impulse, max_impulse);
             limit_impulse -= motor_impulse;
@@ -93,7 +93,7 @@ impl MotorLimitLanes {
             set_lane_rounded(&mut self.motor_impulse, lane, motor_impulse);
         }
         let limits = match drive {
-            Some(drive) => drive.limits().map(|limits| [limits.lower, limits.upper].map(f64::from)),
+            Some(drive) => drive.limits.map(|limits| [limits.lower, limits.upper].map(f64::from)),
             None => Some(joint.range),
         };
         let reference = drive.map_or(0.0, |drive| f64::from(drive.reference));

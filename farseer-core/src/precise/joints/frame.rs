@@ -5,8 +5,8 @@
 
 use super::super::direct_solver::constraint::Jacobian;
 use super::super::direct_solver::mat3::Vec3;
-use super::articulated_body::{LockedDofs, Vec2, add_scaled, dot};
-use super::articulation_step::{cos_sin, rotate};
+use super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, rotate};
+use super::articulation_step::cos_sin;
 use super::joint_constraint::{JointAnchor, JointConstraint};
 
 /// Relative pose of the two bodies of a joint, or of a spring, in world coordinates.

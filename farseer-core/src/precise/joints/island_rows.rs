@@ -98,12 +98,12 @@ impl JointConstraint {
     fn add_motor_and_limits(&self, rows: &mut JointRows, frame: &JointFrame, interval: StepInterval) {
         let Some(drive) = &self.drive else { return };
         let row = motor_row(self.locked);
-        let motor = drive.motor().map(|motor| MotorTarget {
+        let motor = drive.motor.map(|motor| MotorTarget {
             speed: motor.speed.into(),
             max_impulse: finite_or_infinite(f64::from(motor.greatest_effort) * interval.force_dt),
         });
         let travel = frame.travel(f64::from(drive.reference));
-        match (motor, drive.limits()) {
+        match (motor, drive.limits) {
             (motor, Some(limits)) => {
                 let distances = [travel - f64::from(limits.lower), f64::from(limits.upper) - travel];
                 rows.add_limited_row(
@@ -240,7 +240,7 @@ impl JointConstraint {
             LockedDofs::Angle => [0.0, self.range_error(frame.angle), 0.0],
             _ => [self.range_error(frame.distance()), 0.0, 0.0],
         };
-        if let Some((drive, limits)) = self.drive.and_then(|drive| Some((drive, drive.limits()?))) {
+        if let Some((drive, limits)) = self.drive.and_then(|drive| Some((drive, drive.limits?))) {
             let travel = frame.travel(f64::from(drive.reference));
             let [lower, upper] = [limits.lower, limits.upper].map(f64::from);
             errors[motor_row(self.locked)] = travel - travel.clamp(lower, upper);

@@ -1,37 +1,34 @@
 //! A joint as a constraint of one step: locked degrees of freedom, anchors at the poses of the step, limits, motor and force.
 //!
-//! [`joint_import`](super::joint_import) fills the constraints from the joints of the simulator. The solvers of this folder and
-//! the direct solver read them and write their forces.
+//! The [import of joints](crate::precise::joint_import) fills the constraints from the joints of the simulator. The solvers of
+//! this folder and the direct solver read them and write their forces.
 
-use super::super::bodies::BodySet;
-use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot};
-use crate::body::BodyId;
-use crate::joints::{JointId, MotorAndLimits};
-use crate::math::Vector2;
+use super::super::bodies::{BodySet, signed_angle};
+use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot, rotate};
 
 /// One side of a joint: a body or the world, with the anchor on it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct JointAnchor {
+pub(in crate::precise) struct JointAnchor {
     /// Index of the dynamic body into the arrays of `BodySet`; 0 for the world and for static, kinematic and sleeping bodies.
-    pub(super) body: u32,
+    pub(in crate::precise) body: u32,
     /// Index of the body whose pose the anchor follows, whatever its body type; 0 for the world and for bodies that are not in
     /// the simulation.
-    pub(super) pose_body: u32,
+    pub(in crate::precise) pose_body: u32,
     /// Anchor in local coordinates of the body, relative to its centre of mass. Unit: length units.
-    pub(super) local_anchor: Vec2,
+    pub(in crate::precise) local_anchor: Vec2,
     /// Position of the body's centre of mass in the world; 0 for the world. Unit: length units.
-    pub(super) position: Vec2,
+    pub(in crate::precise) position: Vec2,
     /// Velocity of a body that is not dynamic: x and y in length units/s, angular in radians/s; 0 for dynamic bodies.
-    pub(super) velocity: [f64; 3],
+    pub(in crate::precise) velocity: [f64; 3],
     /// Arm: vector from the centre of mass to the anchor, in world coordinates; for the world the position of the anchor. Unit:
     /// length units.
-    pub(super) arm: Vec2,
+    pub(in crate::precise) arm: Vec2,
 }
 
 impl JointAnchor {
     /// Sets `position`, `arm` and `velocity` to the present ones of the body; the world stays as it is.
     #[inline(always)]
-    pub(super) fn update(&mut self, bodies: &BodySet) {
+    pub(in crate::precise) fn update(&mut self, bodies: &BodySet) {
         if self.pose_body == 0 {
             return;
         }
@@ -50,14 +47,38 @@ impl JointAnchor {
     }
 
     /// Returns the position of the anchor in the world. Unit: length units.
-    pub(super) fn anchor_position(&self) -> Vec2 {
+    pub(in crate::precise) fn anchor_position(&self) -> Vec2 {
         add_scaled(self.position, self.arm, 1.0)
     }
 }
 
-/// Converts a vector to the vector type of the public API.
-pub(super) fn to_vector2([x, y]: Vec2) -> Vector2 {
-    Vector2::new(x as f32, y as f32)
+/// Motor of a joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::precise) struct Motor {
+    /// Target speed: length units/s in linear motors, radians/s in rotary ones.
+    pub(in crate::precise) speed: f32,
+    /// Greatest force (mass units * length units/s^2) or torque (mass units * length units^2/s^2), >= 0.
+    pub(in crate::precise) greatest_effort: f32,
+}
+
+/// Limits of the degree of freedom that a joint leaves free.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::precise) struct Limits {
+    /// Least position: length units along a line, radians about a point.
+    pub(in crate::precise) lower: f32,
+    /// Greatest position: length units along a line, radians about a point.
+    pub(in crate::precise) upper: f32,
+}
+
+/// Motor and limits of the degree of freedom that a joint leaves free.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(in crate::precise) struct JointDrive {
+    /// The motor; `None` if the joint has none.
+    pub(in crate::precise) motor: Option<Motor>,
+    /// The limits; `None` if the joint has none.
+    pub(in crate::precise) limits: Option<Limits>,
+    /// Angle of the second body minus that of the first that counts as position 0, in radians.
+    pub(in crate::precise) reference: f32,
 }
 
 /// An edge of the joint graph, of which the spanning forest is built.
@@ -69,60 +90,119 @@ pub(super) struct JointEdge {
     pub(super) is_bounded: bool,
 }
 
+/// A joint or spring with the properties by which the direct solver decides whether to solve it.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::precise) struct JointCandidate {
+    /// Index of the joint into `JointSystem::constraints`, or of the spring into `SpringRows::constraints`.
+    pub(in crate::precise) joint: u32,
+    /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
+    pub(in crate::precise) bodies: [u32; 2],
+    /// Whether the articulation of the joint is free, so that the articulated-body algorithm can solve it.
+    pub(in crate::precise) is_free_articulation: bool,
+    /// Whether the direct solver can represent the joint by rows.
+    pub(in crate::precise) has_rows: bool,
+    /// Absolute position error of the joint when the step begins. Unit: length units for linear errors, radians for angles.
+    pub(in crate::precise) error: f32,
+}
+
+impl JointCandidate {
+    /// Returns the index of the first dynamic body of the joint; `None` if neither body is dynamic.
+    pub(in crate::precise) fn first_dynamic_body(&self) -> Option<u32> {
+        self.bodies.into_iter().find(|&body| body != 0)
+    }
+}
+
 /// A joint as a constraint in one step. Fields that every step reads and writes come first, so that long chains need few cache
 /// lines.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub(in crate::precise) struct JointConstraint {
-    /// Id of the joint in the simulator.
-    pub(super) joint: JointId,
     /// Force on the second body along x and y (mass units * length units/s^2), and torque (mass units * length units^2/s^2).
-    pub(super) force: [f64; 3],
+    pub(in crate::precise) force: [f64; 3],
     /// Force on the second body along the depth axis for joints of groups in three axes; else 0. Unit: mass units * length
     /// units/s^2.
-    pub(super) force_along_depth: f32,
+    pub(in crate::precise) force_along_depth: f32,
     /// Mean force on the second body over the update along x and y (mass units * length units/s^2), and mean torque (mass
     /// units * length units^2/s^2). `None` if `force` itself is the mean, not the force of the last substep.
-    pub(super) mean_force: Option<[f64; 3]>,
+    pub(in crate::precise) mean_force: Option<[f64; 3]>,
     /// Position error of the joint when the step begins. Unit: length units; radians for a joint that locks an angle alone.
-    pub(super) error: f32,
+    pub(in crate::precise) error: f32,
     /// Vector from the first body's centre of mass to the anchor when the step begins, in world coordinates, for the public
     /// API. Unit: length units.
-    pub(super) first_arm: Vector2,
-    /// Both bodies of the joint; the first is `None` for the world.
-    pub(super) bodies: (Option<BodyId>, BodyId),
+    pub(in crate::precise) first_arm: [f32; 2],
     /// Degrees of freedom that the joint locks between both bodies.
-    pub(super) locked: LockedDofs,
+    pub(in crate::precise) locked: LockedDofs,
     /// Both sides of the joint: first body, second body.
-    pub(super) anchors: [JointAnchor; 2],
+    pub(in crate::precise) anchors: [JointAnchor; 2],
     /// Angle of the second body minus that of the first, in radians. Updated only if the joint locks or drives an angle.
-    pub(super) angle: f64,
+    pub(in crate::precise) angle: f64,
     /// Axis of a prismatic joint in local coordinates of the first body, a unit vector. Unused in other joints.
-    pub(super) local_axis: Vec2,
+    pub(in crate::precise) local_axis: Vec2,
     /// Axis of a prismatic joint in world coordinates, a unit vector. Unused in other joints.
-    pub(super) axis: Vec2,
+    pub(in crate::precise) axis: Vec2,
     /// Motor and limits of the degree of freedom that the joint leaves free; `None` if the joint has neither.
-    pub(super) drive: Option<MotorAndLimits>,
+    pub(in crate::precise) drive: Option<JointDrive>,
     /// Least and greatest allowed value of the joint's angle (radians) or distance (length units). Both are equal if the joint
     /// locks the angle or distance.
-    pub(super) range: [f64; 2],
+    pub(in crate::precise) range: [f64; 2],
     /// Violation of the range that is not corrected, >= 0. Unit: length units for a distance, radians for an angle.
-    pub(super) slop: f64,
+    pub(in crate::precise) slop: f64,
     /// Greatest impulse of a substep, >= 0. Unit: mass units * length units/s; mass units * length units^2/s for a joint that
     /// locks an angle.
-    pub(super) max_impulse: f64,
+    pub(in crate::precise) max_impulse: f64,
     /// Compliance: velocity per impulse of an update, 0 for a rigid joint. Unit: 1/(mass units).
-    pub(super) softness: f64,
+    pub(in crate::precise) softness: f64,
     /// Fraction of the position error that a compliant joint corrects per update, 0..=1.
-    pub(super) bias_factor: f64,
+    pub(in crate::precise) bias_factor: f64,
     /// Distance along the depth axis from the first body to the second, of a distance joint in three axes; else 0. Unit: length
     /// units.
-    pub(super) depth_offset: f64,
+    pub(in crate::precise) depth_offset: f64,
     /// Whether anchors, angle, axis or motor have changed from the last step to this one.
-    pub(super) has_moved: bool,
+    pub(in crate::precise) has_moved: bool,
 }
 
 impl JointConstraint {
+    /// Returns a rigid joint without a motor and without a force, whose allowed range is 0. `most` is the greatest impulse of a
+    /// substep, in the unit of `max_impulse`.
+    pub(in crate::precise) fn new(locked: LockedDofs, anchors: [JointAnchor; 2], most: f64) -> Self {
+        JointConstraint {
+            force: [0.0; 3],
+            force_along_depth: 0.0,
+            mean_force: None,
+            error: 0.0,
+            first_arm: [0.0; 2],
+            locked,
+            anchors,
+            angle: 0.0,
+            local_axis: [0.0; 2],
+            axis: [0.0; 2],
+            drive: None,
+            range: [0.0; 2],
+            slop: 0.0,
+            max_impulse: most,
+            softness: 0.0,
+            bias_factor: 0.0,
+            depth_offset: 0.0,
+            has_moved: true,
+        }
+    }
+
+    /// Sets anchors, angle, axis, motor and position error to those at the start of a step. `read` sets angle, axis and motor.
+    pub(super) fn update(&mut self, bodies: &BodySet, read: impl FnOnce(&mut Self)) {
+        let before = (self.anchors, self.angle, self.axis, self.drive);
+        self.anchors.iter_mut().for_each(|anchor| anchor.update(bodies));
+        read(self);
+        self.has_moved = before != (self.anchors, self.angle, self.axis, self.drive);
+        self.error = self.compute_error() as f32;
+        self.first_arm = self.anchors[0].arm.map(|component| component as f32);
+    }
+
+    /// Turns the axis of a prismatic joint with its first body, whose rotation is `rotation` radians.
+    pub(in crate::precise) fn set_axis(&mut self, rotation: f32) {
+        let (sine, cosine) = libm::sincos(signed_angle(rotation));
+        self.axis = rotate([cosine, sine], self.local_axis);
+    }
+
     /// Returns the joint as an edge of the joint graph.
     pub(super) fn edge(&self) -> JointEdge {
         let [low, high] = self.range;
@@ -132,18 +212,24 @@ impl JointConstraint {
         }
     }
 
+    /// Returns the properties by which the direct solver accepts or rejects islands: whether the joint is bounded, whether it has
+    /// a motor or limits, and whether it has rows of the direct solver.
+    pub(in crate::precise) fn solver_properties(&self) -> [bool; 3] {
+        [self.edge().is_bounded, self.drive.is_some(), self.fits_direct_solver()]
+    }
+
     /// Returns whether anchors, angle, axis or motor have changed from the last step to this one.
     pub(in crate::precise) fn has_moved(&self) -> bool {
         self.has_moved
     }
 
     /// Returns whether the joint locks or drives an angle.
-    pub(super) fn has_angle(&self) -> bool {
+    pub(in crate::precise) fn has_angle(&self) -> bool {
         matches!(self.locked, LockedDofs::Angle | LockedDofs::Weld | LockedDofs::Line) || self.drive.is_some()
     }
 
     /// Returns the position error of the joint: length units; radians for a joint that locks an angle alone.
-    pub(super) fn compute_error(&self) -> f64 {
+    pub(in crate::precise) fn compute_error(&self) -> f64 {
         let offset = add_scaled(self.anchors[1].anchor_position(), self.anchors[0].anchor_position(), -1.0);
         let distance = dot(offset, offset).sqrt();
         match self.locked {

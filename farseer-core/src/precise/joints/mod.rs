@@ -9,10 +9,11 @@
 //! [Springs](springs) at jointed or touched bodies are rows, too, of the direct or of the iterative solver. Articulations with
 //! a distance joint in three axes have solvers of their own: see [`spatial_joints`].
 //!
-//! The module reads joints of the simulator and poses and velocities of its bodies. It writes velocities and displacements of
-//! bodies, and forces of joints.
+//! The module reads joint constraints, and poses and velocities of bodies. It writes velocities and displacements of bodies, and
+//! forces of joints.
 
-mod articulated_body;
+pub(super) mod articulated_body;
+mod articulation;
 pub(super) mod articulation_step;
 mod block_pair;
 mod block_row;
@@ -22,7 +23,7 @@ mod forest;
 mod frame;
 pub(super) mod island_rows;
 pub(super) mod joint_constraint;
-pub(super) mod joint_import;
+mod link_state;
 mod revolute_tree;
 mod soft_block;
 mod soft_law;
@@ -36,13 +37,12 @@ use super::bodies::BodySet;
 use super::constraint_graph::ContactConstraintSimd;
 use super::direct_solver::joint::JointRows;
 use super::scaled_parameters::StepContext;
-use crate::body::BodyId;
-use crate::objects::Objects;
 use crate::storage::reusing_clone::reusing_clone;
-use articulated_body::{ArticulatedLink, LockedDofs, dot};
-use forest::{NO_TREE_INDEX, SpanningForest, TreeEntry};
-use joint_constraint::{JointAnchor, JointConstraint, JointEdge};
-use revolute_tree::{RevoluteLink, revolute_links};
+use articulated_body::LockedDofs;
+use articulation::Articulation;
+use forest::{NO_TREE_INDEX, SpanningForest};
+pub(super) use joint_constraint::JointCandidate;
+use joint_constraint::{JointConstraint, JointEdge};
 use soft_step::SoftJoints;
 use spatial_joints::{SpatialJointGroup, ZGroup, spatial_groups};
 use springs::SpringRows;
@@ -52,14 +52,6 @@ use springs::SpringRows;
 pub(super) struct JointSystem {
     /// Active joints, which hold at least one dynamic body, in the order of the simulator's list of joints.
     constraints: Vec<JointConstraint>,
-    /// Whether `constraints` is up to date: no joint and no list of joints has been edited since the last import.
-    is_imported: bool,
-    /// Whether the joints were imported anew in this update, so that indices into `constraints` may have changed.
-    are_indices_new: bool,
-    /// [`signature`](Self::signature) of the joints that were imported last: a hash.
-    last_signature: u64,
-    /// Whether some joint has a finite breakpoint (limit of its position error).
-    may_break: bool,
     /// Articulations that are solved in the plane: in 2D all, in three axes those without a distance joint.
     articulation_list: Vec<Articulation>,
     /// For each joint index: index of the joint's articulation in `articulation_list`, or the length of that list if the joint
@@ -79,60 +71,8 @@ pub(super) struct JointSystem {
 
 reusing_clone! {
     JointSystem {
-        constraints, is_imported, are_indices_new, last_signature, may_break, articulation_list, articulation_of, tree_index_of, z_groups, spatial, soft, length_unit
+        constraints, articulation_list, articulation_of, tree_index_of, z_groups, spatial, soft, length_unit
     }
-}
-
-/// An articulation: dynamic bodies that joints connect, and these joints.
-#[derive(Debug, Default)]
-struct Articulation {
-    /// The links of the articulation's trees. Empty if a joint is no edge of a tree: it closes a loop, or has a motor, limits
-    /// or a greatest impulse.
-    links: Vec<ArticulatedLink>,
-    /// Indices of the dynamic bodies into the arrays of `BodySet`.
-    bodies: Vec<u32>,
-    /// Indices of the joints into `JointSystem::constraints`.
-    joints: Vec<u32>,
-    /// Whether joints without a range and without a greatest impulse close a loop.
-    has_loop: bool,
-    /// The bodies and joints of `links` as revolute links, if all joints are rigid revolute joints; else empty.
-    revolute_links: Vec<RevoluteLink>,
-    /// Whether no contact, spring or compliant joint acts on a body of the articulation in this step.
-    is_contact_free: bool,
-    /// Whether the direct solver has solved the articulation in this step.
-    is_solved: bool,
-    /// Number of substeps into which the articulation divided its last step without contacts.
-    substeps: u32,
-}
-
-reusing_clone! { Articulation { links, bodies, joints, has_loop, revolute_links, is_contact_free, is_solved, substeps } }
-
-/// A joint or spring with the properties by which the direct solver decides whether to solve it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct JointCandidate {
-    /// Index of the joint into `JointSystem::constraints`, or of the spring into `SpringRows::constraints`.
-    pub(super) joint: u32,
-    /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
-    pub(super) bodies: [u32; 2],
-    /// Whether the articulation of the joint is free, so that the articulated-body algorithm can solve it.
-    pub(super) is_free_articulation: bool,
-    /// Whether the direct solver can represent the joint by rows.
-    pub(super) has_rows: bool,
-    /// Absolute position error of the joint when the step begins. Unit: length units for linear errors, radians for angles.
-    pub(super) error: f32,
-}
-
-impl JointCandidate {
-    /// Returns the index of the first dynamic body of the joint; `None` if neither body is dynamic.
-    pub(super) fn first_dynamic_body(&self) -> Option<u32> {
-        self.bodies.into_iter().find(|&body| body != 0)
-    }
-}
-
-/// Returns a hash of the ids of the bodies A and B of a joint or spring; `None` is the world. Ids do not change with a restore.
-fn bodies_hash(bodies: [Option<BodyId>; 2]) -> u64 {
-    let [a, b] = bodies.map(|body| body.map_or(u64::MAX, BodyId::to_bits));
-    a.rotate_left(17) ^ b.rotate_left(41)
 }
 
 impl JointSystem {
@@ -196,23 +136,24 @@ impl JointSystem {
         self.articulation_list[self.articulation_of[joint as usize] as usize].is_solved = true;
     }
 
+    /// Marks the articulations of `joints` as solved by the direct solver. `joints` are indices.
+    pub(super) fn mark_all_solved(&mut self, joints: &[u32]) {
+        joints.iter().for_each(|&joint| self.mark_solved(joint));
+    }
+
     /// Returns whether there is no active joint.
     pub(super) fn is_empty(&self) -> bool {
         self.constraints.is_empty()
     }
 
-    /// Returns a hash of the active joints, of their bodies and of the joint properties by which the direct solver accepts or
-    /// rejects islands (multiplicative hashing).
-    pub(super) fn signature(&self) -> u64 {
-        self.constraints.iter().fold(self.constraints.len() as u64, |sum, constraint| {
-            let [is_bounded, is_driven, is_row] =
-                [constraint.edge().is_bounded, constraint.drive.is_some(), constraint.fits_direct_solver()]
-                    .map(u64::from);
-            let word =
-                constraint.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
-            let word = word ^ bodies_hash([constraint.bodies.0, Some(constraint.bodies.1)]);
-            (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
-        })
+    /// Returns all active joints, in the order of the simulator's list of joints.
+    pub(super) fn constraints(&self) -> &[JointConstraint] {
+        &self.constraints
+    }
+
+    /// Returns all active joints for a change, in the order of the simulator's list of joints.
+    pub(super) fn constraints_mut(&mut self) -> &mut [JointConstraint] {
+        &mut self.constraints
     }
 
     /// Returns whether some joint holds the body with the index `body`.
@@ -243,7 +184,7 @@ impl JointSystem {
     /// linear. The unit of the speed is length units/s for linear motors and radians/s for rotary ones.
     pub(super) fn motors(&self) -> impl Iterator<Item = ([usize; 2], f32, bool)> + '_ {
         self.constraints.iter().filter_map(|constraint| {
-            let motor = constraint.drive?.motor().filter(|motor| motor.greatest_effort > 0.0)?;
+            let motor = constraint.drive?.motor.filter(|motor| motor.greatest_effort > 0.0)?;
             Some((
                 constraint.anchors.map(|anchor| anchor.pose_body as usize),
                 motor.speed,
@@ -252,24 +193,19 @@ impl JointSystem {
         })
     }
 
-    /// Returns both bodies of each active joint of which a body is not in the simulation; the first is `None` for the world.
-    pub(super) fn bodies_of_unlisted(&self) -> impl Iterator<Item = (Option<BodyId>, BodyId)> + '_ {
-        let is_unlisted = |constraint: &&JointConstraint| {
-            let [first, second] = constraint.anchors.map(|anchor| anchor.pose_body == 0);
-            second || (first && constraint.bodies.0.is_some())
-        };
-        self.constraints.iter().filter(is_unlisted).map(|hold| hold.bodies)
-    }
-
-    /// Returns whether no joint has been edited since the last import.
-    pub(super) fn are_imported(&self) -> bool {
-        self.is_imported
-    }
-
-    /// Returns whether some joint may break: it has a finite breakpoint (limit of its position error), or edited joints have
-    /// not been imported yet.
-    pub(super) fn may_break(&self) -> bool {
-        !self.is_imported || self.may_break
+    /// Replaces all joints by `joints`, at most `count`, and builds their articulations. `is_in_space` tells whether the
+    /// simulator has a depth axis.
+    pub(super) fn replace(
+        &mut self,
+        joints: impl Iterator<Item = JointConstraint>,
+        count: usize,
+        bodies: &BodySet,
+        is_in_space: bool,
+    ) {
+        self.constraints.clear();
+        self.constraints.reserve(count);
+        self.constraints.extend(joints);
+        self.plan(bodies, is_in_space);
     }
 
     /// Builds the articulations, their trees and the groups in three axes from the imported joints.
@@ -293,27 +229,8 @@ impl JointSystem {
             // A mark that some joint holds the body; the index itself is not used.
             tree_index_of[body as usize] = 0;
         }
-        let constraints = &self.constraints;
-        let articulation = |plan: forest::ArticulationPlan| {
-            let dynamic_bodies =
-                plan.entries.iter().map(|entry| entry.body).filter(|&body| body != 0).collect();
-            let has_drive = |&at: &u32| constraints[at as usize].drive.is_some();
-            let is_tree = plan.non_tree_joints.is_empty() && !plan.joints.iter().any(has_drive);
-            let entries = if is_tree { &plan.entries[..] } else { &[] };
-            let links: Vec<ArticulatedLink> =
-                entries.iter().map(|seat| link_of(seat, constraints, bodies)).collect();
-            let revolute_links = revolute_links(&links, constraints);
-            let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at as usize].edge().is_bounded);
-            Articulation {
-                links,
-                bodies: dynamic_bodies,
-                joints: plan.joints,
-                has_loop,
-                revolute_links,
-                ..Articulation::default()
-            }
-        };
-        self.articulation_list = plans.into_iter().map(articulation).collect();
+        let articulations = plans.into_iter().map(|plan| Articulation::new(plan, &self.constraints, bodies));
+        self.articulation_list = articulations.collect();
         self.articulation_of.clear();
         self.articulation_of.resize(self.constraints.len(), self.articulation_list.len() as u32);
         for (at, group) in self.articulation_list.iter().enumerate() {
@@ -326,8 +243,14 @@ impl JointSystem {
     /// Updates the joints in the plane to the poses of the bodies at the start of a step, and determines which articulations
     /// are free.
     ///
-    /// `is_touched` returns whether contacts or springs act on a body.
-    fn prepare(&mut self, bodies: &BodySet, objects: &Objects, is_touched: impl Fn(usize) -> bool) {
+    /// `is_touched` returns whether contacts or springs act on a body. `read` sets angle, axis and motor of a joint, by its
+    /// index.
+    pub(super) fn prepare(
+        &mut self,
+        bodies: &BodySet,
+        is_touched: impl Fn(usize) -> bool,
+        read: impl Fn(usize, &mut JointConstraint),
+    ) {
         let JointSystem { articulation_list: articulations, constraints, .. } = self;
         for articulation in articulations {
             // A compliant joint yields in every substep, so that it needs the solver's substeps.
@@ -336,35 +259,31 @@ impl JointSystem {
                 !is_soft && !articulation.bodies.iter().any(|&body| is_touched(body as usize));
             articulation.is_solved = false;
             if !articulation.is_free_revolute_tree() {
-                articulation.joints.iter().for_each(|&at| constraints[at as usize].update(bodies, objects));
+                for at in articulation.joints.iter().map(|&at| at as usize) {
+                    constraints[at].update(bodies, |constraint| read(at, constraint));
+                }
             }
         }
     }
 
-    /// Prepares the articulations with distance joints in three axes for a step. `is_touched` returns whether contacts or
-    /// springs act on a body, `depth_of` the position of a body along the depth axis in length units.
-    fn prepare_spatial(
+    /// Prepares the articulations with distance joints in three axes for a step. `is_touched` and `read` are as in
+    /// [`prepare`](Self::prepare). `depth_of` returns the z position of the body on a side (0 or 1) of a joint, by its index, in
+    /// length units.
+    pub(super) fn prepare_spatial(
         &mut self,
-        (bodies, objects): (&BodySet, &Objects),
-        (step, length_unit): (&StepContext, f32),
+        bodies: &BodySet,
+        step: &StepContext,
         is_touched: impl Fn(usize) -> bool,
-        depth_of: impl Fn(BodyId) -> f32,
+        read: impl Fn(usize, &mut JointConstraint),
+        depth_of: impl Fn(usize, usize) -> f32,
     ) {
         let times = [f64::from(step.dt), f64::from(step.h)];
         for group in &mut self.spatial {
-            group.joint_indices().for_each(|at| self.constraints[at].update(bodies, objects));
+            for at in group.joint_indices() {
+                self.constraints[at].update(bodies, |constraint| read(at, constraint));
+            }
             group.update_contact_free(&is_touched);
-            group.prepare(
-                &self.constraints,
-                bodies,
-                times,
-                f64::from(length_unit),
-                |constraint, side| match (side, constraint.bodies) {
-                    (0, (None, _)) => 0.0,
-                    (0, (Some(first), _)) => depth_of(first),
-                    (_, (_, second)) => depth_of(second),
-                },
-            );
+            group.prepare(&self.constraints, bodies, times, self.length_unit, &depth_of);
         }
     }
 
@@ -382,7 +301,13 @@ impl JointSystem {
     pub(super) fn step_free_articulations(&mut self, bodies: &BodySet, step: &StepContext) {
         let has_generic_step = |group: &&mut Articulation| group.is_free() && !group.is_free_revolute_tree();
         for group in self.articulation_list.iter_mut().filter(has_generic_step) {
-            articulation_step::step_free_tree(group, &self.constraints, bodies, step, self.length_unit);
+            group.substeps = articulation_step::step_free_tree(
+                &mut group.links,
+                &self.constraints,
+                bodies,
+                step,
+                self.length_unit,
+            );
         }
         self.spatial.iter_mut().for_each(|group| group.free_step(&self.constraints, bodies, step));
     }
@@ -400,7 +325,7 @@ impl JointSystem {
 
     /// Starts an update: removes all joints and springs from the iterative solver. `length_unit` is the length unit of the
     /// simulator, in the user's units of length.
-    fn begin_update(&mut self, length_unit: f32) {
+    pub(super) fn begin_update(&mut self, length_unit: f32) {
         self.length_unit = f64::from(length_unit);
         self.soft.clear();
     }
@@ -523,121 +448,5 @@ impl JointSystem {
                     node.total_impulse.map(|impulse| impulse * force_of_impulse);
             }
         }
-    }
-}
-
-impl Articulation {
-    /// Returns whether the articulation moves as a free tree of revolute joints in this step.
-    fn is_free_revolute_tree(&self) -> bool {
-        self.is_free() && !self.revolute_links.is_empty()
-    }
-
-    /// Returns whether all joints of the articulation are edges of trees: none closes a loop or has a motor, limits or a
-    /// greatest impulse.
-    fn is_tree(&self) -> bool {
-        !self.links.is_empty()
-    }
-
-    /// Returns whether the direct and the iterative solver leave the articulation to the articulated-body algorithm: it is a
-    /// tree, it has no contacts, and the direct solver has not solved it.
-    fn is_free(&self) -> bool {
-        self.is_contact_free && self.is_tree() && !self.is_solved
-    }
-
-    /// Returns whether the iterative solver solves the joints of the articulation in this step.
-    fn is_iterative(&self) -> bool {
-        !(self.is_solved || self.is_free())
-    }
-}
-
-/// Returns the link of a tree entry: masses and indices of its body, and the degrees of freedom that its joint locks.
-fn link_of(entry: &TreeEntry, constraints: &[JointConstraint], bodies: &BodySet) -> ArticulatedLink {
-    let [mass, inertia] = bodies.inverse_mass_inertia[entry.body as usize].map(mass_of_inverse);
-    let mut link = ArticulatedLink {
-        body: entry.body,
-        parent: entry.parent,
-        locked: if entry.body == 0 { LockedDofs::Fixed } else { LockedDofs::Free },
-        mass,
-        inertia,
-        ..ArticulatedLink::default()
-    };
-    if let Some(joint) = entry.joint {
-        (link.joint, link.locked) = (joint, constraints[joint as usize].locked);
-        // The joint's force acts on its second body. In a tree it acts on the child.
-        link.is_first = constraints[joint as usize].anchors[0].body == entry.body;
-    }
-    link
-}
-
-/// Mass or moment of inertia that stands for an infinite one. Unit: mass units; for a moment of inertia mass units * length
-/// units^2.
-///
-/// The value is so large that no impulse changes a velocity in `f64`. Value chosen; its sensitivity is not measured.
-pub(super) const INFINITE_MASS: f64 = 1e60;
-
-/// Returns a mass (mass units) or moment of inertia (mass units * length units^2) from its reciprocal; [`INFINITE_MASS`] for 0.
-pub(super) fn mass_of_inverse(inverse: f32) -> f64 {
-    if inverse > 0.0 { 1.0 / f64::from(inverse) } else { INFINITE_MASS }
-}
-
-/// Copies poses and velocities of bodies, and anchors and forces of joints, to the links at the start of a step. `h` is the
-/// solver's substep in seconds.
-///
-/// A fixed root takes position and velocity from the anchor of its joint.
-fn begin_links(links: &mut [ArticulatedLink], constraints: &[JointConstraint], bodies: &BodySet, h: f64) {
-    for at in 0..links.len() {
-        let link = &mut links[at];
-        link.begin_step(bodies);
-        if !link.locked.is_joint() {
-            // Rotating a zero arm could flip the sign of a zero.
-            link.arm = [0.0; 2];
-        } else {
-            let anchor = link.attach_to_joint(&constraints[link.joint as usize], h);
-            let (parent, max_arm_squared) = (link.parent as usize, dot(anchor.arm, anchor.arm));
-            links[parent].max_arm_squared = links[parent].max_arm_squared.max(max_arm_squared);
-            if links[parent].locked == LockedDofs::Fixed {
-                (links[parent].position, links[parent].velocity) = (anchor.position, anchor.velocity);
-            }
-        }
-    }
-}
-
-impl ArticulatedLink {
-    /// Returns the sign of the joint force on this body: 1 for the second body of the joint, -1 for the first. Dimensionless.
-    #[inline(always)]
-    fn joint_sign(&self) -> f64 {
-        if self.is_first { -1.0 } else { 1.0 }
-    }
-
-    /// Sets position and velocity of the link to those of its body at the start of a step, and its displacement to 0.
-    #[inline(always)]
-    fn begin_step(&mut self, bodies: &BodySet) {
-        let body = self.body as usize;
-        let ([x, y, ..], [vx, vy, spin, _]) = (bodies.poses[body], bodies.states[body].velocity);
-        self.position = [f64::from(x), f64::from(y)];
-        self.velocity = [vx, vy, spin].map(f64::from);
-        (self.delta_pose, self.max_arm_squared) = ([0.0; 3], 0.0);
-    }
-
-    /// Sets the arms, the target and the initial impulse of the link from its joint. `h` is the solver's substep in seconds, in
-    /// which the last force gives that impulse.
-    ///
-    /// Arms are vectors from the centres of mass to the anchors. Returns the parent's anchor.
-    #[inline(always)]
-    fn attach_to_joint<'a>(&mut self, constraint: &'a JointConstraint, h: f64) -> &'a JointAnchor {
-        let [first, second] = &constraint.anchors;
-        let (parent, child) = if self.is_first { (second, first) } else { (first, second) };
-        (self.arm, self.parent_arm) = (child.arm, parent.arm);
-        self.max_arm_squared = dot(self.arm, self.arm);
-        self.angle_error_or_length = match constraint.locked {
-            LockedDofs::Distance => constraint.range[1],
-            _ => self.joint_sign() * (constraint.angle - constraint.range[1]),
-        };
-        let impulse_of_force = self.joint_sign() * h;
-        self.impulse = constraint.force.map(|force| force * impulse_of_force);
-        self.total_impulse = [0.0; 3];
-        // Values that a snapshot does not contain must not influence the step, so the axis starts from a constant.
-        self.axis = if constraint.locked == LockedDofs::Line { constraint.axis } else { [1.0, 0.0] };
-        parent
     }
 }

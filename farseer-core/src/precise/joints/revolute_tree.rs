@@ -16,14 +16,14 @@ use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
 use super::articulated_body::{
     ArticulatedInertia, ArticulatedLink, ArticulatedMomentum, LockedDofs, TreeNode, Vec2, add_scaled, cross,
-    dot, for_each_down, for_each_up, perp,
+    dot, for_each_down, for_each_up, perp, rotate,
 };
 use super::articulation_step::{
     SubstepPlan, clamped_remainder, cos_sin, max_spins, momentum_conserving_stiffness, nonlinear_rotation,
-    predict_spin_change, rotate, stable_stiffness,
+    predict_spin_change, stable_stiffness,
 };
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
-use super::joint_constraint::{JointConstraint, to_vector2};
+use super::joint_constraint::JointConstraint;
 
 /// A link: a body in a tree of revolute joints. Parents come before their children in the list of links; a root is its own
 /// parent.
@@ -426,7 +426,8 @@ impl RevoluteLink {
         let offset = self.anchor_offset(parent);
         self.initial_error = dot(offset, offset).sqrt();
         constraint.error = self.initial_error as f32;
-        constraint.first_arm = to_vector2(if self.is_first { self.arm } else { self.parent_arm });
+        let first_arm = if self.is_first { self.arm } else { self.parent_arm };
+        constraint.first_arm = first_arm.map(|component| component as f32);
         let force = [constraint.force[0] * self.sign, constraint.force[1] * self.sign];
         self.geometric_stiffness = dt * dt * dot(self.arm, force);
         parent.geometric_stiffness -= dt * dt * dot(self.parent_arm, force);

@@ -164,7 +164,7 @@ impl SoftJointBlock {
         let mut is_acting = active_rows != 0;
         if let (Some(motor_and_limits), Some(row)) = (&mut self.motor_and_limits, motor_limit_row(joint)) {
             motor_and_limits.set_joint(lane, joint, impulses[row], times[1]);
-            is_acting |= joint.drive.is_some_and(|drive| drive.motor().is_some())
+            is_acting |= joint.drive.is_some_and(|drive| drive.motor.is_some())
                 || motor_and_limits.impulse().to_array()[lane] != 0.0;
         }
         is_acting

@@ -5,13 +5,13 @@
 //! belts.
 
 use super::{NarrowPhase, ProxyPair};
-use crate::geom::surface::mix_restitution;
 use crate::math::plane::{Vector, cross, difference, dot, rotate, scaled, sum};
 use crate::precise::broad_phase::pairs::{CachedManifold, CachedManifoldZ};
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
 use crate::precise::constraint_graph::{ContactConstraint, ContactConstraintZ, ContactPoint};
 use crate::precise::depth::interface::HingeFeature;
 use crate::precise::depth::{DepthState, tangents};
+use crate::surface::mix_restitution;
 
 impl NarrowPhase<'_> {
     /// Returns the contact constraint of a pair, built from its cached manifold. All impulses of the constraint are 0.

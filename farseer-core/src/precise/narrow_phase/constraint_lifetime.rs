@@ -9,7 +9,7 @@ use crate::precise::broad_phase::pairs::{Pairs, UPDATED_BY_SOLVER};
 use crate::precise::constraint_graph::{
     ConstraintGraph, ConstraintHandle, ContactConstraint, ParkedConstraint,
 };
-use crate::precise::direct_solver::{is_heavy_on_light, is_support_normal};
+use crate::precise::direct_solver::load::{is_heavy_on_light, is_support_normal};
 
 impl NarrowPhase<'_> {
     /// Adds the contact constraint of a pair to the constraint graph, in a colour without another constraint of its bodies

@@ -19,12 +19,12 @@ use crate::math::plane::{
     Pose, Vector, cross, difference, dot, length, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::precise::bodies::BodySet;
+use crate::precise::broad_phase::pairs::OneWayState;
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::continuous_collision::time_of_impact::{SweptPair, SweptShape};
 use crate::precise::narrow_phase::ghost_filter::admits_normal;
 use crate::precise::narrow_phase::manifold::{Manifold, collide};
-use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::precise::narrow_phase::shape_pair::ShapePair;
 use crate::precise::parameters::narrow_phase::{
     FACE_NORMAL_MAX_SIN, FLUSH_FACE_MAX_STEP, GHOST_MAX_PENETRATION, NORMAL_CONE_TOLERANCE_SIN,

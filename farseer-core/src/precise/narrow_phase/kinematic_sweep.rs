@@ -10,6 +10,7 @@
 
 use super::{NarrowPhase, ProxyPair};
 use crate::math::plane::{Pose, dot, scaled};
+use crate::precise::broad_phase::fat_aabbs::is_fast_kinematic;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
 use crate::precise::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
@@ -37,9 +38,24 @@ struct SweptContact<'a> {
 }
 
 impl<'a> NarrowPhase<'a> {
+    /// Adds contacts of fast kinematic bodies with the dynamic bodies that they will hit in this step.
+    pub(in crate::precise) fn find_contacts_ahead_of_kinematic(&mut self) {
+        let mut ahead = std::mem::take(self.dirty_pairs);
+        let NarrowPhase { bodies, proxies, pairs, parameters, dt, .. } = self;
+        for proxy in bodies.kinematic.iter().flat_map(|&number| proxies.proxies_of(number as usize)) {
+            if is_fast_kinematic(&proxies.all[proxy as usize], bodies, parameters, *dt) {
+                ahead.extend(pairs.pairs_of(proxy).map(|pair| pair as u32));
+            }
+        }
+        // In the order of pair indices, which snapshots preserve: the order of contact constraints depends on it.
+        ahead.sort_unstable();
+        ahead.drain(..).for_each(|pair| self.add_swept_contact(pair as usize));
+        *self.dirty_pairs = ahead;
+    }
+
     /// Adds the contact of a kinematic body A with a dynamic body B that A will hit within the step. Pairs that have a contact
     /// already are skipped.
-    pub(in crate::precise) fn add_swept_contact(&mut self, pair: usize) {
+    fn add_swept_contact(&mut self, pair: usize) {
         let state = &self.pairs.all[pair];
         let is_new = self.pairs.manifolds[pair].count == 0 && state.responds && !state.is_vetoed;
         let two = self.proxy_pair(pair);

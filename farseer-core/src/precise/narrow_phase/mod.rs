@@ -9,21 +9,26 @@
 //!    geoms ([`one_way`]);
 //! 4. the manifold becomes a contact constraint ([`build_constraint`]), which is added, changed or removed
 //!    ([`constraint_lifetime`]);
-//! 5. begin and end of touch are recorded for the game ([`touch_state`]).
+//! 5. begin and end of touch are listed for the adapter ([`touch_state`]).
 
 mod box_prefilter;
 mod build_constraint;
 pub(super) mod capsule;
+mod circle_contacts;
 pub(super) mod constraint_lifetime;
+pub(super) mod contact_reader;
 mod contact_recycling;
 pub(super) mod flush_geoms;
 pub(super) mod ghost_filter;
+mod handler_changes;
 mod kinematic_sweep;
 pub(super) mod manifold;
 pub(super) mod one_way;
+pub(super) mod pair_lifetime;
 mod residual_penetration;
 mod rim_ghost_filter;
 pub(super) mod shape_pair;
+mod static_sensor_pairs;
 mod touch_state;
 
 use super::bodies::BodySet;
@@ -31,11 +36,7 @@ use super::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint};
 use super::depth::{ContactMargins, DepthState, FeatureGate, PreviousAxis, touch_balls};
 use super::direct_solver::DirectSolver;
 use super::scaled_parameters::Parameters;
-use crate::body::BodyId;
-use crate::geom::surface::FrictionType;
-use crate::math::plane::{
-    Pose, Vector, difference, length, rotate_inverse, rotation, scaled, sum, translation,
-};
+use crate::math::plane::{Pose, Vector, difference, length, rotate_inverse, rotation, translation};
 use crate::math::scalar::nearest_finite;
 use crate::precise::broad_phase::pairs::{
     CachedManifold, CachedManifoldZ, Pairs, RecheckTrigger, UPDATED_BY_SOLVER,
@@ -44,8 +45,9 @@ use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::contact_solver::rolling::RollingContact;
 use crate::precise::island::sleep::SleepState;
 use crate::precise::narrow_phase::flush_geoms::FlushFilter;
-use crate::precise::narrow_phase::manifold::{Manifold, circles_at_toi, collide};
+use crate::precise::narrow_phase::manifold::{Manifold, collide};
 use crate::precise::parameters::broad_phase::SEPARATED_PAIR_MAX_SLACK;
+use crate::surface::FrictionType;
 use build_constraint::transfer_friction_impulse;
 use kinematic_sweep::ApproachDistances;
 pub(super) use touch_state::TouchEvent;
@@ -53,7 +55,6 @@ pub(super) use touch_state::TouchEvent;
 /// The narrow phase: references to the state of the simulator that it reads and writes.
 pub(super) struct NarrowPhase<'a> {
     pub(super) bodies: &'a BodySet,
-    pub(super) ids: &'a [Option<BodyId>],
     pub(super) proxies: &'a Proxies,
     pub(super) pairs: &'a mut Pairs,
     pub(super) constraints: &'a mut ConstraintGraph,
@@ -72,9 +73,9 @@ pub(super) struct NarrowPhase<'a> {
     pub(super) gravity_delta: Vector,
     /// Events of pairs of geoms that have begun or ceased to touch since the last report to the game.
     pub(super) touch_events: &'a mut Vec<TouchEvent>,
-    /// Contacts with static or kinematic bodies that have ended, in worlds with a depth axis: id of the dynamic body, and the
-    /// penetration at the end in length units, >= 0. `store_penetration` stores them as residual penetrations.
-    pub(super) ended_static_contacts: &'a mut Vec<(BodyId, f32)>,
+    /// Contacts with static or kinematic bodies that have ended, in worlds with a depth axis: index of the dynamic body, and
+    /// the penetration at the end in length units, >= 0.
+    pub(super) ended_static_contacts: &'a mut Vec<(u32, f32)>,
     pub(super) stats: &'a mut NarrowPhaseStats,
     /// Workspace: indices of the pairs to update; empty between updates of contacts.
     pub(super) dirty_pairs: &'a mut Vec<u32>,
@@ -127,7 +128,7 @@ impl<'a> NarrowPhase<'a> {
     /// Returns the sum of the [`travel`](Proxies::travel) counters of both proxies of a pair: the path lengths of A and B, in
     /// 2^-26 length units, wrapping. [`RecheckTrigger::motion_at_check`] stores such a sum.
     #[inline(always)]
-    fn total_travel(&self, trigger: &RecheckTrigger) -> u32 {
+    pub(super) fn total_travel(&self, trigger: &RecheckTrigger) -> u32 {
         let [a, b] = trigger.proxies.map(|proxy| self.proxies.travel[proxy as usize]);
         a.wrapping_add(b)
     }
@@ -257,22 +258,6 @@ impl<'a> NarrowPhase<'a> {
         if self.is_hidden_rim(pair, two, [a, b], &manifold) { Manifold::separated(0.0) } else { manifold }
     }
 
-    /// Returns the contact of two circles at their time of impact if they approach each other, else `manifold`. The impulse
-    /// then acts along the line of centres at that time, which differs from the lines at either end of the step.
-    fn circle_contact_at_toi(&self, two: ProxyPair<'_>, manifold: Manifold) -> Manifold {
-        let displacement = |proxy: &Proxy| {
-            let (body, gravity_scale) =
-                (proxy.body as usize, self.bodies.gravity_scales[proxy.body as usize]);
-            let gravity_displacement = scaled(self.gravity_delta, 0.5 * gravity_scale * self.dt);
-            self.bodies.states.get(body).map_or([0.0; 2], |state| {
-                sum(gravity_displacement, scaled([state.velocity[0], state.velocity[1]], self.dt))
-            })
-        };
-        let displacement = difference(displacement(two.b), displacement(two.a));
-        let radii = [two.a.shape.radius, two.b.shape.radius];
-        circles_at_toi(two.offset(), displacement, radii).unwrap_or(manifold)
-    }
-
     /// Removes the contact of a pair, and emits an end-touch event if the pair touched. The separation exceeds the contact
     /// margin by `extra_distance`, in length units. The next update of the pair follows after its bodies have moved that far.
     fn end_contact(&mut self, pair: usize, extra_distance: f32) {
@@ -328,22 +313,6 @@ impl<'a> NarrowPhase<'a> {
             Some(handle) => self.constraints.set(state.kind, handle, &constraint),
             None => self.add_constraint(pair, &constraint),
         }
-    }
-
-    /// Returns whether both bodies of two proxies are single circles about their origins, in 2D.
-    #[inline(always)]
-    fn are_both_circles(&self, two: ProxyPair<'_>) -> bool {
-        if self.depth.is_some() {
-            return false;
-        }
-        let is_circle =
-            |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
-        is_circle(two.a) && is_circle(two.b)
-    }
-
-    /// Returns whether both bodies of a pair are single circles about their origins, in 2D.
-    pub(super) fn is_circle_pair(&self, pair: usize) -> bool {
-        self.are_both_circles(self.proxy_pair(pair))
     }
 
     /// Returns whether the body of a proxy is static.

@@ -11,32 +11,17 @@
 //! the motion of the step, not the velocities at its end. So it depends neither on the length of the step nor on its impulses.
 
 use crate::precise::parameters::narrow_phase::{ONE_WAY_MIN_COS, TOI_TOLERANCE_RATIO};
-use serde::{Deserialize, Serialize};
 
 use crate::math::plane::{Pose, Vector, difference, dot, rotate, rotate_inverse, rotation, scaled};
 use crate::math::scalar;
 use crate::precise::bodies::BodySet;
-use crate::precise::broad_phase::pairs::Pairs;
+use crate::precise::broad_phase::pairs::{OneWayState, Pairs};
 use crate::precise::broad_phase::proxies::{Proxies, Proxy};
 use crate::precise::continuous_collision::time_of_impact::{SweptPair, SweptShape, conservative_advancement};
 use crate::precise::depth::will_land;
+use crate::precise::narrow_phase;
 use crate::precise::narrow_phase::NarrowPhase;
 use crate::precise::narrow_phase::manifold::Manifold;
-use crate::precise::{Precise, narrow_phase};
-
-/// Decision whether a pair with a one-way geom collides. All pairs between the geom and one other body share it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub(in crate::precise) enum OneWayState {
-    /// The pair has no one-way geom, or no collision response: it collides like any other pair.
-    #[default]
-    Closed,
-    /// The shapes do not overlap, and neither has landed on the other. The first touch decides.
-    Apart,
-    /// The shapes overlap without a landing: the other shape passes, and the contact is ignored.
-    Passes,
-    /// One shape has landed on the other, and the pair collides.
-    Landed,
-}
 
 /// Motion of the bodies of pairs in one step, by which one-way geoms decide.
 pub(in crate::precise) struct PairMotion<'a> {
@@ -167,7 +152,7 @@ impl PairMotion<'_> {
     }
 }
 
-impl Precise {
+impl<'a> NarrowPhase<'a> {
     /// Sets `Landed` groups (pairs of one one-way geom and one other body) without contact constraint and overlap back to
     /// `Apart`. This precedes the update of pairs, because at the seam of two pieces the contact with one ends before that with
     /// the next begins.
@@ -178,16 +163,14 @@ impl Precise {
         for pair in 0..self.pairs.len() {
             let state = &self.pairs.all[pair];
             if state.one_way_state == OneWayState::Landed && state.constraint.is_none() {
-                let motion = self.swept_motion().pair_motion();
+                let motion = self.last_step_motion();
                 if !motion.has_group_constraint(pair) && !motion.group_overlaps(pair) {
-                    self.pairs.set_one_way_state(&self.proxies, pair, OneWayState::Apart);
+                    self.pairs.set_one_way_state(self.proxies, pair, OneWayState::Apart);
                 }
             }
         }
     }
-}
 
-impl<'a> NarrowPhase<'a> {
     /// Returns the motion of all bodies in the last step, for the decisions of one-way geoms.
     fn last_step_motion(&self) -> PairMotion<'_> {
         let NarrowPhase { bodies, proxies, pairs, parameters, .. } = self;

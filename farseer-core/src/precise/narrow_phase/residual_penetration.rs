@@ -5,7 +5,6 @@
 //! next face is no obstacle.
 
 use super::{NarrowPhase, ProxyPair};
-use crate::precise::Precise;
 use crate::precise::broad_phase::pairs::Pair;
 use crate::precise::broad_phase::proxies::BodyType;
 
@@ -28,8 +27,7 @@ impl NarrowPhase<'_> {
     /// Returns the largest penetration of a body in its present contacts and in the last static contact that ended, in length
     /// units, >= 0.
     fn body_penetration(&self, body: usize) -> f32 {
-        let id = self.ids[body];
-        let stored = self.depth.zip(id).map_or(0.0, |(space, id)| space.body(id).residual_penetration);
+        let stored = self.depth.map_or(0.0, |space| space.residual_penetration(body));
         let depths = self.pairs.pairs_of_body(self.proxies, body).map(|pair| self.pair_penetration(pair));
         depths.fold(stored, |deepest, depth| if depth > deepest { depth } else { deepest })
     }
@@ -48,7 +46,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Appends the dynamic body and penetration of a pair whose contact with a static or kinematic body ends to
-    /// `ended_static_contacts`. [`store_penetration`](Precise::store_penetration) reads the list.
+    /// `ended_static_contacts`.
     pub(in crate::precise) fn record_separation(&mut self, pair: usize) {
         let Pair { kind, constraint: handle, .. } = self.pairs.all[pair];
         let two = self.proxy_pair(pair);
@@ -59,33 +57,6 @@ impl NarrowPhase<'_> {
         {
             return;
         }
-        if let Some(body) = self.ids[two.b.body as usize] {
-            self.ended_static_contacts.push((body, self.pair_penetration(pair).min(f32::MAX)));
-        }
-    }
-}
-
-impl Precise {
-    /// Stores the penetrations of ended static contacts in their bodies, as residual penetrations, since a body may return to
-    /// the face. Sleeping bodies keep their stored value, because they have not moved.
-    #[inline]
-    pub(in crate::precise) fn store_penetration(&mut self) {
-        if !self.ended_static_contacts.is_empty() {
-            self.store_penetration_of_ended_contacts();
-        }
-    }
-
-    fn store_penetration_of_ended_contacts(&mut self) {
-        let mut parted = std::mem::take(&mut self.ended_static_contacts);
-        parted.retain(|&(body, _)| self.body_index(body).is_some_and(|number| !self.sleep.is_asleep(number)));
-        if let Some(space) = &mut self.depth {
-            parted.iter().for_each(|&(body, _)| space.body_mut(body).residual_penetration = 0.0);
-            for &(body, depth) in &parted {
-                let state = space.body_mut(body);
-                state.residual_penetration = state.residual_penetration.max(depth);
-            }
-        }
-        parted.clear();
-        self.ended_static_contacts = parted;
+        self.ended_static_contacts.push((two.b.body, self.pair_penetration(pair).min(f32::MAX)));
     }
 }

@@ -24,13 +24,13 @@ use super::narrow_phase::TouchEvent;
 use super::scaled_parameters::Parameters;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
-use crate::geom::surface::FrictionType;
 use crate::math::plane::Vector;
 use crate::objects::Objects;
 use crate::precise::broad_phase::pairs::CachedManifoldZ;
+use crate::precise::broad_phase::pairs::OneWayState;
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
-use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::precise::sleeping_joints::SleepingJoint;
+use crate::surface::FrictionType;
 
 /// Saved state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -12,12 +12,12 @@ use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::body_import::velocity_of;
 use crate::precise::broad_phase::pair_finder::order_pair;
+use crate::precise::broad_phase::pairs::OneWayState;
 use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use crate::precise::depth::FeatureGate;
 use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
 use crate::precise::narrow_phase::TouchEvent;
-use crate::precise::narrow_phase::one_way::OneWayState;
 use crate::storage::order::sort_by_number;
 
 impl Precise {
@@ -29,7 +29,9 @@ impl Precise {
         self.pairs.reset(self.proxies.all.len());
         self.constraints.clear();
         self.color_usage.reset(&self.bodies.inverse_mass_inertia[..self.bodies.states.len()]);
-        self.mark_hinged_boxes();
+        if let Some(space) = &self.depth {
+            space.mark_hinged_boxes(&mut self.color_usage);
+        }
         self.restore_solver_history(saved);
         self.restore_delta_poses(saved);
         let (current_proxies, edited_proxies) = self.restore_proxies(saved, edits);
@@ -154,6 +156,19 @@ impl Precise {
         }
     }
 
+    /// Sets the velocity that a body was given since the save, which the narrow phase uses. A hinged box has no body with this
+    /// id.
+    fn restore_edited_velocity(&mut self, number: usize, id: BodyId, objects: &Objects) {
+        if let Some(space) = &self.depth {
+            space.import_hinge_velocity(&mut self.bodies, number);
+        }
+        let Some(entry) = objects.bodies.get(id) else { return };
+        self.bodies.set_velocity(number, velocity_of(&entry.body));
+        if let Some(space) = &mut self.depth {
+            space.import_body(&mut self.bodies, number, id);
+        }
+    }
+
     /// Restores rest times, sleeping joints, and the sleeping bodies that may go on sleeping. An edited body wakes the other
     /// bodies of its island.
     fn restore_sleep(&mut self, saved: &Saved, objects: &Objects) {
@@ -179,7 +194,8 @@ impl Precise {
         } in &saved.sleeping_bodies
         {
             let may_sleep = |&number: &usize| {
-                (self.bodies.is_dynamic(number) || self.is_hinged(number)) && !self.sleep.is_asleep(number)
+                let is_hinged = || self.depth.as_ref().is_some_and(|space| space.is_hinged(number));
+                (self.bodies.is_dynamic(number) || is_hinged()) && !self.sleep.is_asleep(number)
             };
             let Some(number) = self.body_of_saved_id(body).filter(may_sleep) else { continue };
             self.bodies.put_to_rest(number, 1.0);
@@ -188,18 +204,13 @@ impl Precise {
             self.sleep.newly_asleep.extend(is_newly_asleep.then_some(number as u32));
             // Forces may have been applied since the save.
             self.sleep.record_force(number);
+            let may_hinge_stay = self.depth.as_ref().is_some_and(|space| space.may_hinge_stay_asleep(number));
             if self.pose_of(number) != pose
                 || self.mass_and_gravity_of(number) != mass_and_gravity
-                || !(self.is_at_rest(body, objects) || self.may_hinge_stay_asleep(number))
+                || !(self.is_at_rest(body, objects) || may_hinge_stay)
             {
                 self.sleep.request_wake(number);
-                self.import_hinge_velocity(number);
-                // The narrow phase uses the velocity that the body was given. A hinged box has no body with this id.
-                if let Some(entry) = objects.bodies.get(body) {
-                    self.bodies.set_velocity(number, velocity_of(&entry.body));
-                    self.import_body_z(number, body);
-                }
-                self.fix_rotation_if_vertical(number);
+                self.restore_edited_velocity(number, body, objects);
             }
         }
         self.sleeping_joints.clone_from(&saved.joints);

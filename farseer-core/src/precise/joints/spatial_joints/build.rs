@@ -170,8 +170,8 @@ fn row_kinds(joint: &JointConstraint) -> Vec<RowKind> {
         LockedDofs::Line => vec![RowKind::LineOffset, RowKind::Angle, RowKind::DepthVelocity],
     };
     if let Some(drive) = joint.drive {
-        kinds.extend(drive.motor().map(RowKind::Motor));
-        kinds.extend(drive.limits().map(RowKind::Limits));
+        kinds.extend(drive.motor.map(RowKind::Motor));
+        kinds.extend(drive.limits.map(RowKind::Limits));
     }
     kinds
 }

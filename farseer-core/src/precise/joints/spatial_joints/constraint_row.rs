@@ -3,11 +3,10 @@
 //! The value of a row is a position error, a distance, an angle, or the coordinate that motor and limits act on. Velocities and
 //! Jacobians have four components: x, y, angular about z, and z, along the depth axis.
 
-use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp};
-use super::super::articulation_step::{cos_sin, rotate};
+use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
+use super::super::articulation_step::cos_sin;
 use super::super::forest::NO_TREE_INDEX;
-use super::super::joint_constraint::JointConstraint;
-use crate::joints::{JointLimits, JointMotor};
+use super::super::joint_constraint::{JointConstraint, Limits, Motor};
 use crate::precise::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, MAX_POSITION_CORRECTION};
 
 /// Velocity, change of momentum, or row of a Jacobian, of one body: x, y, angular about z, z.
@@ -27,9 +26,9 @@ pub(super) enum RowKind {
     /// Constrains the distance of anchor B from the axis of a prismatic joint, in length units.
     LineOffset,
     /// Drives the speed of the joint's coordinate: length units/s along the axis of a prismatic joint, else radians/s.
-    Motor(JointMotor),
+    Motor(Motor),
     /// Keeps the joint's coordinate between limits: length units along the axis of a prismatic joint, else radians.
-    Limits(JointLimits),
+    Limits(Limits),
 }
 
 impl RowKind {
@@ -322,9 +321,9 @@ impl SpatialJointRow {
         match &mut self.kind {
             // The game may edit a motor in every step.
             RowKind::Motor(motor) => {
-                *motor = drive.motor().unwrap_or(JointMotor { speed: 0.0, greatest_effort: 0.0 })
+                *motor = drive.motor.unwrap_or(Motor { speed: 0.0, greatest_effort: 0.0 })
             }
-            RowKind::Limits(limits) => *limits = drive.limits().unwrap_or(*limits),
+            RowKind::Limits(limits) => *limits = drive.limits.unwrap_or(*limits),
             _ => {}
         }
         let is_compliant = match self.kind {

@@ -113,20 +113,20 @@ impl SpatialJointGroup {
     /// Prepares the group for a step of `dt` seconds with substeps of `h` seconds: sets poses, velocities of static and
     /// kinematic bodies, and rows.
     ///
-    /// `depth_of` returns the z position of the body on a side of a joint, length units.
+    /// `depth_of` returns the z position of the body on a side (0 or 1) of a joint, by its index, in length units.
     pub(in super::super) fn prepare(
         &mut self,
         joints: &[JointConstraint],
         bodies: &BodySet,
         [dt, h]: [f64; 2],
         length_unit: f64,
-        depth_of: impl Fn(&JointConstraint, usize) -> f32,
+        depth_of: impl Fn(usize, usize) -> f32,
     ) {
         self.length_unit = length_unit;
         for state in &mut self.joints {
             let joint = &joints[state.joint as usize];
             for (at, side) in state.sides.iter_mut().enumerate() {
-                let (end, z) = (&joint.anchors[at], f64::from(depth_of(joint, at)));
+                let (end, z) = (&joint.anchors[at], f64::from(depth_of(state.joint as usize, at)));
                 (side.origin, side.arm, side.rotation) =
                     ([end.position[0], end.position[1], z], end.arm, 0.0);
                 let along_z =

@@ -7,8 +7,8 @@
 use super::super::super::bodies::BodySet;
 use super::super::articulated_body::LockedDofs;
 use super::super::joint_constraint::JointConstraint;
-use super::super::mass_of_inverse;
 use crate::precise::island::union_find::UnionFind;
+use crate::precise::mass::mass_of_inverse;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Bodies that have the same z velocity, because joints connect them.

@@ -1,4 +1,4 @@
-//! Broad phase for queries: the geoms that an AABB query of the game has to test, found with the hash grid.
+//! Adapter: the geoms that an AABB query of the game has to test, found with the hash grid.
 //!
 //! The grid holds the fat AABBs of the last step. Geoms that these AABBs do not cover, and geoms of bodies that were edited
 //! since, are always candidates.

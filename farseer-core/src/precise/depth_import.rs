@@ -1,20 +1,18 @@
-//! Import of depth states of bodies, depth shapes of geoms and forces along z, which the engine above sets, and output of the
+//! Adapter: import of depth states of bodies, depth shapes of geoms and forces along z, which the engine above sets, and output of the
 //! depth states of moved bodies.
 
-use super::interface::{self, DepthBodyState, DepthContactTarget, DepthShape, is_geom};
-use super::{BallSpin, DepthState, FeatureGate};
+use super::Precise;
+use super::broad_phase::proxies::BodyType;
+use super::depth::FeatureGate;
+use super::depth::interface::{
+    self, DepthBodyState, DepthContactTarget, DepthShape, HingeFeature, WorldBox, WorldBoxMotion, is_geom,
+};
+use super::depth::world_boxes::solver_velocity;
+use super::ids::geom_of;
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::math::Vector3;
 use crate::objects::Objects;
-use crate::precise::Precise;
-
-/// Input of depth states, shapes and forces, and output of depth states, between updates.
-impl DepthState {
-    /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
-    pub(in crate::precise) fn supports_on_ground(&self, [a, b]: [u32; 2]) -> bool {
-        (a != self.ground_proxy || self.has_ground(b)) && (b != self.ground_proxy || self.has_ground(a))
-    }
-}
 
 impl Precise {
     /// Returns whether the engine has a depth axis.
@@ -77,6 +75,34 @@ impl Precise {
         }
     }
 
+    /// Sets all world boxes. All lists of bodies and proxies are rebuilt before the next step.
+    pub(crate) fn set_world_boxes(&mut self, world_boxes: impl Iterator<Item = WorldBox>) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        space.set_world_boxes(world_boxes);
+        self.edits.needs_rebuild = true;
+    }
+
+    /// Sets the motion of the moving box with this id; an unknown id is ignored. A hinged box wakes if its motion or its hinge
+    /// changes.
+    pub(crate) fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) {
+        let Some(space) = self.depth.as_deref_mut() else { return };
+        let Some((body_index, has_changed)) = space.set_world_box_motion(id, motion) else { return };
+        if let Some(hot) = self.bodies.states.get_mut(body_index).filter(|_| !self.edits.needs_rebuild) {
+            hot.velocity = solver_velocity(&motion);
+            if motion.hinge().is_some() && has_changed {
+                self.sleep.request_wake(body_index);
+            }
+        }
+    }
+
+    /// Iterates over the moving boxes: id, centre (world coordinates, length units), yaw (radians; `None` if the box never
+    /// rotates) and motion.
+    pub(crate) fn moving_world_boxes(
+        &self,
+    ) -> impl Iterator<Item = (u32, Vector3, Option<f32>, WorldBoxMotion)> + '_ {
+        self.depth.iter().flat_map(|space| space.moving_world_boxes())
+    }
+
     /// Iterates over the bodies that were awake in the last update, with id and depth state.
     pub(crate) fn moved_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
         let space = self.depth.as_ref();
@@ -92,57 +118,54 @@ impl Precise {
     }
 }
 
-impl DepthState {
-    /// Returns whether a body has no velocity and no acceleration along z and, if it is a sphere, no angular velocity about x
-    /// and y.
-    fn is_at_rest(&self, number: Option<usize>, id: BodyId) -> bool {
-        let DepthBodyState { velocity, acceleration, angular_velocity, .. } = self.body(id);
-        let is_ball = number.is_some_and(|number| self.is_ball[number]);
-        velocity == 0.0 && acceleration == 0.0 && (angular_velocity == [0.0; 2] || !is_ball)
-    }
-}
-
 /// Import of edits at the start of a step.
 impl Precise {
-    /// Returns whether the game has moved a body along z since the last step.
-    pub(in crate::precise) fn was_moved_along_z(&self, body_index: usize, id: BodyId) -> bool {
-        self.depth.as_ref().is_some_and(|space| space.z_positions[body_index] != space.body(id).z)
-    }
-
     /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y.
-    pub(in crate::precise) fn rests_along_z(&self, id: BodyId) -> bool {
+    pub(super) fn rests_along_z(&self, id: BodyId) -> bool {
         self.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id))
     }
 
-    /// Copies z, velocity along z and ball spin of an edited body to the solver.
-    pub(in crate::precise) fn import_body_z(&mut self, body_index: usize, id: BodyId) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
-        let state = space.body(id);
-        space.z_positions[body_index] = state.z;
-        if let Some(hot) = self.bodies.states.get_mut(body_index) {
-            hot.velocity[3] = state.velocity;
-            let [x, y] = state.angular_velocity;
-            space.ball_spins[body_index] = BallSpin { velocity: [x, y, 0.0, 0.0], ..BallSpin::default() };
+    /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of
+    /// moving boxes. Then rebuilds the depth data by body index.
+    pub(super) fn rebuild_world_boxes(&mut self) {
+        let Precise { depth: Some(space), bodies, ids, .. } = self else { return };
+        space.add_box_bodies(bodies);
+        space.rebuild_bodies(bodies, &ids.bodies);
+        for body_index in 1..=bodies.last_movable {
+            if let Some(id) = ids.bodies[body_index] {
+                space.import_body(bodies, body_index, id);
+            }
         }
     }
 
-    /// Adds a new body to the lists by body index and copies its depth state to the solver.
-    pub(in crate::precise) fn add_body_z(&mut self, body_index: usize, id: BodyId) {
-        if let Some(space) = self.depth.as_deref_mut() {
-            space.add_body(body_index, id);
-        }
-        self.import_body_z(body_index, id);
+    /// Returns the id of a body for a snapshot, or the id that stands for a sleeping hinged box; `None` for all other bodies
+    /// without an id. A box is identified by its proxy, because the list of boxes may be newer than the list of bodies.
+    pub(super) fn saved_body_id(&self, body_index: usize) -> Option<BodyId> {
+        let of_world_box = || {
+            let mut proxies = self.proxies.proxies_of(body_index).map(|at| &self.proxies.all[at as usize]);
+            proxies
+                .find(|proxy| proxy.body_type == BodyType::Hinged)
+                .map(|proxy| interface::world_box_body_id(geom_of(proxy)))
+        };
+        self.ids.bodies[body_index].or_else(|| if HingeFeature::ENABLED { of_world_box() } else { None })
+    }
+
+    /// Returns the body index of the body or hinged box that an id in a snapshot stands for; `None` if it no longer exists.
+    pub(super) fn body_of_saved_id(&self, name: BodyId) -> Option<usize> {
+        self.body_index(name).or_else(|| {
+            if !HingeFeature::ENABLED {
+                return None;
+            }
+            self.depth.as_ref()?.hinged_body(interface::world_box_of_body_id(name)?)
+        })
     }
 
     /// Returns the proxy index of the ground or of a world box; `None` for a geom or an unknown box.
-    pub(in crate::precise) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
+    pub(super) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
         let space = self.depth.as_ref()?;
         match interface::contact_target_of(id) {
             DepthContactTarget::Ground => Some(space.ground_proxy as usize),
-            DepthContactTarget::WorldBox(id) => {
-                let (place, _) = space.world_box_by_id(id)?;
-                space.box_proxies.get(place).map(|&proxy| proxy as usize)
-            }
+            DepthContactTarget::WorldBox(id) => space.proxy_of_world_box(id),
             DepthContactTarget::Geom(_) => None,
         }
     }

@@ -1,15 +1,12 @@
-//! Contact queries and begin and end events in three axes, for the engine above (`twohalf`).
+//! Adapter: contact queries and begin and end events in three axes, for the engine above (`twohalf`).
 //!
-//! Reads cached manifolds (anchors, separations, features) and accumulated impulses of constraints; changes neither.
+//! Translates pairs to geoms, world boxes and the ground. The numbers come from the
+//! [contact reader](crate::precise::narrow_phase::contact_reader).
 
-use super::interface::{self, DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget};
+use super::Precise;
+use super::depth::interface::{self, DepthContact, DepthContactEvent, DepthContactTarget};
 use crate::geom::GeomId;
-use crate::math::Vector2;
-use crate::math::plane::{sum, translation};
-use crate::math::scalar::nearest_finite;
-use crate::precise::Precise;
 use crate::precise::broad_phase::hash_grid::overlap;
-use crate::precise::broad_phase::pairs::CachedManifold;
 use crate::precise::ids::geom_of;
 
 impl Precise {
@@ -62,7 +59,7 @@ impl Precise {
     /// contact are left out. A geom occurs once for each pair of convex pieces.
     pub(crate) fn depth_neighbours_of(&self, body_index: usize) -> impl Iterator<Item = GeomId> + '_ {
         let others = self.proxies.proxies_of(body_index).flat_map(move |proxy| {
-            self.pairs.pairs_of(proxy).filter(|&pair| self.exerts_impulses(pair)).map(move |pair| {
+            self.pairs.pairs_of(proxy).filter(|&pair| self.has_response(pair)).map(move |pair| {
                 let [a, b] = self.pairs.triggers[pair].proxies;
                 if a == proxy { b } else { a }
             })
@@ -106,7 +103,7 @@ impl Precise {
     }
 
     /// Returns whether the contacts of a pair exert impulses: neither geom is a sensor and no callback has vetoed the pair.
-    fn exerts_impulses(&self, pair: usize) -> bool {
+    fn has_response(&self, pair: usize) -> bool {
         let state = &self.pairs.all[pair];
         state.responds && !state.is_vetoed
     }
@@ -129,54 +126,28 @@ impl Precise {
     pub(crate) fn depth_contact(&self, pair: usize) -> Option<DepthContact> {
         let state = self.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
         let space = self.depth.as_ref()?;
+        let contact = self.contact_reader().spatial_contact(pair)?;
         let proxies = self.pairs.triggers[pair].proxies;
         let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
         // Normals point from A to B.
         let is_b = a.is_world || a.creation_number < b.creation_number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };
-        let (z, partner_body) = if partner.is_world {
+        let (z, target_body) = if partner.is_world {
             (space.z_positions[this.body as usize], None)
         } else {
             (space.overlap_middle_z(proxies, [a.body, b.body]), self.ids.bodies[partner.body as usize])
         };
-        let CachedManifold { normal: [x, y], count, anchors, separations, features, depth: frozen, .. } =
-            &self.pairs.manifolds[pair];
-        if *count == 0 {
-            return None;
-        }
-        let lane = state.constraint.map(|home| self.constraints.get(state.kind, home));
-        // The surfaces as they are now: a constraint takes an edit over only in the next step.
-        let surface = lane.map(|_| space.combined_surface(proxies, [a, b], self.friction));
-        let [friction, restitution] = surface.unwrap_or_default();
-        let origin = translation(self.bodies.poses[a.body as usize]);
-        let mut points = [DepthContactPoint::default(); 2];
-        for (at, point) in points.iter_mut().enumerate().take(*count as usize) {
-            let [ax, ay, ..] = anchors[at];
-            let [px, py] = sum(origin, [ax, ay]);
-            let (impulse, friction_impulse, separation) =
-                lane.map_or((0.0, [0.0; 2], separations[at]), |lane| {
-                    let [.., along, across] = lane.depth.totals;
-                    let shared = [along, across].map(|total| total / *count as f32);
-                    (lane.depth.totals[at], shared, lane.points[at].separation)
-                });
-            *point = DepthContactPoint {
-                position: Vector2::new(nearest_finite(px), nearest_finite(py)),
-                separation: nearest_finite(separation),
-                feature: features[at],
-                impulse: nearest_finite(impulse),
-                friction_impulse: friction_impulse.map(nearest_finite),
-            };
-        }
+        let [friction, restitution] = contact.surface;
         Some(DepthContact {
             this: geom_of(this),
             body: self.ids.bodies[this.body as usize]?,
             target: interface::contact_target_of(geom_of(partner)),
             pieces: [this.piece, partner.piece],
-            target_body: partner_body,
-            normal: [sign * x, sign * y, sign * frozen.normal_z],
+            target_body,
+            normal: contact.normal.map(|part| sign * part),
             z,
-            count: *count as usize,
-            points,
+            count: contact.count,
+            points: contact.points,
             friction,
             restitution,
             responds: state.responds,

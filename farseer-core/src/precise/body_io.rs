@@ -1,0 +1,172 @@
+//! The bodies of the game before and after a step: velocities and forces in, poses, velocities and events out.
+
+use std::ops::Range;
+
+use wide::f32x4;
+
+use super::Precise;
+use super::body_import::{BodyForces, pose_of, read_body};
+use super::depth::FeatureGate;
+use super::integration::{integrate_kinematic, integrate_poses};
+use super::non_finite::{are_motions_finite, restore_non_finite};
+use super::scaled_parameters::StepContext;
+use crate::math::Vector2;
+use crate::objects::Objects;
+use crate::report::{Event, Report};
+
+impl Precise {
+    /// Sets the velocities of kinematic bodies for the step, and enlarges the fat AABBs of their fast proxies to the swept
+    /// AABBs.
+    ///
+    /// The broad phase then pairs these proxies with the geoms along their paths.
+    pub(crate) fn begin_kinematic(&mut self, objects: &Objects) {
+        for at in 0..self.bodies.kinematic.len() {
+            let number = self.bodies.kinematic[at] as usize;
+            let Some((id, entry)) =
+                self.ids.bodies[number].and_then(|id| Some((id, objects.bodies.get(id)?)))
+            else {
+                continue;
+            };
+            let (velocity, spin) = entry.body.kinematic_velocity(self.dt);
+            let along_depth = self.depth.as_ref().map_or(0.0, |space| space.kinematic_velocity(id, self.dt));
+            let velocity = [velocity.x, velocity.y, spin, along_depth];
+            if velocity.iter().all(|velocity| velocity.is_finite()) {
+                self.bodies.states[number].velocity = velocity;
+                let displacement = velocity.map(|velocity| velocity * self.dt);
+                self.fat_aabbs().enlarge_kinematic_to_sweep(number, displacement);
+            }
+        }
+    }
+
+    /// Fourth stage of a step: copies velocities and forces of the awake [`Body`](crate::Body) objects to `bodies`, for the
+    /// solvers.
+    ///
+    /// A body whose velocity would not be finite after the step is disabled, with an event. In this step such a body has
+    /// velocity 0 and no forces.
+    pub(crate) fn read_bodies(
+        &mut self,
+        objects: &mut Objects,
+        gravity: Vector2,
+        step: &StepContext,
+        report: &mut Report,
+    ) {
+        for at in 0..self.sleep.awake_body_runs.len() {
+            let run = self.sleep.awake_body_runs[at].clone();
+            self.read_run(run, objects, gravity, step, report);
+        }
+        if let Some(space) = &mut self.depth {
+            space.clear_fixed_rotation_velocities(&mut self.bodies, &self.sleep);
+            space.begin_world_box_velocities(&mut self.bodies);
+        }
+    }
+
+    /// Copies velocities and forces of the awake bodies in a range of body indices: see [`read_bodies`](Self::read_bodies).
+    fn read_run(
+        &mut self,
+        run: Range<usize>,
+        objects: &mut Objects,
+        gravity: Vector2,
+        step: &StepContext,
+        report: &mut Report,
+    ) {
+        let Precise { bodies, ids, sleep, edits, depth, .. } = self;
+        let substeps = f32x4::splat(step.substeps as f32);
+        let (states, initial_velocities) =
+            (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
+        let (force_deltas, force_position_deltas) =
+            (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
+        let ids = run.clone().zip(&ids.bodies[run.clone()]);
+        for ((((state, initial_velocity), force_delta), force_position_delta), (number, id)) in
+            states.iter_mut().zip(initial_velocities).zip(force_deltas).zip(force_position_deltas).zip(ids)
+        {
+            let entry = id.filter(|_| !sleep.is_asleep(number)).and_then(|id| objects.bodies.get_mut(id));
+            let (Some(id), Some(entry)) = (*id, entry) else { continue };
+            let mut read = read_body(&mut entry.body, gravity, step.dt, step.h);
+            if let Some(space) = depth {
+                space.begin_velocity(number, &entry.body, &mut read, step, id);
+            }
+            let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
+            if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
+                read = BodyForces::default();
+                entry.body.set_enabled(false);
+                report.push(Event::NotFinite { body: id, disabled: true });
+                edits.needs_rebuild = true;
+            }
+            (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
+            (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
+        }
+    }
+
+    /// Sixth stage of a step: writes the new poses and velocities to the [`Body`](crate::Body) objects and adds an event for
+    /// each moved body.
+    ///
+    /// A body whose new pose or velocity is not finite keeps the pose and velocity that it had before the step. The fastest of
+    /// such bodies is disabled, and impulses that are not finite are cleared.
+    pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
+        integrate_kinematic(&mut self.bodies, self.dt);
+        let depth = self.depth.as_ref().map(FeatureGate::by_ref);
+        if !are_motions_finite(&self.bodies, &self.sleep, depth) {
+            self.restore_non_finite_bodies(objects, report);
+        }
+        self.write_moved_bodies(objects, report);
+        integrate_poses(&mut self.bodies, &self.sleep.awake_body_runs);
+        for at in 0..self.bodies.kinematic.len() {
+            let number = self.bodies.kinematic[at] as usize;
+            // A kinematic body that reaches its target has the pose of the target, bit for bit.
+            if let Some(entry) = self.ids.bodies[number].and_then(|id| objects.bodies.get(id)) {
+                self.bodies.set_pose(number, pose_of(&entry.body));
+            }
+        }
+        if let Some(space) = &mut self.depth {
+            space.reset_fixed_rotation_poses(&mut self.bodies, &self.sleep);
+            space.store_world_boxes(&mut self.bodies, &mut self.proxies);
+        }
+    }
+
+    /// Writes the new poses and velocities of awake bodies to their objects, and adds an event for each moved body.
+    fn write_moved_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
+        let Precise { bodies, ids, sleep, depth, .. } = self;
+        for run in &sleep.awake_body_runs {
+            let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
+            let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
+            let ids = run.clone().zip(&ids.bodies[run.clone()]);
+            for ((((state, rotation), pose), delta_pose), (number, id)) in
+                states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids)
+            {
+                let id = id.filter(|_| !sleep.is_asleep(number));
+                let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) else { continue };
+                let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *delta_pose);
+                let [vx, vy, spin, vz] = state.velocity;
+                entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
+                *rotation = entry.body.rotation();
+                if let (Some(space), Some(id)) = (&mut *depth, id) {
+                    space.store_position(number, id, *delta_pose, vz);
+                }
+                if let Some(body) = id.filter(|_| *delta_pose != [0.0; 4]) {
+                    report.counters.bodies_moved += 1;
+                    report.push(Event::BodyUpdated { body });
+                }
+            }
+        }
+    }
+
+    /// Gives each awake body whose new pose or velocity is not finite the pose and velocity that it had before the step. The
+    /// fastest of these bodies is disabled.
+    #[cold]
+    fn restore_non_finite_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
+        let depth = self.depth.as_mut().map(FeatureGate::by_mut);
+        for (number, disabled) in restore_non_finite(&mut self.bodies, &self.sleep, depth) {
+            let Some(body) = self.ids.bodies[number] else { continue };
+            if let Some(space) = &mut self.depth {
+                space.body_mut(body).target = None;
+            }
+            if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
+                entry.body.set_enabled(false);
+                entry.body.clear_target();
+                self.edits.needs_rebuild = true;
+            }
+            report.push(Event::NotFinite { body, disabled });
+        }
+        self.constraints.reset_non_finite(self.depth.is_some());
+    }
+}

@@ -1,0 +1,341 @@
+//! Adapter: import of the game's joints as constraints of the solvers, and export of joint forces.
+//!
+//! After an edit, every enabled joint becomes a [`JointConstraint`], and the articulations are built anew. In every step the
+//! constraints follow the poses of their bodies. After the step the joints get error, anchors and force; overloaded joints
+//! break. The module reads the joints and bodies of the simulator. It writes errors, anchors and forces of the joints, and an
+//! event for each broken joint.
+
+use super::bodies::BodySet;
+use super::depth::{DepthState, FeatureGate};
+use super::ids::IdTable;
+use super::island::sleep::SleepState;
+use super::joints::JointSystem;
+use super::joints::articulated_body::{LockedDofs, Vec2};
+use super::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
+use super::scaled_parameters::StepContext;
+use crate::body::BodyId;
+use crate::body::entry::Bodies;
+use crate::joints::constraint_spec::ConstraintSpecKind;
+use crate::joints::{Joint, JointId, MotorAndLimits};
+use crate::math::{Vector2, scalar};
+use crate::objects::Objects;
+use crate::report::{Event, Report};
+use crate::springs::SpringId;
+use crate::storage::reusing_clone::reusing_clone;
+
+/// Joints and springs of the game behind the dense indices of the solver.
+#[derive(Debug, Default)]
+pub(super) struct JointTable {
+    /// Ids of each active joint, by its index in [`JointSystem`].
+    ids: Vec<JointIds>,
+    /// Whether the joints are up to date: no joint and no list of joints has been edited since the last import.
+    is_imported: bool,
+    /// Whether the joints were imported anew in this update, so that joint indices may have changed.
+    are_indices_new: bool,
+    /// Hash of the joints that were imported last, of their bodies and of the properties by which the direct solver accepts or
+    /// rejects islands.
+    signature: u64,
+    /// Whether some joint has a finite breakpoint (limit of its position error).
+    may_break: bool,
+    /// Springs that became rows in this update, in the order of the simulator's list. Each has the accelerations that its
+    /// explicit force would give to A and B: x and y in length units/s^2, angular in radians/s^2.
+    pub(super) row_springs: Vec<(SpringId, [[f32; 3]; 2])>,
+}
+
+reusing_clone! { JointTable { ids, is_imported, are_indices_new, signature, may_break, row_springs } }
+
+/// Ids of a joint and of its bodies.
+#[derive(Debug, Clone, Copy)]
+struct JointIds {
+    /// The joint.
+    joint: JointId,
+    /// Both bodies of the joint; the first is `None` for the world.
+    bodies: (Option<BodyId>, BodyId),
+}
+
+impl JointTable {
+    /// Marks the joints as edited, so that the next step imports them again.
+    pub(super) fn invalidate(&mut self) {
+        self.is_imported = false;
+    }
+
+    /// Returns whether no joint has been edited since the last import.
+    pub(super) fn are_imported(&self) -> bool {
+        self.is_imported
+    }
+
+    /// Returns whether some joint may break: it has a finite breakpoint (limit of its position error), or edited joints have
+    /// not been imported yet.
+    pub(super) fn may_break(&self) -> bool {
+        !self.is_imported || self.may_break
+    }
+
+    /// Returns the joint that was active in this update with this index; `None` if there is none.
+    pub(super) fn joint_at(&self, index: usize) -> Option<JointId> {
+        self.ids.get(index).map(|ids| ids.joint)
+    }
+
+    /// Returns the hash of all joints, and whether their indices may have changed since the last call.
+    pub(super) fn take_signature(&mut self) -> (u64, bool) {
+        (self.signature, std::mem::take(&mut self.are_indices_new))
+    }
+
+    /// Returns both bodies of each active joint of which a body is not in the simulation; the first is `None` for the world.
+    pub(super) fn bodies_of_unlisted(
+        &self,
+        joints: &JointSystem,
+    ) -> impl Iterator<Item = (Option<BodyId>, BodyId)> {
+        let is_unlisted = |(constraint, ids): &(&JointConstraint, &JointIds)| {
+            let [first, second] = constraint.anchors.map(|anchor| anchor.pose_body == 0);
+            second || (first && ids.bodies.0.is_some())
+        };
+        joints.constraints().iter().zip(&self.ids).filter(is_unlisted).map(|(_, ids)| ids.bodies)
+    }
+}
+
+/// Returns a hash of the ids of the bodies A and B of a joint or spring; `None` is the world. Ids do not change with a restore.
+pub(super) fn bodies_hash(bodies: [Option<BodyId>; 2]) -> u64 {
+    let [a, b] = bodies.map(|body| body.map_or(u64::MAX, BodyId::to_bits));
+    a.rotate_left(17) ^ b.rotate_left(41)
+}
+
+/// Returns a hash of the active joints, of their bodies and of the joint properties by which the direct solver accepts or
+/// rejects islands (multiplicative hashing).
+fn joints_hash(joints: &[JointConstraint], ids: &[JointIds]) -> u64 {
+    joints.iter().zip(ids).fold(joints.len() as u64, |sum, (constraint, ids)| {
+        let [is_bounded, is_driven, is_row] = constraint.solver_properties().map(u64::from);
+        let word = ids.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
+        let word = word ^ bodies_hash([ids.bodies.0, Some(ids.bodies.1)]);
+        (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+    })
+}
+
+/// Converts a vector from the vector type of the public API to `f64`.
+fn to_vec2(v: Vector2) -> Vec2 {
+    [f64::from(v.x), f64::from(v.y)]
+}
+
+/// Converts a vector to the vector type of the public API.
+fn to_vector2([x, y]: Vec2) -> Vector2 {
+    Vector2::new(x as f32, y as f32)
+}
+
+/// Returns motor and limits of a joint as the solvers take them.
+fn joint_drive(drive: &MotorAndLimits) -> JointDrive {
+    JointDrive {
+        motor: drive
+            .motor()
+            .map(|motor| Motor { speed: motor.speed, greatest_effort: motor.greatest_effort }),
+        limits: drive.limits().map(|limits| Limits { lower: limits.lower, upper: limits.upper }),
+        reference: drive.reference,
+    }
+}
+
+/// The parts that the import of joints and springs reads.
+#[derive(Clone, Copy)]
+pub(crate) struct JointImport<'a> {
+    /// Bodies of the game.
+    pub(super) objects: &'a Bodies,
+    /// Bodies of the solver.
+    pub(super) bodies: &'a BodySet,
+    pub(super) ids: &'a IdTable,
+    pub(super) sleep: &'a SleepState,
+    pub(super) depth: Option<FeatureGate<&'a DepthState>>,
+}
+
+impl<'a> JointImport<'a> {
+    /// Returns the import from the bodies `objects` of the game to the `bodies` of the solver.
+    pub(super) fn new(
+        objects: &'a Bodies,
+        (bodies, ids): (&'a BodySet, &'a IdTable),
+        sleep: &'a SleepState,
+        depth: Option<&'a FeatureGate<Box<DepthState>>>,
+    ) -> Self {
+        JointImport { objects, bodies, ids, sleep, depth: depth.map(FeatureGate::by_ref) }
+    }
+
+    /// Returns one side of a joint: the body `id` with the anchor `anchor`, or the world if `id` is `None`. Returns `None` if
+    /// the body is gone.
+    ///
+    /// `anchor` is in local coordinates of the body, or in world coordinates for the world.
+    pub(super) fn anchor(self, id: Option<BodyId>, anchor: Vector2) -> Option<JointAnchor> {
+        let Some(id) = id else {
+            return Some(JointAnchor { arm: to_vec2(anchor), ..JointAnchor::default() });
+        };
+        let body = &self.objects.get(id)?.body;
+        let Some(index) = self.ids.body_index(id) else {
+            let (sine, cosine) = scalar::sin_cos(body.rotation());
+            let ([x, y], s, c) = (to_vec2(anchor), f64::from(sine), f64::from(cosine));
+            let arm = [c * x - s * y, s * x + c * y];
+            return Some(JointAnchor { position: to_vec2(body.position()), arm, ..JointAnchor::default() });
+        };
+        let is_dynamic = index < self.bodies.first_static()
+            && self.bodies.inverse_mass_inertia[index] != [0.0; 2]
+            && !self.sleep.is_asleep(index);
+        let mut joint_anchor = JointAnchor {
+            body: if is_dynamic { index as u32 } else { 0 },
+            pose_body: index as u32,
+            local_anchor: to_vec2(anchor),
+            ..JointAnchor::default()
+        };
+        joint_anchor.update(self.bodies);
+        Some(joint_anchor)
+    }
+
+    /// Returns a joint as a constraint at the present poses. Returns `None` if the joint is not active, because neither body is
+    /// dynamic or a body is gone.
+    fn active_constraint(self, joint: &Joint) -> Option<JointConstraint> {
+        self.constraint(joint).filter(|constraint| constraint.anchors[0].body != constraint.anchors[1].body)
+    }
+
+    /// Returns a joint as a constraint at the present poses, whether its bodies are dynamic or not; `None` if a body is gone.
+    fn constraint(self, joint: &Joint) -> Option<JointConstraint> {
+        let spec = joint.constraint_spec();
+        let anchors = [
+            self.anchor(spec.bodies.0, spec.anchors[0])?,
+            self.anchor(Some(spec.bodies.1), spec.anchors[1])?,
+        ];
+        let locked = match spec.keeps {
+            ConstraintSpecKind::Point => LockedDofs::Point,
+            ConstraintSpecKind::PointAndAngle => LockedDofs::Weld,
+            ConstraintSpecKind::Angle => LockedDofs::Angle,
+            ConstraintSpecKind::Distance => LockedDofs::Distance,
+            ConstraintSpecKind::Line => LockedDofs::Line,
+        };
+        let can_be_soft = matches!(locked, LockedDofs::Point | LockedDofs::Distance);
+        let softness = if can_be_soft { f64::from(joint.softness()) } else { 0.0 };
+        let mut constraint = JointConstraint {
+            local_axis: to_vec2(spec.axis),
+            drive: spec.drive.as_ref().map(joint_drive),
+            range: spec.range.map(f64::from),
+            slop: f64::from(spec.slop).max(0.0),
+            softness: softness.max(0.0),
+            // A larger factor would overcorrect, so that the next update has to correct back.
+            bias_factor: f64::from(joint.bias_factor()).clamp(0.0, 1.0),
+            depth_offset: self.depth_offset(locked, spec.bodies),
+            force: joint.force_and_torque(),
+            force_along_depth: joint.force_along_depth(),
+            ..JointConstraint::new(locked, anchors, f64::from(spec.most).abs())
+        };
+        self.read_pose(spec.bodies, &mut constraint);
+        Some(constraint)
+    }
+
+    /// Sets the angle of the second body minus that of the first (radians) and the world axis of a prismatic joint from the
+    /// poses of its `bodies`.
+    fn read_pose(self, bodies: (Option<BodyId>, BodyId), constraint: &mut JointConstraint) {
+        let rotation_of =
+            |id: BodyId| self.objects.get(id).map_or(0.0, |entry| f64::from(entry.body.total_rotation()));
+        if constraint.has_angle() {
+            constraint.angle = rotation_of(bodies.1) - bodies.0.map_or(0.0, rotation_of);
+        }
+        if constraint.locked == LockedDofs::Line
+            && let Some(entry) = bodies.0.and_then(|id| self.objects.get(id))
+        {
+            constraint.set_axis(entry.body.rotation());
+        }
+    }
+
+    /// Returns the distance along the depth axis from the first body of a distance joint to the second, in length units; 0 for
+    /// other joints.
+    fn depth_offset(self, locked: LockedDofs, bodies: (Option<BodyId>, BodyId)) -> f64 {
+        match (locked, self.depth, bodies) {
+            (LockedDofs::Distance, Some(space), (Some(first), second)) => {
+                f64::from(-space.relative_z_and_velocity(first, second)[0])
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// Returns the position error of a joint: length units; radians for a joint that locks an angle alone. Returns `None` if
+    /// the joint is not active, because no body is dynamic and awake or a body is gone.
+    pub(crate) fn joint_error(self, joint: &Joint) -> Option<f32> {
+        Some(self.active_constraint(joint)?.compute_error() as f32)
+    }
+
+    /// Returns the position error of a joint, whether its bodies sleep or not: length units; radians for a joint that locks an
+    /// angle alone. Returns `None` if a body is gone.
+    pub(super) fn joint_error_even_asleep(self, joint: &Joint) -> Option<f32> {
+        Some(self.constraint(joint)?.compute_error() as f32)
+    }
+
+    /// Imports the joints and builds the articulations, if a joint or a body with joints was edited.
+    pub(super) fn reimport_joints(self, table: &mut JointTable, joints: &mut JointSystem, objects: &Objects) {
+        if table.is_imported {
+            return;
+        }
+        table.ids.clear();
+        let all = (0..objects.joints.list().len()).filter_map(|at| objects.joints.at(at));
+        let enabled = all.filter(|(_, joint)| joint.enabled());
+        table.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
+        let active = enabled.filter_map(|(id, joint)| {
+            let constraint = self.active_constraint(joint)?;
+            table.ids.push(JointIds { joint: id, bodies: joint.constraint_spec().bodies });
+            Some(constraint)
+        });
+        joints.replace(active, objects.joints.list().len(), self.bodies, self.depth.is_some());
+        table.signature = joints_hash(joints.constraints(), &table.ids);
+        (table.is_imported, table.are_indices_new) = (true, true);
+    }
+
+    /// Moves the joint constraints to the poses of this step, and prepares their solvers. `is_touched` returns whether contacts
+    /// or springs act on a body.
+    pub(super) fn prepare_joints(
+        self,
+        JointTable { ids, .. }: &JointTable,
+        joints: &mut JointSystem,
+        objects: &Objects,
+        step: &StepContext,
+        is_touched: impl Fn(usize) -> bool,
+    ) {
+        if self.depth.is_some() {
+            for (constraint, ids) in joints.constraints_mut().iter_mut().zip(ids) {
+                if constraint.locked == LockedDofs::Distance {
+                    constraint.depth_offset = self.depth_offset(LockedDofs::Distance, ids.bodies);
+                }
+            }
+        }
+        let read = |at: usize, constraint: &mut JointConstraint| {
+            self.read_pose(ids[at].bodies, constraint);
+            // The target of a motor may change in every step without a new import.
+            if constraint.drive.is_some() {
+                let drive = objects.joints.get(ids[at].joint).and_then(Joint::motor_and_limits);
+                constraint.drive = drive.map(joint_drive);
+            }
+        };
+        joints.prepare(self.bodies, &is_touched, read);
+        if let Some(space) = self.depth {
+            let depth_of = |at: usize, side: usize| match (side, ids[at].bodies) {
+                (0, (None, _)) => 0.0,
+                (0, (Some(body), _)) | (_, (_, body)) => space.z_and_velocity(body)[0],
+            };
+            joints.prepare_spatial(self.bodies, step, is_touched, read, depth_of);
+        }
+    }
+}
+
+/// Writes error, anchors and force to the joints in `objects`. Joints whose load exceeds their greatest force or torque break,
+/// and `report` gets an event for each.
+pub(super) fn export_joints(
+    table: &mut JointTable,
+    joints: &mut JointSystem,
+    objects: &mut Objects,
+    report: &mut Report,
+) {
+    for (constraint, ids) in joints.constraints_mut().iter_mut().zip(&table.ids) {
+        let Some(joint) = objects.joints.get_mut(ids.joint) else { continue };
+        joint.set_error(constraint.error);
+        let [x, y] = constraint.first_arm;
+        joint.store_world_anchors(Vector2::new(x, y), || {
+            constraint.anchors.map(|anchor| [to_vector2(anchor.arm), to_vector2(anchor.anchor_position())])
+        });
+        let mean = constraint.mean_force.take().unwrap_or(constraint.force);
+        if joint.store_load(constraint.force, mean, constraint.force_along_depth) {
+            report.push(Event::JointBroke { joint: ids.joint });
+            table.is_imported = false;
+        }
+        // The joint replaces non-finite values; the constraint takes the same ones.
+        (constraint.force, constraint.force_along_depth) =
+            (joint.force_and_torque(), joint.force_along_depth());
+    }
+}
