@@ -10,7 +10,8 @@ use crate::precise::broad_phase::pairs::{CachedManifold, Pairs};
 use crate::precise::broad_phase::proxies::Proxies;
 use crate::precise::constraint_graph::{ConstraintGraph, ContactConstraint};
 use crate::precise::depth::contact_point::DepthContactPoint;
-use crate::precise::depth::{DepthState, FeatureGate};
+use crate::precise::depth::feature_gate::FeatureGate;
+use crate::precise::depth::state::DepthState;
 use crate::surface::FrictionType;
 
 /// Contact of a pair in the plane, in the present poses.
