@@ -82,7 +82,7 @@ use crate::precise::island::sleep::SleepState;
 use crate::precise::parameters::direct::IMMEDIATE_RESELECTION_BODIES;
 use bodies::BodySet;
 use constraint_graph::{ColorUsage, ConstraintGraph};
-use continuous_collision::FastBody;
+use continuous_collision::fast_body::FastBody;
 use continuous_collision::swept_motion::SweptMotion;
 use depth::feature_gate::FeatureGate;
 use depth::state::DepthState;

@@ -8,7 +8,7 @@ use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::broad_phase::pair_finder::order_pair;
 use crate::precise::broad_phase::pairs::{OneWayState, Pairs};
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
-use crate::precise::continuous_collision::FastBody;
+use crate::precise::continuous_collision::fast_body::FastBody;
 use crate::precise::continuous_collision::time_of_impact::{SweptPair, SweptShape, conservative_advancement};
 use crate::precise::depth::feature_gate::FeatureGate;
 use crate::precise::depth::state::DepthState;
