@@ -6,7 +6,7 @@ use wide::f32x4;
 
 use super::Precise;
 use super::body_import::{BodyForces, pose_of, read_body};
-use super::depth::FeatureGate;
+use super::depth::feature_gate::FeatureGate;
 use super::integration::{integrate_kinematic, integrate_poses};
 use super::non_finite::{are_motions_finite, restore_non_finite};
 use super::scaled_parameters::StepContext;

@@ -3,11 +3,11 @@
 
 use super::Precise;
 use super::broad_phase::proxies::BodyType;
-use super::depth::FeatureGate;
+use super::depth::feature_gate::FeatureGate;
 use super::depth::interface::{
     self, DepthBodyState, DepthContactTarget, DepthShape, HingeFeature, WorldBox, WorldBoxMotion, is_geom,
 };
-use super::depth::world_boxes::solver_velocity;
+use super::depth::world_box_shape::solver_velocity;
 use super::ids::geom_of;
 use crate::body::BodyId;
 use crate::geom::GeomId;

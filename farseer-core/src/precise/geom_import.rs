@@ -2,8 +2,9 @@
 
 use super::bodies::BodySet;
 use super::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use super::depth::feature_gate::FeatureGate;
 use super::depth::interface::DepthShape;
-use super::depth::{DepthState, FeatureGate};
+use super::depth::state::DepthState;
 use super::fingerprint::Fingerprint;
 use super::ids::{IdTable, owner_of};
 use super::shape::Shape;

@@ -13,7 +13,7 @@ use super::body_import::{
 use super::broad_phase::pair_finder::is_pair_reported;
 use super::broad_phase::pairs::Pairs;
 use super::broad_phase::proxies::{Proxies, Proxy};
-use super::depth::FeatureGate;
+use super::depth::feature_gate::FeatureGate;
 use super::depth::interface::is_geom;
 use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, surface_velocity};
 use super::ids::piece_at;

@@ -6,7 +6,8 @@
 //! event for each broken joint.
 
 use super::bodies::BodySet;
-use super::depth::{DepthState, FeatureGate};
+use super::depth::feature_gate::FeatureGate;
+use super::depth::state::DepthState;
 use super::ids::IdTable;
 use super::island::sleep::SleepState;
 use super::joints::JointSystem;

@@ -4,7 +4,8 @@
 use wide::f32x4;
 
 use super::bodies::BodySet;
-use super::depth::{DepthState, FeatureGate};
+use super::depth::feature_gate::FeatureGate;
+use super::depth::state::DepthState;
 use super::island::sleep::SleepState;
 use super::parameters::broad_phase::COORDINATE_HEADROOM;
 

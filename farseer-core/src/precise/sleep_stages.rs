@@ -4,7 +4,7 @@
 //! in [`wake_import`](super::wake_import) and in [`sleeping_joints`](super::sleeping_joints).
 
 use super::Precise;
-use super::depth::FeatureGate;
+use super::depth::feature_gate::FeatureGate;
 use super::island::falling_asleep::RestDetector;
 use super::island::wake::{
     are_sleeping_pairs_parked, sleep_pairs, wake_partners, wake_requested, wake_touched,

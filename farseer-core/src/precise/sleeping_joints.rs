@@ -4,7 +4,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::bodies::BodySet;
-use super::depth::{DepthState, FeatureGate};
+use super::depth::feature_gate::FeatureGate;
+use super::depth::state::DepthState;
 use super::ids::IdTable;
 use super::island::sleep::SleepState;
 use crate::body::BodyId;

@@ -2,7 +2,8 @@
 //! bodies concern, and requests that they wake.
 
 use super::bodies::BodySet;
-use super::depth::{DepthState, FeatureGate};
+use super::depth::feature_gate::FeatureGate;
+use super::depth::state::DepthState;
 use super::ids::IdTable;
 use super::island::sleep::SleepState;
 use super::parameters::sleep::{REMEASURED_FORCE_MAX_CHANGE, TIME_TO_SLEEP};

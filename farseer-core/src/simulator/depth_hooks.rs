@@ -8,7 +8,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::Filter;
 use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
-use crate::precise::depth::IS_DEPTH_ENABLED;
+use crate::precise::depth::feature_gate::IS_DEPTH_ENABLED;
 use crate::precise::depth::interface::{
     DepthBodyState, DepthContact, DepthContactEvent, DepthContactTarget, DepthShape, WorldBox, WorldBoxMotion,
 };

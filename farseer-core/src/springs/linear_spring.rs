@@ -11,7 +11,7 @@ use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::{dot, length};
-use crate::precise::depth::DepthState;
+use crate::precise::depth::state::DepthState;
 use crate::springs::discrete_spring::inverse_mass_at;
 use crate::springs::spring_body::{SpringBody, may_act};
 use crate::springs::{

@@ -7,7 +7,8 @@
 use crate::precise::broad_phase::hash_grid::{HashGrid, overlap};
 use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
-use crate::precise::depth::{DepthState, FeatureGate};
+use crate::precise::depth::feature_gate::FeatureGate;
+use crate::precise::depth::state::DepthState;
 use crate::storage::order::sort_by_number;
 
 /// Returns two proxies in the order A, B of a pair; `None` if they cannot be a pair. A has the lesser body type, then the

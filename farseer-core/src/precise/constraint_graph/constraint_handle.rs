@@ -2,7 +2,7 @@
 
 use super::color_set::OVERFLOW_COLOR;
 use super::contact_constraint::ContactConstraint;
-use crate::precise::depth::IS_DEPTH_ENABLED;
+use crate::precise::depth::feature_gate::IS_DEPTH_ENABLED;
 
 /// Kind of a contact constraint, which determines the colour set that holds the constraint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use wide::f32x4;
 
 use super::{ConstraintGraph, ContactPointSimd};
-use crate::precise::depth::IS_DEPTH_ENABLED;
+use crate::precise::depth::feature_gate::IS_DEPTH_ENABLED;
 
 /// Returns the lanes of `numbers`, with 0 in place of each lane that is not finite.
 fn zero_unless_finite(numbers: f32x4) -> f32x4 {

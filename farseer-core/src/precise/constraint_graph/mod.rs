@@ -14,10 +14,10 @@ mod color_set;
 mod color_usage;
 mod constraint_handle;
 mod contact_constraint;
+mod contact_constraint_3d;
 mod contact_constraint_simd;
 mod impulse_scaling;
 
-use super::depth::ContactConstraint3Simd;
 use crate::storage::reusing_clone::reusing_clone;
 use color_set::OVERFLOW_COLOR;
 pub(super) use color_set::{COLOR_COUNT, ColorSet};
@@ -25,8 +25,9 @@ pub(super) use color_usage::ColorUsage;
 pub(super) use constraint_handle::{ConstraintHandle, ConstraintKind, ParkedConstraint};
 use constraint_handle::{DIRECT_SOLVER_LIST, SLEEPING_LIST};
 pub(super) use contact_constraint::{ContactConstraint, ContactConstraintZ, ContactPoint};
+pub(super) use contact_constraint_3d::{ContactConstraint3Simd, tangents};
 pub(super) use contact_constraint_simd::{
-    ContactConstraintSimd, ContactPointSimd, SimdContacts, SimdSlot, get_lane, set_lane,
+    ContactConstraintSimd, ContactPointSimd, SimdContacts, SimdSlot, set_lane,
 };
 
 /// All contact constraints: in colours by kind, or parked.

@@ -21,7 +21,8 @@ use crate::precise::contact_solver::soft_step::{
     ContactSubstep, accumulate_warm_start, apply_restitution, relax, solve_with_bias,
     solve_with_joint_softness,
 };
-use crate::precise::depth::{DepthState, FeatureGate};
+use crate::precise::depth::feature_gate::FeatureGate;
+use crate::precise::depth::state::DepthState;
 use crate::precise::integration::{
     apply_midpoint_correction, apply_warm_start, integrate_positions, resolve_bounce,
 };

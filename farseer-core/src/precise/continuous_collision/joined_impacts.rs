@@ -4,7 +4,7 @@
 //! after a fall of 40 m. The position correction would then throw the articulation upwards.
 
 use crate::precise::bodies::BodySet;
-use crate::precise::continuous_collision::FastBody;
+use crate::precise::continuous_collision::fast_body::FastBody;
 use crate::precise::joints::JointSystem;
 use crate::storage::order::sort_by_number;
 

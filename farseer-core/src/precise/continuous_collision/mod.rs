@@ -13,6 +13,7 @@
 //! The cost does not depend on the number of other bodies along the path (E. Catto, Box2D 3, `solver.c`: continuous collision
 //! queries the static tree and keeps no pairs).
 
+pub(super) mod fast_body;
 pub(super) mod joined_impacts;
 pub(super) mod swept_motion;
 pub(super) mod time_of_impact;
@@ -23,34 +24,9 @@ use super::joints::JointSystem;
 use crate::precise::broad_phase::proxies::BodyType;
 use crate::precise::parameters::narrow_phase::{CCD_MAX_COORDINATE, TOI_PENETRATION_RATIO};
 use crate::storage::order::{packed_key, sort_by_number};
+use fast_body::FastBody;
 use joined_impacts::{clamp_joined_bodies, scale_joined_velocity};
 use swept_motion::SweptMotion;
-
-/// A dynamic body that is fast in this step (it moves by more than the least distance from its middle to its surface), with its
-/// first impact.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct FastBody {
-    /// Index of the body in [`BodySet`]; the body is movable.
-    pub(super) body: u32,
-    /// Time of impact of the body as a fraction of the step, dimensionless, 0..=1; 1 without an impact.
-    pub(super) toi: f32,
-    /// Index of the pair of proxies that collide at the time of impact; `None` without an impact.
-    pub(super) pair: Option<u32>,
-    /// Index of the body that collides at the time of impact: this body, or one that is [joined](joined_impacts) to it.
-    pub(super) hit_body: u32,
-    /// Whether the body stops because a body of its articulation has an impact.
-    pub(super) is_joined: bool,
-    /// Displacement of the body from its impact to the end of the step, while it moves with the body that it hit: x, y (length
-    /// units), rotation (radians), z (length units).
-    pub(super) carried_motion: [f32; 4],
-}
-
-impl FastBody {
-    /// Returns a fast body without an impact: time of impact 1. `body` is the index of the body.
-    pub(super) fn of(body: u32) -> Self {
-        FastBody { body, toi: 1.0, pair: None, hit_body: body, is_joined: false, carried_motion: [0.0; 4] }
-    }
-}
 
 /// Returns whether a body moves in the step by more than `min_extent`, the least distance from its middle to its surface, and
 /// by less than [`CCD_MAX_COORDINATE`].

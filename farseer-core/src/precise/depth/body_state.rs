@@ -1,8 +1,8 @@
 //! Adapter: depth states of bodies, which the engine above sets, and their way into the arrays of the solver and back.
 
-use super::DepthState;
 use super::friction_3d::BallSpin;
 use super::interface::{DepthBodyState, DepthTarget};
+use super::state::DepthState;
 use crate::body::{Body, BodyId};
 use crate::math::decay;
 use crate::precise::bodies::BodySet;

@@ -8,8 +8,9 @@
 //! Prisms are separated in the plane or along z, spheres by the distance of their centres.
 
 use super::prism_collision::{PosedSolid, SolidKind};
+use super::state::DepthState;
 use super::vertical_shapes::dot3;
-use super::{DepthState, sheared_box, vertical_dispatch};
+use super::{sheared_box, vertical_dispatch};
 use crate::math::Vector3;
 use crate::math::plane::{length, rotate, rotation, sum};
 use crate::precise::bodies::BodySet;

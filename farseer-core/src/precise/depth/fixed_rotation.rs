@@ -3,7 +3,7 @@
 //! Their inverse moment of inertia is 0 and the narrow phase uses the angle 0, even if the game has rotated such a body by
 //! hand.
 
-use super::DepthState;
+use super::state::DepthState;
 use crate::precise::bodies::BodySet;
 use crate::precise::broad_phase::proxies::{Proxies, Proxy};
 use crate::precise::island::sleep::SleepState;
@@ -11,7 +11,7 @@ use crate::precise::island::sleep::SleepState;
 impl DepthState {
     /// Returns whether a body has a vertical shape and so a fixed rotation.
     pub(in crate::precise) fn is_rotation_fixed(&self, body_index: usize) -> bool {
-        self.any_fixed_rotation && super::entry(&self.has_fixed_rotation, body_index)
+        self.any_fixed_rotation && super::state::entry(&self.has_fixed_rotation, body_index)
     }
 
     /// Start of a step: sets the angular velocity of awake bodies with a fixed rotation to 0, and also the changes of angular
@@ -44,7 +44,7 @@ impl DepthState {
         if self.any_fixed_rotation {
             // The runs of awake bodies may contain sleeping ones, whose poses were computed as well.
             let renewed = sleep.awake_body_runs.iter().cloned().flatten();
-            for number in renewed.filter(|&number| super::entry(&self.has_fixed_rotation, number)) {
+            for number in renewed.filter(|&number| super::state::entry(&self.has_fixed_rotation, number)) {
                 let [x, y, ..] = bodies.poses[number];
                 bodies.poses[number] = [x, y, 1.0, 0.0];
                 bodies.states[number].velocity[2] = 0.0;
@@ -72,7 +72,8 @@ impl DepthState {
         let Proxy { is_world, body, .. } = proxies.all[proxy as usize];
         if self.is_vertical(proxy) && !is_world {
             let number = body as usize;
-            (*super::entry_mut(&mut self.has_fixed_rotation, number), self.any_fixed_rotation) = (true, true);
+            (*super::state::entry_mut(&mut self.has_fixed_rotation, number), self.any_fixed_rotation) =
+                (true, true);
             fix_rotation(bodies, number);
         }
     }

@@ -10,10 +10,11 @@
 
 use wide::f32x4;
 
-use super::contact_constraint_3d::ContactConstraint3Simd;
 use crate::math::lanes::{greater, select, smaller};
 use crate::precise::bodies::MotionState;
-use crate::precise::constraint_graph::{ColorSet, ContactConstraintSimd, ContactPointSimd};
+use crate::precise::constraint_graph::{
+    ColorSet, ContactConstraint3Simd, ContactConstraintSimd, ContactPointSimd,
+};
 use crate::precise::contact_solver::soft_step::{
     ContactSubstep, PairVelocities, RelaxResult, adapt_load, adapt_load_with_joints, angular_coupling,
     angular_impulses, load_velocities, record_approach_velocity, relax_normals,

@@ -13,8 +13,9 @@
 //!
 //! Reads hinge parameters and contact constraints; writes yaw and angular velocity of the box.
 
-use super::DepthState;
+use super::hinged_box_state::HingedBoxState;
 use super::interface::{self, HingeFeature, WorldBoxHinge};
+use super::state::DepthState;
 use crate::precise::bodies::BodySet;
 use crate::precise::broad_phase::pairs::{Pair, Pairs};
 use crate::precise::broad_phase::proxies::Proxies;
@@ -86,43 +87,6 @@ fn damped_cos_sin(slowing: f64, pull: f64, t: f64) -> [f64; 2] {
     let slow = libm::exp(-pull / (slowing + size) * t);
     let fast = libm::exp(-(slowing + size) * t);
     [0.5 * (slow + fast), 0.5 * (slow - fast) / size]
-}
-
-/// State of an awake hinged box during one step.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct HingedBoxState {
-    /// Body index of the box: index into `BodySet`.
-    body: u32,
-    /// Index of the box into `DepthState::world_boxes`.
-    box_index: u32,
-    /// Hinge of the box: spring, damper, stops and inertia, as they are at the start of the step.
-    hinge: WorldBoxHinge,
-    /// Yaw (radians) and angular velocity (rad/s) at the start of the step.
-    initial: [f32; 2],
-    /// Yaw in radians at the current time of the step.
-    angle: f32,
-    /// Accumulated angular impulse of damper and stops about the hinge in one substep, mass units * length units^2/s.
-    constraint_impulse: f32,
-    /// Whether the yaw of the current substep has been integrated. Then a stop no longer corrects the yaw, because the
-    /// correction would remain as velocity.
-    is_integrated: bool,
-}
-
-impl HingedBoxState {
-    /// Applies the damper, the implicit part of the spring and the stops to `angular_velocity`, in rad/s. `h` is the substep in
-    /// seconds.
-    fn solve_damping_and_stops(&mut self, angular_velocity: &mut f32, h: f32) {
-        let WorldBoxHinge { inertia, stiffness, damping, stops: [least, greatest], .. } = self.hinge;
-        let free = *angular_velocity - self.constraint_impulse / inertia;
-        let slowed = free / (1.0 + h * (damping + h * stiffness) / inertia);
-        let (mut back, mut on) = ((least - self.angle) / h, (greatest - self.angle) / h);
-        if self.is_integrated {
-            (back, on) = (back.min(0.0), on.max(0.0));
-        }
-        let next = super::vertical_shapes::clamp_any(slowed, back, on);
-        self.constraint_impulse += (next - *angular_velocity) * inertia;
-        *angular_velocity = next;
-    }
 }
 
 /// Returns `list`, or an empty list without the feature `swing`. So the compiler removes the code for hinges without the

@@ -4,8 +4,8 @@
 //! falling body collides if it was above the top at the start of that step, within the contact margin. A rising body collides
 //! only when all of it is above the top. A pair with a contact keeps the contact.
 
-use super::DepthState;
 use super::prism_collision::{PosedSolid, SolidKind};
+use super::state::DepthState;
 use crate::math::plane::{Vector, difference, dot, rotate, rotation, translation};
 use crate::precise::bodies::BodySet;
 use crate::precise::broad_phase::proxies::{Proxies, Proxy};

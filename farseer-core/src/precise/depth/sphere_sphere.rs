@@ -3,11 +3,8 @@
 //!
 //! Reads centres, radii and predicted displacements; returns a manifold with its point relative to the position of body A.
 
-use super::DepthState;
 use super::prism_collision::PosedSolid;
 use crate::math::plane::{Pose, Vector, difference, rotate, rotation, scaled, sum, translation};
-use crate::precise::bodies::BodySet;
-use crate::precise::broad_phase::proxies::{BodyType, Proxy};
 use crate::precise::narrow_phase::manifold::Manifold;
 use crate::precise::shape::Shape;
 
@@ -27,7 +24,7 @@ pub(in crate::precise) struct Sphere {
 
 impl Sphere {
     #[inline(always)]
-    fn new(shape: Shape, pose: Pose, z: f32, ahead: [f32; 3]) -> Self {
+    pub(super) fn new(shape: Shape, pose: Pose, z: f32, ahead: [f32; 3]) -> Self {
         let centre = sum(translation(pose), rotate(rotation(pose), shape.centre));
         Sphere {
             centre,
@@ -40,25 +37,6 @@ impl Sphere {
 
     pub(super) fn of(solid: PosedSolid<'_>) -> Self {
         Sphere::new(solid.outline.shape, solid.pose, solid.z, solid.predicted_displacement)
-    }
-}
-
-impl DepthState {
-    /// Returns two proxies as spheres if both are spheres of dynamic bodies, else `None`. `dt` is the step in seconds. This
-    /// fast path reads little memory: in a heap of spheres most pairs take it.
-    pub(in crate::precise) fn dynamic_spheres(
-        &self,
-        proxies: [u32; 2],
-        two: [&Proxy; 2],
-        (bodies, dt): (&BodySet, f32),
-    ) -> Option<[Sphere; 2]> {
-        let is_ball = |at: usize| self.is_sphere(proxies[at]) && two[at].body_type == BodyType::Dynamic;
-        let ball = |proxy: &Proxy| {
-            let body = proxy.body as usize;
-            let [x, y, _, z] = bodies.states[body].velocity;
-            Sphere::new(proxy.shape, bodies.poses[body], self.z_positions[body], [x * dt, y * dt, z * dt])
-        };
-        (is_ball(0) && is_ball(1)).then(|| two.map(ball))
     }
 }
 

@@ -3,9 +3,9 @@
 //! `ConstraintGraph3` holds constraints with two points (prisms) and with one point (spheres). It has one list of each for
 //! dynamic bodies A and one for static bodies A. Each solver stage runs over these four lists.
 
-use super::{accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
+use super::friction_3d::{accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
 use crate::math::plane::{Vector, length};
-use crate::precise::constraint_graph::ConstraintGraph3;
+use crate::precise::constraint_graph::{ConstraintGraph3, ContactConstraint3Simd};
 use crate::precise::contact_solver::iterative_solver::IterativeSolver;
 use crate::precise::contact_solver::soft_step::{
     ContactSubstep, apply_restitution, solve_with_bias, solve_with_joint_softness,
@@ -125,7 +125,7 @@ impl ConstraintGraph3 {
     /// units/s (twist: times length units).
     pub(in crate::precise) fn for_each_impulse(&mut self, change: &impl Fn(&mut wide::f32x4)) {
         fn change_all<const P: usize>(
-            row: &mut super::ContactConstraint3Simd<P>,
+            row: &mut ContactConstraint3Simd<P>,
             change: &impl Fn(&mut wide::f32x4),
         ) {
             for impulse in

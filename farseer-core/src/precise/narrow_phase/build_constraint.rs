@@ -8,9 +8,9 @@ use super::{NarrowPhase, ProxyPair};
 use crate::math::plane::{Vector, cross, difference, dot, rotate, scaled, sum};
 use crate::precise::broad_phase::pairs::{CachedManifold, CachedManifoldZ};
 use crate::precise::broad_phase::proxies::{BodyType, Proxy};
-use crate::precise::constraint_graph::{ContactConstraint, ContactConstraintZ, ContactPoint};
+use crate::precise::constraint_graph::{ContactConstraint, ContactConstraintZ, ContactPoint, tangents};
 use crate::precise::depth::interface::HingeFeature;
-use crate::precise::depth::{DepthState, tangents};
+use crate::precise::depth::state::DepthState;
 use crate::surface::mix_restitution;
 
 impl NarrowPhase<'_> {

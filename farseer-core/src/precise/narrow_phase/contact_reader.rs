@@ -10,12 +10,13 @@ use crate::precise::broad_phase::pairs::{CachedManifold, Pairs};
 use crate::precise::broad_phase::proxies::Proxies;
 use crate::precise::constraint_graph::{ConstraintGraph, ContactConstraint};
 use crate::precise::depth::contact_point::DepthContactPoint;
-use crate::precise::depth::{DepthState, FeatureGate};
+use crate::precise::depth::feature_gate::FeatureGate;
+use crate::precise::depth::state::DepthState;
 use crate::surface::FrictionType;
 
 /// Contact of a pair in the plane, in the present poses.
 pub(in crate::precise) struct PlanarContact {
-    /// Unit normal from A to B, in world axes.
+    /// Unit normal from A to B, dimensionless, in world axes.
     pub(in crate::precise) normal: Vector,
     /// Combined friction coefficient of both geoms, dimensionless, >= 0.
     pub(in crate::precise) friction: f32,
@@ -39,7 +40,7 @@ pub(in crate::precise) struct PlanarContactPoint {
 
 /// Contact of a pair in three axes.
 pub(in crate::precise) struct SpatialContact {
-    /// Unit normal from A to B: x, y (down) and z.
+    /// Unit normal from A to B, dimensionless: x, y (down) and z.
     pub(in crate::precise) normal: [f32; 3],
     /// Combined friction and restitution coefficients of both shapes, dimensionless; 0 without a constraint.
     pub(in crate::precise) surface: [f32; 2],

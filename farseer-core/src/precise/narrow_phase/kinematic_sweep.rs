@@ -15,7 +15,7 @@ use crate::precise::broad_phase::proxies::{BodyType, Proxy};
 use crate::precise::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
 };
-use crate::precise::depth::{ContactMargins, PreviousAxis};
+use crate::precise::depth::prism_collision::{ContactMargins, PreviousAxis};
 use crate::precise::narrow_phase::manifold::{Manifold, collide};
 use crate::precise::parameters::narrow_phase::TOI_TOLERANCE_RATIO;
 

@@ -8,8 +8,9 @@
 use crate::math::plane::{
     Pose, Rot, Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
+use crate::precise::narrow_phase::capsule;
+use crate::precise::narrow_phase::ghost_filter;
 use crate::precise::narrow_phase::shape_pair::ShapePair;
-use crate::precise::narrow_phase::{capsule, ghost_filter};
 use crate::precise::parameters::broad_phase::COLLISION_MAX_COORDINATE;
 use crate::precise::parameters::narrow_phase::REFERENCE_EDGE_HYSTERESIS;
 use crate::precise::shape::{ShapeKind, ShapeRef};

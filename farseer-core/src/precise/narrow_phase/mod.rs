@@ -27,13 +27,17 @@ pub(super) mod one_way;
 pub(super) mod pair_lifetime;
 mod residual_penetration;
 mod rim_ghost_filter;
+mod rolling_contacts;
 pub(super) mod shape_pair;
 mod static_sensor_pairs;
 mod touch_state;
 
 use super::bodies::BodySet;
 use super::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint};
-use super::depth::{ContactMargins, DepthState, FeatureGate, PreviousAxis, touch_balls};
+use super::depth::feature_gate::FeatureGate;
+use super::depth::prism_collision::{ContactMargins, PreviousAxis};
+use super::depth::sphere_sphere::collide_spheres;
+use super::depth::state::DepthState;
 use super::direct_solver::DirectSolver;
 use super::scaled_parameters::Parameters;
 use crate::math::plane::{Pose, Vector, difference, length, rotate_inverse, rotation, translation};
@@ -233,7 +237,7 @@ impl<'a> NarrowPhase<'a> {
         };
         let [at_a, at_b] = self.pairs.triggers[pair].proxies;
         if let Some([a, b]) = space.dynamic_spheres([at_a, at_b], [two.a, two.b], (self.bodies, self.dt)) {
-            return touch_balls(a, b, self.pairs.manifolds[pair].count == 0, margin);
+            return collide_spheres(a, b, self.pairs.manifolds[pair].count == 0, margin);
         }
         let solid =
             |at: u32, proxy: &'a Proxy| space.posed_solid(at, proxy, shape_of(proxy), (self.bodies, self.dt));

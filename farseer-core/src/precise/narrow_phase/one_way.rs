@@ -18,7 +18,7 @@ use crate::precise::bodies::BodySet;
 use crate::precise::broad_phase::pairs::{OneWayState, Pairs};
 use crate::precise::broad_phase::proxies::{Proxies, Proxy};
 use crate::precise::continuous_collision::time_of_impact::{SweptPair, SweptShape, conservative_advancement};
-use crate::precise::depth::will_land;
+use crate::precise::depth::one_way::will_land;
 use crate::precise::narrow_phase;
 use crate::precise::narrow_phase::NarrowPhase;
 use crate::precise::narrow_phase::manifold::Manifold;

@@ -8,7 +8,7 @@
 use super::{NarrowPhase, ProxyPair};
 use crate::math::plane::{Vector, dot, scaled};
 use crate::precise::broad_phase::proxies::BodyType;
-use crate::precise::depth::{ContactMargins, PosedSolid};
+use crate::precise::depth::prism_collision::{ContactMargins, PosedSolid};
 use crate::precise::narrow_phase::manifold::Manifold;
 use crate::precise::parameters::narrow_phase::RIM_NORMAL_MAX_COS;
 

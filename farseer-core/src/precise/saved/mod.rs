@@ -16,7 +16,7 @@ mod save;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::Precise;
-use super::depth::FeatureGate;
+use super::depth::feature_gate::FeatureGate;
 use super::depth::interface::DepthInterval;
 use super::direct_solver::{IslandHistory, ReselectionTimer};
 use super::ids::owner_of;

@@ -14,7 +14,7 @@ use crate::precise::body_import::velocity_of;
 use crate::precise::broad_phase::pair_finder::order_pair;
 use crate::precise::broad_phase::pairs::OneWayState;
 use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
-use crate::precise::depth::FeatureGate;
+use crate::precise::depth::feature_gate::FeatureGate;
 use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
 use crate::precise::narrow_phase::TouchEvent;

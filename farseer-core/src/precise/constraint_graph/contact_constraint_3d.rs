@@ -9,52 +9,52 @@
 
 use wide::f32x4;
 
-use crate::precise::constraint_graph::{
-    ContactConstraint, ContactConstraintSimd, ContactConstraintZ, ContactPointSimd, SimdContacts, SimdSlot,
-    get_lane, set_lane,
+use super::contact_constraint::{ContactConstraint, ContactConstraintZ};
+use super::contact_constraint_simd::{
+    ContactConstraintSimd, ContactPointSimd, SimdContacts, SimdSlot, get_lane, set_lane,
 };
 
 /// Four contact constraints in three axes with `P` points each.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::precise) struct ContactConstraint3Simd<const P: usize> {
     /// Planar contact constraint: bodies, normal in x and y, contact points and the row of the first tangent.
-    pub(super) planar: ContactConstraintSimd<P>,
+    pub(in crate::precise) planar: ContactConstraintSimd<P>,
     /// z component of the unit normal from A to B, dimensionless, -1..=1.
-    pub(super) normal_z: f32x4,
+    pub(in crate::precise) normal_z: f32x4,
     /// First tangent t = (n.y, -n.x, 0) / |(n.x, n.y)| for the normal n: x and y components of the unit vector, dimensionless.
-    pub(super) tangent: [f32x4; 2],
+    pub(in crate::precise) tangent: [f32x4; 2],
     /// Second tangent n x t, for the normal n and the first tangent t: x, y and z components of the unit vector, dimensionless.
-    pub(super) second_tangent: [f32x4; 3],
+    pub(in crate::precise) second_tangent: [f32x4; 3],
     /// Arm (r x u).z of the second tangent u about the centre of mass of body A, in length units. r points from the centre of
     /// mass to the contact point.
-    pub(super) second_tangent_arm_a: f32x4,
+    pub(in crate::precise) second_tangent_arm_a: f32x4,
     /// Arm (r x u).z of the second tangent u about the centre of mass of body B, in length units.
-    pub(super) second_tangent_arm_b: f32x4,
+    pub(in crate::precise) second_tangent_arm_b: f32x4,
     /// Radius of body A if it is a sphere that rotates about all axes, in length units; 0 for other shapes.
-    pub(super) radius_a: f32x4,
+    pub(in crate::precise) radius_a: f32x4,
     /// Radius of body B if it is a sphere that rotates about all axes, in length units; 0 for other shapes.
-    pub(super) radius_b: f32x4,
+    pub(in crate::precise) radius_b: f32x4,
     /// Inverse of the 2x2 matrix J M^-1 J^T of both tangents, elements [k11, k12, k22] in mass units: the effective mass of
     /// sticking friction.
-    pub(super) friction_mass: [f32x4; 3],
+    pub(in crate::precise) friction_mass: [f32x4; 3],
     /// Effective mass of sliding friction, in mass units: 1 / greatest eigenvalue of J M^-1 J^T. With it the change of the
     /// friction impulse overshoots in no direction.
-    pub(super) sliding_mass: f32x4,
+    pub(in crate::precise) sliding_mass: f32x4,
     /// Accumulated friction impulse along the second tangent, mass units * length units/s.
-    pub(super) second_tangent_impulse: f32x4,
+    pub(in crate::precise) second_tangent_impulse: f32x4,
     /// Velocity of B relative to A along the second tangent that friction aims at, by conveyor belts, in length units/s.
-    pub(super) second_surface_speed: f32x4,
+    pub(in crate::precise) second_surface_speed: f32x4,
     /// Radius of gyration of the contact patch of two faces perpendicular to z, in length units. Pressure at this distance from
     /// the centroid resists rotation about z; 0 for other contacts.
-    pub(super) pressure_radius: f32x4,
+    pub(in crate::precise) pressure_radius: f32x4,
     /// Effective mass of twist friction, 1 / (1/IA + 1/IB) with the moments of inertia IA and IB about z, in mass units *
     /// length units^2.
-    pub(super) twist_mass: f32x4,
+    pub(in crate::precise) twist_mass: f32x4,
     /// Accumulated angular impulse of twist friction about z, mass units * length units^2/s.
-    pub(super) twist_impulse: f32x4,
+    pub(in crate::precise) twist_impulse: f32x4,
     /// Impulses summed over the substeps of the current step, in mass units * length units/s: normal impulses of both contact
     /// points, then friction impulses along the first and the second tangent.
-    pub(super) step_impulses: [f32x4; 4],
+    pub(in crate::precise) step_impulses: [f32x4; 4],
 }
 
 /// Returns the first tangent (x, y) and the second tangent (x, y, z) of a unit normal from A to B. Both are dimensionless unit
@@ -117,7 +117,7 @@ impl<const P: usize> ContactConstraint3Simd<P> {
     /// Adds the accumulated impulses of the current substep to `step_impulses`. `add(total, impulse)` returns the new total; a
     /// caller that subtracts passes `total - impulse`.
     #[inline(always)]
-    pub(super) fn accumulate_step_impulses(&mut self, add: impl Fn(f32x4, f32x4) -> f32x4) {
+    pub(in crate::precise) fn accumulate_step_impulses(&mut self, add: impl Fn(f32x4, f32x4) -> f32x4) {
         for (total, point) in self.step_impulses.iter_mut().zip(&self.planar.points) {
             *total = add(*total, point.normal_impulse);
         }
