@@ -14,6 +14,7 @@ use crate::objects::Objects;
 use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 use crate::precise::query_candidates::AlwaysTested;
+use crate::precise::sleeping_joints::drop_joints_of_awake;
 
 /// Bodies and geoms by which the simulator's lists differ from those of the precise set.
 struct MembershipDiff {
@@ -55,7 +56,7 @@ impl Precise {
         self.update_list_positions(&members, objects);
         self.edits.disabled_bodies = members.disabled_bodies;
         self.invalidate_joints();
-        self.drop_joints_of_awake();
+        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.sleep);
         self.sleep.update_runs(&self.proxies);
         true
     }

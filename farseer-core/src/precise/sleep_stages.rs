@@ -5,12 +5,14 @@
 
 use super::Precise;
 use super::depth::feature_gate::FeatureGate;
+use super::depth::state::DepthState;
+use super::ids::IdTable;
 use super::island::falling_asleep::RestDetector;
 use super::island::wake::{
     are_sleeping_pairs_parked, sleep_pairs, wake_partners, wake_requested, wake_touched,
 };
 use super::scaled_parameters::StepContext;
-use super::sleeping_joints::JointComparison;
+use super::sleeping_joints::{JointComparison, drop_joints_of_awake};
 use super::wake_import::{ForceComparison, KinematicMotion, spring_body_pairs};
 use crate::body::BodyId;
 use crate::math::Vector2;
@@ -20,16 +22,16 @@ impl Precise {
     /// Stores whether bodies may sleep, and gravity. All bodies wake if gravity has changed or sleeping is switched off.
     pub(super) fn set_sleep(&mut self, is_enabled: bool, gravity: Vector2) {
         let gravity = [gravity.x, gravity.y];
-        if !is_enabled || gravity != self.sleep.gravity {
+        if !self.sleep.may_go_on(is_enabled, gravity) {
             self.wake_all();
         }
-        (self.sleep.is_enabled, self.sleep.gravity) = (is_enabled, gravity);
+        self.sleep.set_conditions(is_enabled, gravity);
     }
 
     /// Puts islands to sleep that have been at rest for long enough. It is the last stage of a step.
     pub(crate) fn fall_asleep(&mut self, objects: &mut Objects, step: &StepContext) {
         let Precise { bodies, sleep, parameters, dt, .. } = self;
-        if !sleep.is_enabled || !sleep.accumulate_rest_time(bodies, *dt, parameters.length_unit) {
+        if !sleep.is_enabled() || !sleep.accumulate_rest_time(bodies, *dt, parameters.length_unit) {
             return;
         }
         let detector = RestDetector {
@@ -50,28 +52,10 @@ impl Precise {
     /// Puts the bodies in `falling_asleep` to sleep, with their pairs and joints.
     fn sleep_bodies(&mut self, objects: &mut Objects) {
         self.sleep.sleep_bodies(&mut self.bodies, self.dt);
-        self.stop_objects(objects);
+        stop_objects(&self.sleep.falling_asleep, &self.ids, self.depth.as_deref_mut(), objects);
         self.sleep_pairs();
         self.sleep_joints(objects);
         self.sleep.update_runs(&self.proxies);
-    }
-
-    /// Sets the velocities of the game's objects to 0 whose bodies are in `falling_asleep`.
-    fn stop_objects(&mut self, objects: &mut Objects) {
-        for at in 0..self.sleep.falling_asleep.len() {
-            let body = self.sleep.falling_asleep[at] as usize;
-            if let Some(id) = self.ids.bodies[body] {
-                if let Some(entry) = objects.bodies.get_mut(id) {
-                    entry.body.stop();
-                }
-                if let Some(space) = &mut self.depth {
-                    space.put_to_rest(body, id);
-                }
-            }
-            if let Some(space) = &mut self.depth {
-                space.put_hinge_to_rest(body);
-            }
-        }
     }
 
     /// Parks the contact constraints of pairs without an awake body: see [`sleep_pairs`].
@@ -224,16 +208,29 @@ impl Precise {
     /// anew.
     fn drop_woken_from_lists(&mut self) {
         let before = self.sleeping_joints.len();
-        self.drop_joints_of_awake();
+        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.sleep);
         if self.sleeping_joints.len() < before {
             self.invalidate_joints();
         }
         self.sleep.drop_woken(&self.proxies);
     }
+}
 
-    /// Removes the joints without a sleeping body from `sleeping_joints`.
-    pub(super) fn drop_joints_of_awake(&mut self) {
-        let Precise { ids, sleep, sleeping_joints, .. } = self;
-        sleeping_joints.retain(|joint| joint.holds_sleeping_body(ids, sleep));
+/// Sets the velocities of the game's objects to 0 whose bodies fall asleep. `falling_asleep`: body indices.
+fn stop_objects(
+    falling_asleep: &[u32],
+    ids: &IdTable,
+    mut depth: Option<&mut DepthState>,
+    objects: &mut Objects,
+) {
+    for body in falling_asleep.iter().map(|&body| body as usize) {
+        let id = ids.bodies[body];
+        if let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) {
+            entry.body.stop();
+        }
+        if let Some(space) = &mut depth {
+            id.into_iter().for_each(|id| space.put_to_rest(body, id));
+            space.put_hinge_to_rest(body);
+        }
     }
 }

@@ -45,6 +45,11 @@ impl SleepingJoint {
     }
 }
 
+/// Removes the joints without a sleeping body.
+pub(super) fn drop_joints_of_awake(joints: &mut Vec<SleepingJoint>, ids: &IdTable, sleep: &SleepState) {
+    joints.retain(|joint| joint.holds_sleeping_body(ids, sleep));
+}
+
 /// Parts from which the present state of a joint follows, for comparison with that at which its bodies fell asleep.
 pub(super) struct JointComparison<'a> {
     pub(super) ids: &'a IdTable,

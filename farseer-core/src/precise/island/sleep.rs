@@ -35,7 +35,7 @@ const ABSENT: u32 = u32::MAX - 1;
 #[derive(Debug, Default)]
 pub(in crate::precise) struct SleepState {
     /// Whether the game lets bodies sleep.
-    pub(in crate::precise) is_enabled: bool,
+    is_enabled: bool,
     /// Gravity under which the sleeping bodies fell asleep, length units/s^2.
     pub(in crate::precise) gravity: Vector,
     /// Time for which each body has been at rest, seconds, 0..=[`TIME_TO_SLEEP`](crate::precise::parameters::sleep::TIME_TO_SLEEP); negative infinity for sleeping bodies.
@@ -65,9 +65,9 @@ pub(in crate::precise) struct SleepState {
     /// Indices of sleeping bodies to which forces may have been applied in this update. Empty between the stages of a step.
     pub(in crate::precise) forced_bodies: Vec<u32>,
     /// Workspace: the islands of awake bodies in this step.
-    pub(in crate::precise) islands: UnionFind,
+    pub(super) islands: UnionFind,
     /// Workspace: smallest rest time of the bodies of each island, seconds, at the index of the island's representative.
-    pub(in crate::precise) min_rest_time: Vec<f32>,
+    pub(super) min_rest_time: Vec<f32>,
     /// Workspace: indices of the bodies that fall asleep in this step.
     pub(in crate::precise) falling_asleep: Vec<u32>,
 }
@@ -97,6 +97,21 @@ impl SleepState {
     pub(in crate::precise) fn awake_bodies(&self, count: usize) -> impl Iterator<Item = usize> + '_ {
         let numbers = self.awake_body_runs.iter().cloned().flatten();
         numbers.filter(move |&number| number <= count && self.next_in_ring[number] == AWAKE)
+    }
+
+    /// Returns whether bodies may sleep.
+    pub(in crate::precise) fn is_enabled(&self) -> bool {
+        self.is_enabled
+    }
+
+    /// Returns whether bodies may go on sleeping under this gravity, length units/s^2.
+    pub(in crate::precise) fn may_go_on(&self, is_enabled: bool, gravity: Vector) -> bool {
+        is_enabled && gravity == self.gravity
+    }
+
+    /// Stores whether bodies may sleep, and gravity, length units/s^2.
+    pub(in crate::precise) fn set_conditions(&mut self, is_enabled: bool, gravity: Vector) {
+        (self.is_enabled, self.gravity) = (is_enabled, gravity);
     }
 
     /// Returns the speed below which bodies are at rest, length units/s. `length_unit`: in the user's unit of length, > 0.

@@ -18,6 +18,7 @@ use crate::precise::depth::feature_gate::FeatureGate;
 use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
 use crate::precise::narrow_phase::TouchEvent;
+use crate::precise::sleeping_joints::drop_joints_of_awake;
 use crate::storage::order::sort_by_number;
 
 impl Precise {
@@ -214,7 +215,7 @@ impl Precise {
             }
         }
         self.sleeping_joints.clone_from(&saved.joints);
-        self.drop_joints_of_awake();
+        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.sleep);
         self.sleep.update_runs(&self.proxies);
     }
 
