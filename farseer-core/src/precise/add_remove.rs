@@ -12,8 +12,8 @@ use super::listed::Listed;
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::broad_phase::hash_grid::HashGrid;
+use crate::precise::ids::AlwaysTested;
 use crate::precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
-use crate::precise::query_candidates::AlwaysTested;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
 
 /// Bodies and geoms by which the simulator's lists differ from those of the precise set.

@@ -25,6 +25,14 @@ pub(super) struct IdTable {
 
 reusing_clone! { IdTable { bodies, body_indices, first_proxies } }
 
+/// A geom that every AABB query of the game tests, because no fat AABB of the grid is known to cover it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AlwaysTested {
+    /// Index of the geom in the simulator's list of geoms.
+    pub(super) list_index: u32,
+    pub(super) geom: GeomId,
+}
+
 /// Returns the number by which a proxy knows the geom that it belongs to: see [`Proxy::owner`].
 pub(super) fn owner_of(geom: GeomId) -> u64 {
     geom.to_bits()

@@ -24,54 +24,6 @@ use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::filter::{is_valid_pair, may_keep_touching};
 use crate::objects::Objects;
-use crate::storage::reusing_clone::reusing_clone;
-
-/// Edits of the game since the last import, and what that import has to know of earlier ones.
-#[derive(Debug, Default)]
-pub(crate) struct PendingEdits {
-    /// Whether the next import must list all bodies and proxies anew, for example because a body changed its type.
-    pub(super) needs_rebuild: bool,
-    /// Whether bodies or geoms were added or removed since the last import.
-    pub(super) has_membership_changes: bool,
-    /// Ids of bodies that the game borrowed for editing since the last import; the next import copies their properties.
-    pub(super) bodies: Vec<BodyId>,
-    /// Ids of geoms that the game borrowed for editing since the last import; the next import copies their properties.
-    pub(super) geoms: Vec<GeomId>,
-    /// Ids of bodies that the game asked to wake since the last update.
-    pub(super) wake_requests: Vec<BodyId>,
-    /// Ids of the bodies that were disabled at the last import. They have no body index.
-    pub(super) disabled_bodies: Vec<BodyId>,
-}
-
-reusing_clone! { PendingEdits { needs_rebuild, has_membership_changes, bodies, geoms, wake_requests, disabled_bodies } }
-
-impl PendingEdits {
-    /// Returns the edits of an empty engine, whose first import lists everything.
-    pub(super) fn new() -> Self {
-        PendingEdits { needs_rebuild: true, ..PendingEdits::default() }
-    }
-
-    /// Requests a rebuild of all lists by the next import, because a body or geom has changed its type.
-    pub(crate) fn mark_stale(&mut self) {
-        self.needs_rebuild = true;
-    }
-
-    /// Requests that the next import compares the engine's lists of bodies and geoms with those of the simulator, because some
-    /// were added or removed.
-    pub(crate) fn mark_membership_changed(&mut self) {
-        self.has_membership_changes = true;
-    }
-
-    /// Adds a body whose properties the next import copies, as they are then.
-    pub(crate) fn mark_body_edited(&mut self, body: BodyId) {
-        self.bodies.push(body);
-    }
-
-    /// Adds a geom whose properties the next import copies, as they are then.
-    pub(crate) fn mark_geom_edited(&mut self, geom: GeomId) {
-        self.geoms.push(geom);
-    }
-}
 
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.

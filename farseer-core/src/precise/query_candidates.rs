@@ -9,18 +9,11 @@ use crate::geom::entry::{GeomEntry, GeomPose};
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::Precise;
+use crate::precise::ids::AlwaysTested;
 use crate::precise::parameters::broad_phase::{
     PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
 };
 use crate::shape::Aabb;
-
-/// A geom that every AABB query of the game tests, because no fat AABB of the grid is known to cover it.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::precise) struct AlwaysTested {
-    /// Index of the geom in the simulator's list of geoms.
-    pub(in crate::precise) list_index: u32,
-    pub(in crate::precise) geom: GeomId,
-}
 
 impl Precise {
     /// Returns the geoms that may overlap an AABB, and perhaps others, in the order of the list of geoms. `None`: the proxies

@@ -7,28 +7,27 @@
 //! |---|---|
 //! | `save` | writes the state to [`Saved`] |
 //! | `check` | validates a loaded [`Saved`] |
+//! | `load` | serialises the engine, and lists everything anew from a loaded [`Saved`] |
 //! | `restore` | applies a [`Saved`] to rebuilt lists |
 
 mod check;
+mod load;
 mod restore;
 mod save;
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
-use super::Precise;
-use super::depth::feature_gate::FeatureGate;
 use super::depth::interface::DepthInterval;
 use super::direct_solver::{IslandHistory, ReselectionTimer};
 use super::ids::owner_of;
 use super::narrow_phase::TouchEvent;
 use super::scaled_parameters::Parameters;
-use crate::body::{Body, BodyId};
+use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::plane::Vector;
-use crate::objects::Objects;
 use crate::precise::broad_phase::pairs::CachedManifoldZ;
 use crate::precise::broad_phase::pairs::OneWayState;
-use crate::precise::broad_phase::proxies::{BodyType, Proxy};
+use crate::precise::broad_phase::proxies::BodyType;
 use crate::precise::sleeping_joints::SleepingJoint;
 use crate::surface::FrictionType;
 
@@ -281,129 +280,4 @@ pub(super) enum EditPolicy {
     Apply,
     /// Defers edits of collision filters and body types to the next update, and applies all others with the rebuild.
     Defer,
-}
-
-impl Serialize for Precise {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.save().serialize(serializer)
-    }
-}
-
-impl From<Saved> for Precise {
-    fn from(saved: Saved) -> Self {
-        Precise {
-            impulse_substep: saved.h,
-            dt: saved.dt,
-            friction: saved.friction,
-            max_contacts: saved.most_contacts,
-            depth: saved.is_in_space.then(FeatureGate::new).flatten(),
-            loaded: Some(saved.clone()),
-            ..Precise::new(saved.tuning.length_unit)
-        }
-    }
-}
-
-impl Saved {
-    /// Returns copies of the bodies that were disabled or have changed their type since the save, enabled and with the saved
-    /// type.
-    fn bodies_of_other_type(&self, objects: &Objects) -> Vec<(BodyId, Body)> {
-        let mut bodies: Vec<(BodyId, Body)> = Vec::new();
-        for proxy in &self.proxies {
-            let Some(id) = objects.geoms.get(proxy.geom).map(|geom| geom.body) else { continue };
-            let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { continue };
-            let is_known = || bodies.iter().any(|&(other, _)| other == id);
-            if body_type_of(body) != Some(proxy.body_type) && !is_known() {
-                bodies.push((id, with_body_type(body.clone(), proxy.body_type)));
-            }
-        }
-        bodies
-    }
-}
-
-/// Returns the body type with which a body is listed; `None` if the body is disabled.
-fn body_type_of(body: &Body) -> Option<BodyType> {
-    let kind = match (body.is_integrated(), body.is_kinematic()) {
-        (false, _) => BodyType::Fixed,
-        (true, true) => BodyType::Kinematic,
-        (true, false) => BodyType::Dynamic,
-    };
-    body.enabled().then_some(kind)
-}
-
-/// Returns the body with the body type `kind`, and enabled.
-fn with_body_type(mut body: Body, kind: BodyType) -> Body {
-    body.set_enabled(true);
-    body.set_is_kinematic(kind == BodyType::Kinematic);
-    body.set_is_static(kind == BodyType::Fixed);
-    body
-}
-
-/// Swaps the states of `bodies` with those of the simulator's bodies, and makes disposed objects visible to look-ups or hides
-/// them.
-fn swap_states(bodies: &mut [(BodyId, Body)], objects: &mut Objects, shows_disposed: bool) {
-    for (id, other) in bodies {
-        if let Some(entry) = objects.bodies.get_mut(*id) {
-            std::mem::swap(&mut entry.body, other);
-        }
-    }
-    objects.bodies.set_disposed_visible(shows_disposed);
-    objects.geoms.set_disposed_visible(shows_disposed);
-}
-
-impl Precise {
-    /// Rebuilds the lists from the loaded state, for contact queries before the next update.
-    ///
-    /// Edits made before the save take effect in the next update, which rebuilds everything once more. Bodies that were
-    /// disabled, disposed or changed in type since the last update are therefore listed as they were.
-    pub(crate) fn rebuild_from_loaded(&mut self, objects: &mut Objects) {
-        let Some(saved) = self.loaded.take() else { return };
-        let mut others = saved.bodies_of_other_type(objects);
-        swap_states(&mut others, objects, true);
-        self.rebuild(objects, &saved, EditPolicy::Defer);
-        swap_states(&mut others, objects, false);
-        self.edits.bodies.extend(others.into_iter().map(|(id, _)| id));
-        // The engine above sends all data of the depth axis again.
-        if self.has_depth() || self.save() != saved {
-            self.edits.needs_rebuild = true;
-            self.loaded = Some(saved);
-        }
-    }
-
-    /// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, and
-    /// its gravity scale (dimensionless).
-    fn mass_and_gravity_of(&self, number: usize) -> [f32; 3] {
-        let [mass, inertia] = self.bodies.inverse_mass_inertia[number];
-        [mass, inertia, self.bodies.gravity_scales[number]]
-    }
-
-    /// Returns the pose of a body in the world frame: x, y (length units), rotation (radians), z (length units).
-    fn pose_of(&self, number: usize) -> [f32; 4] {
-        let ([x, y, ..], rotation) = (self.bodies.poses[number], self.bodies.rotations[number]);
-        [x, y, rotation, self.depth.as_ref().map_or(0.0, |space| space.z_positions[number])]
-    }
-
-    /// Returns the properties of a proxy and its body by which a later edit is detected.
-    fn imported_state_of(&self, proxy: usize) -> ImportedState {
-        let Proxy {
-            body,
-            friction,
-            restitution,
-            surface_velocity,
-            filter,
-            responds,
-            one_way,
-            fingerprint,
-            ..
-        } = self.proxies.all[proxy];
-        let ([mass, inertia], [vx, vy, spin, vz]) =
-            (self.bodies.inverse_mass_inertia[body as usize], surface_velocity);
-        let [is, with, group, enabled, ignores] = filter;
-        ImportedState {
-            pose: self.pose_of(body as usize),
-            contact_properties: [mass, inertia, vx, vy, spin, vz, friction, restitution],
-            filter: [is, with, group, enabled, ignores, i32::from(responds)],
-            one_way,
-            fingerprint,
-        }
-    }
 }

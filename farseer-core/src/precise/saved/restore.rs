@@ -21,6 +21,20 @@ use crate::precise::narrow_phase::TouchEvent;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
 use crate::storage::order::sort_by_number;
 
+impl From<Saved> for Precise {
+    fn from(saved: Saved) -> Self {
+        Precise {
+            impulse_substep: saved.h,
+            dt: saved.dt,
+            friction: saved.friction,
+            max_contacts: saved.most_contacts,
+            depth: saved.is_in_space.then(FeatureGate::new).flatten(),
+            loaded: Some(saved.clone()),
+            ..Precise::new(saved.tuning.length_unit)
+        }
+    }
+}
+
 impl Precise {
     /// Restores the state of all proxies and pairs that still exist. `edits`: when edits made since the save take effect.
     pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy) {

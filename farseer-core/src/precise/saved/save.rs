@@ -1,12 +1,14 @@
 //! Writes the state of the precise set to [`Saved`].
 
 use super::{
-    Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody, SavedTouchEvent,
+    ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody,
+    SavedTouchEvent,
 };
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::broad_phase::pairs::CachedManifold;
+use crate::precise::broad_phase::proxies::Proxy;
 use crate::precise::constraint_graph::{
     ConstraintHandle, ConstraintKind, ContactConstraint, ContactConstraintZ,
 };
@@ -122,6 +124,44 @@ impl Precise {
             });
         }
         sleepers
+    }
+
+    /// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, and
+    /// its gravity scale (dimensionless).
+    pub(super) fn mass_and_gravity_of(&self, number: usize) -> [f32; 3] {
+        let [mass, inertia] = self.bodies.inverse_mass_inertia[number];
+        [mass, inertia, self.bodies.gravity_scales[number]]
+    }
+
+    /// Returns the pose of a body in the world frame: x, y (length units), rotation (radians), z (length units).
+    pub(super) fn pose_of(&self, number: usize) -> [f32; 4] {
+        let ([x, y, ..], rotation) = (self.bodies.poses[number], self.bodies.rotations[number]);
+        [x, y, rotation, self.depth.as_ref().map_or(0.0, |space| space.z_positions[number])]
+    }
+
+    /// Returns the properties of a proxy and its body by which a later edit is detected.
+    pub(super) fn imported_state_of(&self, proxy: usize) -> ImportedState {
+        let Proxy {
+            body,
+            friction,
+            restitution,
+            surface_velocity,
+            filter,
+            responds,
+            one_way,
+            fingerprint,
+            ..
+        } = self.proxies.all[proxy];
+        let ([mass, inertia], [vx, vy, spin, vz]) =
+            (self.bodies.inverse_mass_inertia[body as usize], surface_velocity);
+        let [is, with, group, enabled, ignores] = filter;
+        ImportedState {
+            pose: self.pose_of(body as usize),
+            contact_properties: [mass, inertia, vx, vy, spin, vz, friction, restitution],
+            filter: [is, with, group, enabled, ignores, i32::from(responds)],
+            one_way,
+            fingerprint,
+        }
     }
 
     /// Returns the saved form of a pair. `saved_indices`: index of each proxy into `Saved::proxies`.
