@@ -29,7 +29,7 @@ mod residual_penetration;
 mod rim_ghost_filter;
 mod rolling_contacts;
 pub(super) mod shape_pair;
-mod static_sensor_pairs;
+pub(super) mod static_sensor_pairs;
 mod touch_state;
 
 use super::bodies::BodySet;
