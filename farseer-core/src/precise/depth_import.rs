@@ -114,7 +114,12 @@ impl Precise {
 
     /// Iterates over the bodies that fell asleep in the last update, with id and depth state.
     pub(crate) fn newly_asleep_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
-        self.depth.iter().flat_map(|space| space.newly_asleep.iter().map(|&id| (id, space.body(id))))
+        self.depth.iter().flat_map(|space| {
+            space.newly_asleep.iter().map(|&id| {
+                let id = BodyId::from_bits(id);
+                (id, space.body(id))
+            })
+        })
     }
 }
 

@@ -42,6 +42,7 @@ pub(super) fn apply_warm_start(bodies: &mut BodySet, runs: &[Range<usize>], is_f
 
 /// Gives each kinematic body the velocity that the game prescribes, and the displacement velocity * dt. Impulses of the solver
 /// do not change the motion of a kinematic body. `dt` is the step in seconds.
+#[inline]
 pub(super) fn integrate_kinematic(bodies: &mut BodySet, dt: f32) {
     let BodySet { kinematic, states, initial_velocity, delta_pose, .. } = bodies;
     for &number in kinematic.iter() {

@@ -10,6 +10,7 @@ use super::island::sleep::SleepState;
 use super::parameters::broad_phase::COORDINATE_HEADROOM;
 
 /// Returns whether the new poses and velocities of all awake bodies are finite.
+#[inline]
 pub(super) fn are_motions_finite(
     bodies: &BodySet,
     sleep: &SleepState,

@@ -40,10 +40,10 @@ impl Precise {
         (self.dt, self.gravity_delta) = (dt, [gravity.x * dt, gravity.y * dt]);
         if let Some(space) = &mut self.depth {
             space.begin_world_boxes(&mut self.bodies, dt);
+            let Precise { bodies, proxies, grid, depth, parameters, .. } = self;
+            let depth = depth.as_mut().map(FeatureGate::by_mut);
+            FatAabbs { bodies, proxies, grid, depth, parameters, dt }.pair_sweeping_boxes(&mut self.pairs);
         }
-        let Precise { bodies, proxies, grid, depth, parameters, .. } = self;
-        let depth = depth.as_mut().map(FeatureGate::by_mut);
-        FatAabbs { bodies, proxies, grid, depth, parameters, dt }.pair_sweeping_boxes(&mut self.pairs);
         let kept = self.step_context.filter(|last| last.dt == dt && last.substeps == substeps);
         *self.step_context.insert(kept.unwrap_or_else(|| StepContext::new(dt, substeps, &self.parameters)))
     }
@@ -81,7 +81,9 @@ impl Precise {
     pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, max_contacts: u32) -> usize {
         self.narrow_phase_stats = NarrowPhaseStats::default();
         self.rolling_contacts.clear();
-        self.narrow_phase().release_one_way();
+        if self.proxies.one_way_count > 0 {
+            self.narrow_phase().release_one_way();
+        }
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.max_contacts, max_contacts) != max_contacts;
         if has_friction_changed || has_limit_changed {

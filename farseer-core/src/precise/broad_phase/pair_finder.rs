@@ -63,6 +63,9 @@ impl PairFinder<'_> {
     ) -> usize {
         let PairFinder { proxies, pairs, grid, depth } = *self;
         found.clear();
+        if refitted.is_empty() {
+            return 0;
+        }
         for &proxy in refitted {
             pairs.partners(proxy).for_each(|partner| known[partner as usize] = true);
             let bounds = proxies.fat_aabbs[proxy as usize];

@@ -3,11 +3,104 @@
 use super::friction_3d::BallSpin;
 use super::interface::{DepthBodyState, DepthTarget};
 use super::state::DepthState;
+use super::state::{NO_STATE, entry, entry_mut};
+use super::world_box_shape::origin_of;
 use crate::body::{Body, BodyId};
 use crate::math::decay;
 use crate::precise::bodies::BodySet;
 use crate::precise::body_import::BodyForces;
 use crate::precise::scaled_parameters::StepContext;
+
+/// Depth states of bodies, which the engine above sets and reads.
+impl DepthState {
+    pub(in crate::precise) fn body(&self, id: BodyId) -> DepthBodyState {
+        entry(&self.bodies, id.slot())
+    }
+
+    /// Returns z of the first body relative to the second one (length units), and the velocity of the first along z relative to
+    /// the second (length units/s).
+    pub(crate) fn relative_z_and_velocity(&self, first: BodyId, second: BodyId) -> [f32; 2] {
+        let (first, second) = (self.body(first), self.body(second));
+        [first.z - second.z, first.velocity - second.velocity]
+    }
+
+    /// Returns world position (length units) and velocity (length units/s) of a body along z.
+    pub(crate) fn z_and_velocity(&self, id: BodyId) -> [f32; 2] {
+        let body = self.body(id);
+        [body.z, body.velocity]
+    }
+
+    /// Returns the acceleration of a body by forces along z in the coming step, in length units/s^2.
+    pub(crate) fn acceleration(&self, id: BodyId) -> f32 {
+        self.body(id).acceleration
+    }
+
+    /// Sets the acceleration of a body by forces along z to 0, as after a step.
+    pub(in crate::precise) fn clear_acceleration(&mut self, id: BodyId) {
+        self.body_mut(id).acceleration = 0.0;
+    }
+
+    /// Sets the acceleration of a body by forces along z, in length units/s^2. The caller restores the former value of a body
+    /// outside of the simulation, so that no forces accumulate on the body.
+    pub(crate) fn set_acceleration(&mut self, id: BodyId, acceleration: f32) {
+        self.body_mut(id).acceleration = acceleration;
+    }
+
+    /// Adds to the acceleration of a body by forces along z in the coming step, in length units/s^2.
+    pub(crate) fn add_acceleration(&mut self, id: BodyId, acceleration: f32) {
+        self.body_mut(id).acceleration += acceleration;
+    }
+
+    pub(in crate::precise) fn body_mut(&mut self, id: BodyId) -> &mut DepthBodyState {
+        entry_mut(&mut self.bodies, id.slot())
+    }
+}
+
+/// Depth data by body index.
+impl DepthState {
+    /// Rebuilds the depth data by body index after `bodies` was rebuilt: z positions, ball spins, and the flags of spheres and
+    /// fixed rotations. World boxes must have their body indices in `box_bodies`. `ids`: id of each body, by body index.
+    pub(in crate::precise) fn rebuild_bodies(&mut self, bodies: &BodySet, ids: &[Option<BodyId>]) {
+        let DepthState {
+            z_positions,
+            ball_spins: spins,
+            state_slots,
+            is_ball,
+            has_balls,
+            bodies: states,
+            world_boxes,
+            box_bodies,
+            ..
+        } = self;
+        self.any_fixed_rotation = false;
+        self.has_fixed_rotation.clear();
+        self.has_fixed_rotation.resize(bodies.poses.len(), false);
+        z_positions.clear();
+        z_positions.extend(ids.iter().map(|id| id.map_or(0.0, |id| entry(states, id.slot()).z)));
+        z_positions.resize(bodies.poses.len(), 0.0);
+        state_slots.clear();
+        let movable = ids.iter().take(bodies.states.len());
+        state_slots.extend(movable.map(|id| id.map_or(NO_STATE, |id| id.slot() as u32)));
+        for (&number, world_box) in box_bodies.iter().zip(world_boxes) {
+            z_positions[number as usize] = origin_of(world_box).z;
+        }
+        spins.clear();
+        spins.resize(bodies.states.len(), BallSpin::default());
+        is_ball.clear();
+        is_ball.resize(bodies.poses.len(), false);
+        *has_balls = false;
+    }
+
+    /// Adds the depth data of a new body at this body index, with its z position as the engine above has set it.
+    pub(in crate::precise) fn add_body(&mut self, body_index: usize, id: BodyId) {
+        let state = self.body(id);
+        *entry_mut(&mut self.z_positions, body_index) = state.z;
+        *entry_mut(&mut self.ball_spins, body_index) = BallSpin::default();
+        *entry_mut(&mut self.state_slots, body_index) = id.slot() as u32;
+        *entry_mut(&mut self.is_ball, body_index) = false;
+        *entry_mut(&mut self.has_fixed_rotation, body_index) = false;
+    }
+}
 
 /// Import of edits at the start of a step.
 impl DepthState {
@@ -130,7 +223,7 @@ impl DepthState {
         let state = self.body_mut(id);
         (state.velocity, state.acceleration, state.angular_velocity) = (0.0, 0.0, [0.0; 2]);
         state.displacement = [0.0; 3];
-        self.newly_asleep.push(id);
+        self.newly_asleep.push(id.to_bits());
     }
 }
 

@@ -9,6 +9,7 @@ pub use super::contact_point::DepthContactPoint;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::filter::CollisionFilter;
+use crate::precise::ids::owner_of;
 use crate::shape::{Footprint, SlantedBox};
 use crate::storage::arena::Id;
 use crate::surface::SurfaceCoefficients;
@@ -286,14 +287,21 @@ const FIRST_WORLD_BOX_SLOT: u32 = u32::MAX - 2;
 /// ground wherever creation numbers order pairs.
 const LAST_CREATION_NUMBER: u32 = u32::MAX;
 
-/// Returns the `GeomId` that stands for the ground.
-pub(in crate::precise) fn ground_geom_id() -> GeomId {
-    GeomId::new(GROUND_SLOT, 0)
+/// Returns the numbers of the ground's proxy: its [owner](crate::precise::broad_phase::proxies::Proxy::owner) and its creation
+/// number.
+pub(in crate::precise) fn ground_numbers() -> (u64, u32) {
+    numbers_of(GeomId::new(GROUND_SLOT, 0))
 }
 
-/// Returns the `GeomId` that stands for a world box.
-pub(in crate::precise) fn world_box_geom_id(world_box: &WorldBox) -> GeomId {
-    GeomId::new(FIRST_WORLD_BOX_SLOT - world_box.id, 0)
+/// Returns the numbers of a world box's proxy: its [owner](crate::precise::broad_phase::proxies::Proxy::owner) and its creation
+/// number.
+pub(in crate::precise) fn world_box_numbers(world_box: &WorldBox) -> (u64, u32) {
+    numbers_of(GeomId::new(FIRST_WORLD_BOX_SLOT - world_box.id, 0))
+}
+
+/// Returns owner and creation number of the proxy of a world box or the ground.
+fn numbers_of(id: GeomId) -> (u64, u32) {
+    (owner_of(id), LAST_CREATION_NUMBER - (GROUND_SLOT - id.slot() as u32))
 }
 
 /// Returns the `BodyId` that stands for a sleeping hinged box in a snapshot, from the `GeomId` of the box.
@@ -310,11 +318,6 @@ pub(in crate::precise) fn world_box_of_body_id(body: BodyId) -> Option<u32> {
 /// Returns whether a `GeomId` stands for a geom, and not for a world box or the ground.
 pub(in crate::precise) fn is_geom(id: GeomId) -> bool {
     (id.slot() as u32) <= u32::MAX / 2
-}
-
-/// Returns the creation number of a world box or the ground.
-pub(in crate::precise) fn creation_number_of(id: GeomId) -> u32 {
-    LAST_CREATION_NUMBER - (GROUND_SLOT - id.slot() as u32)
 }
 
 /// Returns the contact target that a `GeomId` stands for.

@@ -24,6 +24,7 @@ pub(crate) mod feature_gate;
 mod fixed_rotation;
 mod footprint;
 pub(super) mod friction_3d;
+mod geom_shapes;
 pub(super) mod hinged_box;
 mod hinged_box_state;
 pub(crate) mod interface;

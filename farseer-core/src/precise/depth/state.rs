@@ -4,18 +4,14 @@ use std::ops::Range;
 
 use super::friction_3d::BallSpin;
 use super::hinged_box_state::HingedBoxState;
-use super::interface::{self, DepthBodyState, DepthInterval, DepthShape, WorldBox};
+use super::interface::{DepthBodyState, DepthInterval, DepthShape, WorldBox};
 use super::prism_collision::{self, ContactMargins, PosedSolid, PreviousAxis, SolidKind};
 use super::sphere_sphere::Sphere;
 use super::vertical_shapes::{self, VerticalSolid};
-use super::world_box_shape as world_boxes;
-use crate::body::BodyId;
-use crate::geom::GeomId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::bodies::BodySet;
 use crate::precise::broad_phase::hash_grid::PackedAabb;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
-use crate::precise::ids::geom_of;
 use crate::precise::island::sleep::SleepState;
 use crate::precise::scaled_parameters::{AabbMargin, Parameters};
 use crate::precise::shape::ShapeRef;
@@ -27,9 +23,9 @@ use crate::surface::{FrictionType, mix_restitution};
 /// "proxy index" the index into `Proxies::all`.
 #[derive(Debug, Default)]
 pub(crate) struct DepthState {
-    /// Depth state of bodies as the engine above has set it, by slot of the `BodyId`.
+    /// Depth state of bodies as the engine above has set it, by the slots of their ids.
     pub(in crate::precise) bodies: Vec<DepthBodyState>,
-    /// Depth shapes of geoms as the engine above has set them, by slot of the `GeomId`.
+    /// Depth shapes of geoms as the engine above has set them, by the slots of their ids.
     pub(super) shapes: Vec<DepthShape>,
     /// World boxes in ascending order of their ids.
     pub(in crate::precise) world_boxes: Vec<WorldBox>,
@@ -65,8 +61,8 @@ pub(crate) struct DepthState {
     pub(super) intervals: Vec<DepthInterval>,
     /// Proxy index of the ground.
     pub(in crate::precise) ground_proxy: u32,
-    /// Bodies that fell asleep in the last step, for the engine above.
-    pub(in crate::precise) newly_asleep: Vec<BodyId>,
+    /// Ids of the bodies that fell asleep in the last step, as numbers, for the engine above.
+    pub(in crate::precise) newly_asleep: Vec<u64>,
 }
 
 reusing_clone! {
@@ -106,16 +102,12 @@ pub(super) fn entry_mut<T: Clone + Default>(table: &mut Vec<T>, slot: usize) -> 
     &mut table[slot]
 }
 
-/// Depth states of bodies and depth shapes of geoms, which the engine above sets and reads.
+/// Depth states of bodies, and world boxes.
 impl DepthState {
     /// Returns the world box with this id, and its index into `world_boxes`; `None` for an unknown id.
     pub(in crate::precise) fn world_box_by_id(&self, id: u32) -> Option<(usize, &WorldBox)> {
         let place = self.world_boxes.binary_search_by_key(&id, |world_box| world_box.id).ok()?;
         Some((place, &self.world_boxes[place]))
-    }
-
-    pub(in crate::precise) fn body(&self, id: BodyId) -> DepthBodyState {
-        entry(&self.bodies, id.slot())
     }
 
     /// Returns the depth state of a dynamic or kinematic body by its body index; `None` for world boxes and static bodies.
@@ -130,148 +122,16 @@ impl DepthState {
         let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
         Some(entry_mut(&mut self.bodies, slot as usize))
     }
-
-    /// Returns z of the first body relative to the second one (length units), and the velocity of the first along z relative to
-    /// the second (length units/s).
-    pub(crate) fn relative_z_and_velocity(&self, first: BodyId, second: BodyId) -> [f32; 2] {
-        let (first, second) = (self.body(first), self.body(second));
-        [first.z - second.z, first.velocity - second.velocity]
-    }
-
-    /// Returns world position (length units) and velocity (length units/s) of a body along z.
-    pub(crate) fn z_and_velocity(&self, id: BodyId) -> [f32; 2] {
-        let body = self.body(id);
-        [body.z, body.velocity]
-    }
-
-    /// Returns the acceleration of a body by forces along z in the coming step, in length units/s^2.
-    pub(crate) fn acceleration(&self, id: BodyId) -> f32 {
-        self.body(id).acceleration
-    }
-
-    /// Sets the acceleration of a body by forces along z to 0, as after a step.
-    pub(in crate::precise) fn clear_acceleration(&mut self, id: BodyId) {
-        self.body_mut(id).acceleration = 0.0;
-    }
-
-    /// Sets the acceleration of a body by forces along z, in length units/s^2. The caller restores the former value of a body
-    /// outside of the simulation, so that no forces accumulate on the body.
-    pub(crate) fn set_acceleration(&mut self, id: BodyId, acceleration: f32) {
-        self.body_mut(id).acceleration = acceleration;
-    }
-
-    /// Adds to the acceleration of a body by forces along z in the coming step, in length units/s^2.
-    pub(crate) fn add_acceleration(&mut self, id: BodyId, acceleration: f32) {
-        self.body_mut(id).acceleration += acceleration;
-    }
-
-    pub(in crate::precise) fn body_mut(&mut self, id: BodyId) -> &mut DepthBodyState {
-        entry_mut(&mut self.bodies, id.slot())
-    }
-
-    pub(in crate::precise) fn shape(&self, id: GeomId) -> DepthShape {
-        entry(&self.shapes, id.slot())
-    }
-
-    pub(in crate::precise) fn shape_mut(&mut self, id: GeomId) -> &mut DepthShape {
-        entry_mut(&mut self.shapes, id.slot())
-    }
 }
 
-/// Depth data by body index and by proxy index.
+/// Depth data by body index.
 impl DepthState {
-    /// Rebuilds the depth data by body index after `bodies` was rebuilt: z positions, ball spins, and the flags of spheres and
-    /// fixed rotations. World boxes must have their body indices in `box_bodies`. `ids`: id of each body, by body index.
-    pub(in crate::precise) fn rebuild_bodies(&mut self, bodies: &BodySet, ids: &[Option<BodyId>]) {
-        let DepthState {
-            z_positions,
-            ball_spins: spins,
-            state_slots,
-            is_ball,
-            has_balls,
-            bodies: states,
-            world_boxes,
-            box_bodies,
-            ..
-        } = self;
-        self.any_fixed_rotation = false;
-        self.has_fixed_rotation.clear();
-        self.has_fixed_rotation.resize(bodies.poses.len(), false);
-        z_positions.clear();
-        z_positions.extend(ids.iter().map(|id| id.map_or(0.0, |id| entry(states, id.slot()).z)));
-        z_positions.resize(bodies.poses.len(), 0.0);
-        state_slots.clear();
-        let movable = ids.iter().take(bodies.states.len());
-        state_slots.extend(movable.map(|id| id.map_or(NO_STATE, |id| id.slot() as u32)));
-        for (&number, world_box) in box_bodies.iter().zip(world_boxes) {
-            z_positions[number as usize] = world_boxes::origin_of(world_box).z;
-        }
-        spins.clear();
-        spins.resize(bodies.states.len(), BallSpin::default());
-        is_ball.clear();
-        is_ball.resize(bodies.poses.len(), false);
-        *has_balls = false;
-    }
-
-    /// Rebuilds the depth data by proxy index: extents, vertical shapes and intervals along z. Intervals are empty until the
-    /// broad phase sets them.
-    pub(in crate::precise) fn rebuild_proxies(&mut self, proxies: &Proxies) {
-        self.extents.clear();
-        self.vertical_solids.clear();
-        self.intervals.clear();
-        self.intervals.resize(proxies.all.len(), DepthInterval::default());
-        for proxy in &proxies.all {
-            let extent = self.extent_of(geom_of(proxy));
-            self.extents.push(extent);
-        }
-    }
-
-    /// Adds the depth data of a new body at this body index, with its z position as the engine above has set it.
-    pub(in crate::precise) fn add_body(&mut self, body_index: usize, id: BodyId) {
-        let state = self.body(id);
-        *entry_mut(&mut self.z_positions, body_index) = state.z;
-        *entry_mut(&mut self.ball_spins, body_index) = BallSpin::default();
-        *entry_mut(&mut self.state_slots, body_index) = id.slot() as u32;
-        *entry_mut(&mut self.is_ball, body_index) = false;
-        *entry_mut(&mut self.has_fixed_rotation, body_index) = false;
-    }
-
     /// Sets `is_ball` of a body: true if all of its geoms are spheres centred at the origin of the body.
     pub(in crate::precise) fn update_is_ball(&mut self, body_index: usize, proxies: &Proxies) {
         let is_centred = |at: u32| self.is_sphere(at) && proxies.all[at as usize].shape.centre == [0.0; 2];
         let mut of_body = proxies.proxies_of(body_index).peekable();
         self.is_ball[body_index] = of_body.peek().is_some() && of_body.all(is_centred);
         self.has_balls |= self.is_ball[body_index];
-    }
-
-    /// Adds the depth data of a new proxy at this proxy index: the extent of its geom and an empty interval along z.
-    pub(in crate::precise) fn add_proxy(&mut self, proxy_index: usize, geom: GeomId) {
-        let extent = self.extent_of(geom);
-        *entry_mut(&mut self.extents, proxy_index) = extent;
-        *entry_mut(&mut self.intervals, proxy_index) = DepthInterval::default();
-    }
-
-    /// Returns the depth extent of a geom, a world box or the ground. A vertical shape is appended to `vertical_solids`.
-    pub(super) fn extent_of(&mut self, geom: GeomId) -> DepthExtent {
-        match interface::contact_target_of(geom) {
-            interface::DepthContactTarget::Ground => DepthExtent::default(),
-            interface::DepthContactTarget::WorldBox(id) => {
-                let Some((_, world_box)) = self.world_box_by_id(id) else { return DepthExtent::default() };
-                let half_depth = if world_box.yaw.is_some() {
-                    world_boxes::yaw_extent(world_box)
-                } else {
-                    world_box.shape.half[2]
-                };
-                let vertical = world_box.yaw.map(|_| world_boxes::vertical_of(world_box));
-                let vertical = vertical.map_or(0, |vertical| self.add_vertical(vertical));
-                DepthExtent { half_depth, vertical, ..DepthExtent::default() }
-            }
-            interface::DepthContactTarget::Geom(geom) => {
-                let DepthShape { half_depth, is_sphere, ground_surface, vertical } = self.shape(geom);
-                let vertical = vertical.map_or(0, |vertical| self.add_vertical(VerticalSolid::new(vertical)));
-                DepthExtent { half_depth, is_sphere, ground_surface, vertical }
-            }
-        }
     }
 }
 

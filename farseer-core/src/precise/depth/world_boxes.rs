@@ -4,12 +4,11 @@
 //! indices, after all bodies. Proxies are in the same order. This file imports boxes, moves kinematic ones and gives the narrow
 //! phase their velocities.
 
-use super::interface::{WorldBox, WorldBoxMotion, creation_number_of, ground_geom_id, world_box_geom_id};
+use super::interface::{WorldBox, WorldBoxMotion, ground_numbers, world_box_numbers};
 use super::prism_collision::PosedSolid;
 use super::state::DepthState;
 use super::vertical_shapes::clamp_any;
 use super::world_box_shape::{origin_of, pose_of, solver_velocity, vertical_of, yaw_extent};
-use crate::geom::GeomId;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
 use crate::math::scalar;
@@ -19,7 +18,6 @@ use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::fingerprint::Fingerprint;
 use crate::precise::geom_import::world_box_filter;
-use crate::precise::ids::owner_of;
 use crate::precise::island::sleep::SleepState;
 use crate::precise::parameters::depth::WORLD_BOX_MAX_SWEEP;
 use crate::precise::scaled_parameters::Parameters;
@@ -195,7 +193,7 @@ impl DepthState {
         let still = self.world_boxes.len() - self.moving_boxes.len();
         self.ground_proxy = proxies.all.len() as u32;
         let ground =
-            Proxy { list_index: NO_WORLD_BOX, ..world_proxy(ground_geom_id(), body_count - still - 1) };
+            Proxy { list_index: NO_WORLD_BOX, ..world_proxy(ground_numbers(), body_count - still - 1) };
         proxies.push(ground);
         let any_box_bounces = self.add_box_proxies(proxies, false);
         self.rebuild_proxies(proxies);
@@ -235,7 +233,7 @@ impl DepthState {
                 responds: filter.responds,
                 filter: world_box_filter(filter),
                 surface_velocity: [*vx, *vy, 0.0, *vz],
-                ..world_proxy(world_box_geom_id(world_box), body_index as usize)
+                ..world_proxy(world_box_numbers(world_box), body_index as usize)
             });
         }
         any_bounces
@@ -343,11 +341,11 @@ impl FatAabbs<'_> {
     }
 }
 
-/// Returns a static proxy without a shape, for the ground or a world box with this id and this body index.
-fn world_proxy(id: GeomId, body: usize) -> Proxy {
+/// Returns a static proxy without a shape, for the ground or a world box with these numbers and this body index.
+fn world_proxy((owner, creation_number): (u64, u32), body: usize) -> Proxy {
     Proxy {
-        owner: owner_of(id),
-        creation_number: creation_number_of(id),
+        owner,
+        creation_number,
         body: body as u32,
         body_type: BodyType::Fixed,
         shape: Shape::default(),

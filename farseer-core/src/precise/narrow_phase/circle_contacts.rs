@@ -9,6 +9,7 @@ use crate::precise::narrow_phase::manifold::{Manifold, circles_at_toi};
 impl NarrowPhase<'_> {
     /// Computes normals and separations of all touching circles for the present poses. Pairs that are separated by more than
     /// the speculative distance get a full update. Returns their number.
+    #[inline]
     pub(in crate::precise) fn update_circles(&mut self) -> usize {
         let mut separated = std::mem::take(self.dirty_pairs);
         let speculative_distance = self.parameters.speculative_distance;

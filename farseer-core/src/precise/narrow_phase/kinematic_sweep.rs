@@ -39,7 +39,16 @@ struct SweptContact<'a> {
 
 impl<'a> NarrowPhase<'a> {
     /// Adds contacts of fast kinematic bodies with the dynamic bodies that they will hit in this step.
+    #[inline]
     pub(in crate::precise) fn find_contacts_ahead_of_kinematic(&mut self) {
+        if !self.bodies.kinematic.is_empty() {
+            self.find_contacts_ahead_of_any();
+        }
+    }
+
+    /// Adds contacts of fast kinematic bodies: see
+    /// [`find_contacts_ahead_of_kinematic`](Self::find_contacts_ahead_of_kinematic).
+    fn find_contacts_ahead_of_any(&mut self) {
         let mut ahead = std::mem::take(self.dirty_pairs);
         let NarrowPhase { bodies, proxies, pairs, parameters, dt, .. } = self;
         for proxy in bodies.kinematic.iter().flat_map(|&number| proxies.proxies_of(number as usize)) {

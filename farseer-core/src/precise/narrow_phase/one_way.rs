@@ -157,9 +157,6 @@ impl<'a> NarrowPhase<'a> {
     /// `Apart`. This precedes the update of pairs, because at the seam of two pieces the contact with one ends before that with
     /// the next begins.
     pub(in crate::precise) fn release_one_way(&mut self) {
-        if self.proxies.one_way_count == 0 {
-            return;
-        }
         for pair in 0..self.pairs.len() {
             let state = &self.pairs.all[pair];
             if state.one_way_state == OneWayState::Landed && state.constraint.is_none() {

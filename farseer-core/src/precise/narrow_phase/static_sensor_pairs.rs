@@ -9,10 +9,13 @@ impl NarrowPhase<'_> {
     /// Updates the contacts of sensor pairs without a body that impulses can move, as far as they may have changed. Returns the
     /// number of updated pairs. They are the pairs of `searched` proxies, which have a new fat AABB, and the pairs of kinematic
     /// bodies that have moved.
+    #[inline]
     pub(in crate::precise) fn update_static_sensor_pairs(&mut self, searched: &[u32]) -> usize {
-        if self.pairs.static_sensor_count == 0 {
-            return 0;
-        }
+        if self.pairs.static_sensor_count == 0 { 0 } else { self.update_moved_sensor_pairs(searched) }
+    }
+
+    /// Updates the contacts of sensor pairs: see [`update_static_sensor_pairs`](Self::update_static_sensor_pairs).
+    fn update_moved_sensor_pairs(&mut self, searched: &[u32]) -> usize {
         let mut dirty = std::mem::take(self.dirty_pairs);
         let is_static_sensor = |pair: &usize| self.pairs.all[*pair].is_static_sensor;
         for &proxy in searched {
