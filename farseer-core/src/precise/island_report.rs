@@ -13,7 +13,8 @@ use super::island::report::{IslandCost, IslandResidual, IslandSolver, SolverReas
 use super::island::sleep::SleepState;
 use super::island::union_find::UnionFind;
 use super::island_types::{AwakeReason, Island};
-use super::narrow_phase::manifold::{Manifold, collide};
+use super::narrow_phase::manifold::Manifold;
+use super::narrow_phase::shape_dispatch::collide;
 use super::parameters::sleep::TIME_TO_SLEEP;
 use super::wake_import::spring_body_pairs;
 use crate::body::BodyId;

@@ -17,7 +17,8 @@ use super::{sheared_box, vertical_dispatch};
 use crate::math::plane::{
     Pose, Vector, difference, dot, length, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
-use crate::precise::narrow_phase::manifold::{Manifold, clip_to_edge, collide, find_max_separation};
+use crate::precise::narrow_phase::manifold::{Manifold, clip_to_edge, find_max_separation};
+use crate::precise::narrow_phase::shape_dispatch::collide;
 use crate::precise::parameters::depth::{
     GRAZED_RIM_OVERLAP, LOADED_FLUSH_OVERLAP, MOVING_FLUSH_OVERLAP, PRISM_ENTRY_MAX_AGE,
     PRISM_FACE_MIN_COSINE, RESTING_FLUSH_OVERLAP, RIM_SECANT_STEPS,

@@ -64,7 +64,7 @@ type Boxes = ([f32x4; 2], [f32x4; 4]);
 
 /// Returns the separations of four pairs of boxes in length units, negative for penetration. Each is the largest over the face
 /// normals of A if that exceeds `margin` (length units), else the largest over the face normals of B. The bits are those of
-/// [`collide`](crate::precise::narrow_phase::manifold::collide).
+/// [`collide`](crate::precise::narrow_phase::shape_dispatch::collide).
 #[inline(always)]
 fn box_separations((half_a, pose_a): Boxes, (half_b, pose_b): Boxes, margin: f32) -> [f32; 4] {
     let ([ax, ay, cos_a, sin_a], [bx, by, cos_b, sin_b]) = (pose_a, pose_b);
@@ -97,7 +97,7 @@ fn face_separations(
 mod tests {
     use super::box_separations;
     use crate::math::lanes::columns;
-    use crate::precise::narrow_phase::manifold::collide;
+    use crate::precise::narrow_phase::shape_dispatch::collide;
     use crate::precise::shape::{Shape, VertexPool};
 
     #[test]

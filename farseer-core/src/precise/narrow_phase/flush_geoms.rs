@@ -24,7 +24,8 @@ use crate::precise::broad_phase::pairs::Pairs;
 use crate::precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::continuous_collision::time_of_impact::{SweptPair, SweptShape};
 use crate::precise::narrow_phase::ghost_filter::admits_normal;
-use crate::precise::narrow_phase::manifold::{Manifold, collide};
+use crate::precise::narrow_phase::manifold::Manifold;
+use crate::precise::narrow_phase::shape_dispatch::collide;
 use crate::precise::narrow_phase::shape_pair::ShapePair;
 use crate::precise::parameters::narrow_phase::{
     FACE_NORMAL_MAX_SIN, FLUSH_FACE_MAX_STEP, GHOST_MAX_PENETRATION, NORMAL_CONE_TOLERANCE_SIN,

@@ -16,7 +16,8 @@ use crate::precise::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
 };
 use crate::precise::depth::prism_collision::{ContactMargins, PreviousAxis};
-use crate::precise::narrow_phase::manifold::{Manifold, collide};
+use crate::precise::narrow_phase::manifold::Manifold;
+use crate::precise::narrow_phase::shape_dispatch::collide;
 use crate::precise::parameters::narrow_phase::TOI_TOLERANCE_RATIO;
 
 /// Distances by which the bodies A and B of a pair approach each other between the start of the step and their time of impact.

@@ -2,18 +2,14 @@
 //! Manifolds", GDC 2007).
 //!
 //! Circles have closed forms. Polygons use the separating axis test over edge normals: the edge of largest separation is the
-//! reference edge, and the incident edge of the other polygon is clipped to it. Capsules are in [`capsule`], parts of concave
-//! outlines and chains in [`ghost_filter`].
+//! reference edge, and the incident edge of the other polygon is clipped to it.
 
 use crate::math::plane::{
     Pose, Rot, Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
-use crate::precise::narrow_phase::capsule;
-use crate::precise::narrow_phase::ghost_filter;
-use crate::precise::narrow_phase::shape_pair::ShapePair;
 use crate::precise::parameters::broad_phase::COLLISION_MAX_COORDINATE;
 use crate::precise::parameters::narrow_phase::REFERENCE_EDGE_HYSTERESIS;
-use crate::precise::shape::{ShapeKind, ShapeRef};
+use crate::precise::shape::ShapeRef;
 
 /// Contact manifold of two shapes A and B that touch or nearly touch: at most two points with one normal.
 #[derive(Debug, Clone, Copy, Default)]
@@ -123,36 +119,8 @@ impl Manifold {
     }
 }
 
-/// Returns the manifold of A and B in world axes, with the points whose separation is below `margin`, in length units.
-pub(in crate::precise) fn collide(
-    a: ShapeRef<'_>,
-    b: ShapeRef<'_>,
-    pose_a: Pose,
-    pose_b: Pose,
-    margin: f32,
-) -> Manifold {
-    use ShapeKind::{Capsule, Circle, LinkedPolygon, Polygon};
-    match (a.shape.kind, b.shape.kind) {
-        (Circle, Circle) => circles(a, b, pose_a, pose_b, margin),
-        (Circle, Polygon) => polygon_and_circle(b, a, pose_b, pose_a, margin).flip(pose_b, pose_a),
-        (Polygon, Circle) => polygon_and_circle(a, b, pose_a, pose_b, margin),
-        (Polygon, Polygon) => polygons(a, b, pose_a, pose_b, margin),
-        (Circle, Capsule) => capsule::capsule_and_circle(b, a, pose_b, pose_a, margin).flip(pose_b, pose_a),
-        (Capsule, Circle) => capsule::capsule_and_circle(a, b, pose_a, pose_b, margin),
-        (Circle, LinkedPolygon) => ghost_filter::circle(b, a, pose_b, pose_a, margin).flip(pose_b, pose_a),
-        (LinkedPolygon, Circle) => ghost_filter::circle(a, b, pose_a, pose_b, margin),
-        (LinkedPolygon, Capsule) | (Capsule, LinkedPolygon) => {
-            ghost_filter::capsule(&ShapePair::new(a, b, pose_a, pose_b), margin)
-        }
-        (LinkedPolygon, _) | (_, LinkedPolygon) => {
-            ghost_filter::polygons(&ShapePair::new(a, b, pose_a, pose_b), margin)
-        }
-        (Capsule, _) | (_, Capsule) => capsule::capsule(&ShapePair::new(a, b, pose_a, pose_b), margin),
-    }
-}
-
 /// Returns the manifold of two circles: at most one point, on the line of centres. `margin`: contact margin in length units.
-fn circles(a: ShapeRef<'_>, b: ShapeRef<'_>, pose_a: Pose, pose_b: Pose, margin: f32) -> Manifold {
+pub(super) fn circles(a: ShapeRef<'_>, b: ShapeRef<'_>, pose_a: Pose, pose_b: Pose, margin: f32) -> Manifold {
     let arm = rotate(rotation(pose_a), a.shape.centre);
     let centre_b = sum(translation(pose_b), rotate(rotation(pose_b), b.shape.centre));
     let d = difference(difference(centre_b, translation(pose_a)), arm);
@@ -195,7 +163,13 @@ pub(in crate::precise) fn circles_at_toi(
 }
 
 /// Returns the manifold of a polygon A and a circle B: at most one point, at the closest edge or vertex of A.
-fn polygon_and_circle(a: ShapeRef<'_>, b: ShapeRef<'_>, pose_a: Pose, pose_b: Pose, margin: f32) -> Manifold {
+pub(super) fn polygon_and_circle(
+    a: ShapeRef<'_>,
+    b: ShapeRef<'_>,
+    pose_a: Pose,
+    pose_b: Pose,
+    margin: f32,
+) -> Manifold {
     let rotation_a = rotation(pose_a);
     let centre_b =
         sum(difference(translation(pose_b), translation(pose_a)), rotate(rotation(pose_b), b.shape.centre));
@@ -296,7 +270,13 @@ fn find_incident_edge(shape: ShapeRef<'_>, direction: Vector) -> usize {
 }
 
 /// Returns the manifold of two polygons, by separating axis test and clipping. `margin`: contact margin in length units.
-fn polygons(a: ShapeRef<'_>, b: ShapeRef<'_>, pose_a: Pose, pose_b: Pose, margin: f32) -> Manifold {
+pub(super) fn polygons(
+    a: ShapeRef<'_>,
+    b: ShapeRef<'_>,
+    pose_a: Pose,
+    pose_b: Pose,
+    margin: f32,
+) -> Manifold {
     let (qa, qb) = (rotation(pose_a), rotation(pose_b));
     let offset = difference(translation(pose_b), translation(pose_a));
     let (position, rotation_of_b) = (rotate_inverse(qa, offset), rotate_inverse(qa, qb));
