@@ -22,9 +22,10 @@ use crate::precise::joints::springs::SpringRows;
 use crate::precise::joints::{JointSystem, mass_of_inverse};
 use crate::precise::parameters::direct::{
     ACCEPTED_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_FRACTION, CYCLIC_PENETRATION_SPEED,
-    CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, LATERAL_SLIP_MIN_SPEED,
-    MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, PENETRATION_SLOP,
-    PENETRATION_SLOP_PER_COORDINATE, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+    CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, FRICTIONLESS_SPEED_GAIN,
+    LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT,
+    NEWTON_LIMIT_PER_BODY, PENETRATION_SLOP, PENETRATION_SLOP_PER_COORDINATE, RESTING_VELOCITY_ERROR,
+    SOLVED_VELOCITY_ERROR,
 };
 use crate::precise::scaled_parameters::{Parameters, StepContext};
 use crate::storage::reusing_clone::reusing_clone;
@@ -48,6 +49,8 @@ pub(super) struct DirectIsland {
     /// island was not solved. A solution uses the memory of the sums. In an island with joints at rest it tells only that no
     /// contact constraint has changed.
     pub(super) has_impulse_sum: bool,
+    /// Whether the island [moves without friction](Self::moves_without_friction), as found in this update.
+    needs_friction: bool,
     /// Number of Newton steps for the island in the last update.
     pub(super) newton_steps: usize,
     /// Whether the island has no acceptable solution and goes to the iterative solver in this update. Contact cycles with a
@@ -78,7 +81,7 @@ pub(super) struct DirectIsland {
 
 reusing_clone! {
     DirectIsland {
-        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, newton_steps, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
+        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, needs_friction, newton_steps, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
         spring_bodies, interval_joints, joint_impulses, total_displacements
     }
 }
@@ -335,6 +338,26 @@ impl DirectIsland {
         }
     }
 
+    /// Returns whether a body of the island would gain speed in the step if all friction coefficients were 0: the island then
+    /// stands by friction. `unit` is the length unit. The members must have been [loaded](Self::load_bodies), and must be loaded
+    /// again afterwards.
+    fn moves_without_friction(&mut self, rows: &ConstraintGraph, reader: &RowReader<'_>, unit: f64) -> bool {
+        self.make_contacts(rows, reader, false);
+        let system = &mut self.system;
+        system.contacts.iter_mut().for_each(|contact| contact.friction = 0.0);
+        let slop_and_slip = [reader.penetration_slop, LATERAL_SLIP_MIN_SPEED * unit];
+        let residual = system.begin_solve(reader.dt, slop_and_slip);
+        system.solve(&contact_tolerances(residual, unit));
+        let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+        system.members.iter().any(|member| {
+            let at = member.body as usize;
+            let [x0, y0, ..] = reader.bodies.states[at].velocity.map(f64::from);
+            let [x, y, ..] = free_velocity(reader.bodies, at, reader.substeps);
+            let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
+            speed([member.velocity[0], member.velocity[1]]) > most + RESTING_VELOCITY_ERROR * unit
+        })
+    }
+
     /// Returns whether a budget decides how long an island without joints stays with the direct solver: it is in 2D, has
     /// contact cycles and cannot jam. For other islands without joints the number of Newton steps decides.
     fn has_cyclic_budget(&self, has_depth: bool) -> bool {
@@ -397,6 +420,13 @@ impl DirectSolver {
         for island in &mut islands[..*count] {
             island.has_impulse_sum &= !has_changed;
             let stats = solver.solve_island(island, history[island.system.members[0].body as usize]);
+            if std::mem::take(&mut island.needs_friction) {
+                island
+                    .system
+                    .members
+                    .iter()
+                    .for_each(|member| history[member.body as usize].friction_checks = 0);
+            }
             record_stats(history, timer, island, stats, solver.has_depth);
             island.newton_steps = stats.newton_steps;
         }
@@ -462,6 +492,10 @@ impl IslandSolver<'_> {
             penetration_slop: slop,
             velocity_tolerance,
         };
+        if history.is_first_friction_check() {
+            island.needs_friction = island.moves_without_friction(rows, &reader, unit);
+            island.load_bodies(bodies, substeps, unit);
+        }
         island.apply_warm_start(rows, &reader);
         if !*has_depth {
             let [residual, deepest] = island.residual(rows, &reader);
