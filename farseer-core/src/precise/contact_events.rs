@@ -9,7 +9,8 @@ use super::narrow_phase::{NarrowPhaseStats, TouchEvent};
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::precise::broad_phase::proxies::BodyType;
+use crate::precise::broad_phase::pairs::Pairs;
+use crate::precise::broad_phase::proxies::{BodyType, Proxies};
 use crate::precise::ids::geom_of;
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
 use crate::surface::SurfaceOverride;
@@ -33,15 +34,6 @@ impl Precise {
     /// Returns the number of contact points in both solvers.
     pub(crate) fn contacts_solved(&self) -> usize {
         self.constraints.point_count()
-    }
-
-    /// Returns the sort key of a pair: the creation numbers of both geoms, the smaller one first, packed into one number.
-    /// `None` if the pair does not touch or a handler has disabled it.
-    fn touching_pair_key(&self, pair: usize) -> Option<u128> {
-        self.pairs.all.get(pair).filter(|state| state.is_touching && !state.is_vetoed)?;
-        let [a, b] =
-            self.pairs.triggers[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].creation_number);
-        Some(packed_key(if a < b { [a, b] } else { [b, a] }))
     }
 
     /// Returns the arbiter of a pair: the touching geoms with their contacts. `None` if the pair does not touch, and in three
@@ -84,7 +76,7 @@ impl Precise {
         let (one, other) = if is_small { (one, other) } else { (other, one) };
         let proxies = [self.single_proxy(one), self.single_proxy(other)];
         let (pair, first) = match proxies {
-            [Some(one), Some(other)] => (self.find_pair([one, other]), u32::MAX),
+            [Some(one), Some(other)] => (self.pairs.find([one, other]), u32::MAX),
             _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
         };
         let is_piece =
@@ -100,17 +92,6 @@ impl Precise {
     /// Returns the index of the proxy of a geom that has exactly one; else `None`.
     fn single_proxy(&self, geom: GeomId) -> Option<u32> {
         self.proxy_of(geom, 0).filter(|_| self.proxy_of(geom, 1).is_none())
-    }
-
-    /// Returns the index of the pair of two proxies; `None` if they are no pair. The pairs of both proxies are visited in turn,
-    /// so the cost is that of the proxy with fewer pairs.
-    fn find_pair(&self, [one, other]: [u32; 2]) -> Option<usize> {
-        let is_between = |pair: &usize| {
-            let proxies = self.pairs.triggers[*pair].proxies;
-            proxies == [one, other] || proxies == [other, one]
-        };
-        let both = self.pairs.pairs_of(one).zip(self.pairs.pairs_of(other));
-        both.flat_map(|(a, b)| [a, b]).find(is_between)
     }
 
     /// Returns the number of pairs that touch.
@@ -134,7 +115,8 @@ impl Precise {
     pub(crate) fn touching_pairs(&mut self, events: &[((GeomId, GeomId), bool)]) -> Vec<(u128, u32)> {
         let mut touching = std::mem::take(&mut self.touching_scratch);
         touching.clear();
-        let with_numbers = |pair: usize| Some((self.touching_pair_key(pair)?, pair as u32));
+        let with_numbers =
+            |pair: usize| Some((touching_pair_key(&self.pairs, &self.proxies, pair)?, pair as u32));
         let is_reported = |pair: &usize| self.pairs.all[*pair].is_reported;
         let count = if self.pairs.reported_count > 0 { self.pairs.len() } else { 0 };
         touching.extend((0..count).filter(is_reported).filter_map(with_numbers));
@@ -179,4 +161,12 @@ impl Precise {
             self.has_handler_changes = true;
         }
     }
+}
+
+/// Returns the sort key of a pair: the creation numbers of both geoms, the smaller one first, packed into one number.
+/// `None` if the pair does not touch or a handler has disabled it.
+fn touching_pair_key(pairs: &Pairs, proxies: &Proxies, pair: usize) -> Option<u128> {
+    pairs.all.get(pair).filter(|state| state.is_touching && !state.is_vetoed)?;
+    let [a, b] = pairs.triggers[pair].proxies.map(|proxy| proxies.all[proxy as usize].creation_number);
+    Some(packed_key(if a < b { [a, b] } else { [b, a] }))
 }

@@ -59,7 +59,7 @@ impl Precise {
     /// contact are left out. A geom occurs once for each pair of convex pieces.
     pub(crate) fn depth_neighbours_of(&self, body_index: usize) -> impl Iterator<Item = GeomId> + '_ {
         let others = self.proxies.proxies_of(body_index).flat_map(move |proxy| {
-            self.pairs.pairs_of(proxy).filter(|&pair| self.has_response(pair)).map(move |pair| {
+            self.pairs.pairs_of(proxy).filter(|&pair| self.pairs.all[pair].has_response()).map(move |pair| {
                 let [a, b] = self.pairs.triggers[pair].proxies;
                 if a == proxy { b } else { a }
             })
@@ -100,12 +100,6 @@ impl Precise {
                 find(geom_of(proxy));
             }
         });
-    }
-
-    /// Returns whether the contacts of a pair exert impulses: neither geom is a sensor and no callback has vetoed the pair.
-    fn has_response(&self, pair: usize) -> bool {
-        let state = &self.pairs.all[pair];
-        state.responds && !state.is_vetoed
     }
 
     /// Returns the number of proxies that touch the ground.

@@ -118,6 +118,13 @@ pub(in crate::precise) struct Pair {
     pub(in crate::precise) one_way_state: OneWayState,
 }
 
+impl Pair {
+    /// Returns whether contacts of the pair exert impulses: neither geom is a sensor, and no handler has disabled the contact.
+    pub(in crate::precise) fn has_response(&self) -> bool {
+        self.responds && !self.is_vetoed
+    }
+}
+
 /// Links of a pair in the lists of pairs of both proxies: proxy A first, then the other proxy. A link is twice the index of a
 /// pair, plus 0 (side A) or 1 (side B). The proxies are stored in [`RecheckTrigger`], too; the copy serves loops over a list,
 /// which read nothing else.
@@ -277,6 +284,17 @@ impl Pairs {
     /// Returns whether the proxies A and B have a pair. The list of B is searched, since B is dynamic and has few pairs.
     pub(in crate::precise) fn contains(&self, [a, b]: [u32; 2]) -> bool {
         self.pairs_of(b).any(|pair| self.links[pair].proxies == [a, b])
+    }
+
+    /// Returns the index of the pair of two proxies; `None` if they are no pair. The pairs of both proxies are visited in turn,
+    /// so the cost is that of the proxy with fewer pairs.
+    pub(in crate::precise) fn find(&self, [one, other]: [u32; 2]) -> Option<usize> {
+        let is_between = |pair: &usize| {
+            let proxies = self.links[*pair].proxies;
+            proxies == [one, other] || proxies == [other, one]
+        };
+        let both = self.pairs_of(one).zip(self.pairs_of(other));
+        both.flat_map(|(a, b)| [a, b]).find(is_between)
     }
 
     /// Appends a pair without contacts at the end of all lists, and returns its index.

@@ -150,7 +150,7 @@ impl RollingSolver<'_> {
     fn supports_point(&self, pair: usize, at_b: u32, plane: &StaticPlane, point: Vector) -> bool {
         let (state, [at_a, other]) = (&self.pairs.all[pair], self.pairs.triggers[pair].proxies);
         let is_met = state.constraint.is_some() || self.is_planar;
-        let is_static_contact = state.kind.is_static && state.responds && !state.is_vetoed;
+        let is_static_contact = state.kind.is_static && state.has_response();
         let is_level = || {
             self.height_above_plane(pair, plane).abs() <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit
         };

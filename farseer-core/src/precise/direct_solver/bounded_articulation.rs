@@ -44,14 +44,13 @@ impl DirectIsland {
         let at_beginning = if is_first { 1.0 - share } else { -share };
         for member in &mut self.system.members {
             let (push, forced) =
-                (bodies.force_delta[member.body as usize], bodies.force_position_delta[member.body as usize]);
+                (bodies.force_delta[member.index()], bodies.force_position_delta[member.index()]);
             for axis in 0..3 {
                 let kick = share * substeps * f64::from(push[axis]);
                 member.velocity[axis] += kick + at_beginning * at_once * f64::from(forced[axis]);
             }
             member.velocity_change = [0.0; 3];
-            [member.mass, member.inertia] =
-                bodies.inverse_mass_inertia[member.body as usize].map(mass_of_inverse);
+            [member.mass, member.inertia] = bodies.inverse_mass_inertia[member.index()].map(mass_of_inverse);
         }
     }
 

@@ -31,7 +31,7 @@ pub(super) fn update_budget(
     island: &DirectIsland,
     SolveStats { newton_steps: steps, is_solved, .. }: SolveStats,
 ) {
-    let mut history = histories[island.system.members[0].body as usize];
+    let mut history = histories[island.system.members[0].index()];
     history.was_iterated = steps > 0;
     history.has_accepted_solution |= island.has_joints() && !island.is_released;
     let cost = match is_solved {
@@ -60,7 +60,7 @@ pub(super) fn update_budget(
         history.back_off = history.back_off.saturating_sub(1);
     }
     for member in &island.system.members {
-        histories[member.body as usize] = history;
+        histories[member.index()] = history;
     }
 }
 

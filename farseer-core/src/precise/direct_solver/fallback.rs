@@ -62,7 +62,7 @@ impl DirectSolver {
         for at in 0..*count {
             if islands[at].is_released {
                 let members = &islands[at].system.members;
-                members.iter().for_each(|member| history[member.body as usize].is_direct = false);
+                members.iter().for_each(|member| history[member.index()].is_direct = false);
             } else {
                 islands.swap(at, solved);
                 solved += 1;

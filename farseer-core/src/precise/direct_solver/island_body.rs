@@ -25,6 +25,12 @@ pub(super) struct IslandBody {
 }
 
 impl IslandBody {
+    /// Returns the index of the body in the simulator's list of bodies.
+    #[inline(always)]
+    pub(super) fn index(&self) -> usize {
+        self.body as usize
+    }
+
     /// Returns the velocity change by an impulse (mass units * length units/s for x and y, mass units * length units^2/s for
     /// the angle): M^-1 times the impulse. Unit: length units/s, length units/s, radians/s.
     #[inline(always)]

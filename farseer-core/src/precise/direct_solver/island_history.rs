@@ -37,7 +37,8 @@ pub(in crate::precise) struct IslandHistory {
     /// [slip](super::island_stats::IslandStats::slips).
     #[serde(rename = "look_in")]
     pub(in crate::precise) friction_check_in: u8,
-    /// Number of friction checks of the body so far plus one; 0 for a body that is not checked.
+    /// Number of friction checks of the body so far plus one; 0 for a body that is not checked. In the direct solver the bodies
+    /// in their [cold start](super::island_stats::IslandStats::is_cold_start) are checked, and no others.
     #[serde(rename = "watch")]
     pub(in crate::precise) friction_checks: u8,
 }
@@ -47,6 +48,11 @@ impl IslandHistory {
     /// selection leaves a small island with contact cycles to the iterative solver.
     pub(super) fn begin_friction_checks(&mut self) {
         (self.friction_check_in, self.friction_checks) = (1, 1);
+    }
+
+    /// Returns whether the friction checks of the body have begun in this update.
+    pub(super) fn is_first_friction_check(&self) -> bool {
+        self.friction_checks == 1
     }
 
     /// Counts one update of the friction checks. Returns whether friction at the body is checked in this update. The time
@@ -106,6 +112,8 @@ pub(super) fn merged_history(members: &[(u32, u32)], histories: &[IslandHistory]
         has_accepted_solution: merged.has_accepted_solution && other.has_accepted_solution,
         budget: if other.budget < merged.budget { other.budget } else { merged.budget },
         back_off: merged.back_off.max(other.back_off),
+        friction_checks: merged.friction_checks.max(other.friction_checks),
+        friction_check_in: merged.friction_check_in.max(other.friction_check_in),
         ..merged
     })
 }

@@ -37,6 +37,8 @@ pub(super) struct DirectIsland {
     /// island was not solved. A solution uses the memory of the sums. In an island with joints at rest it tells only that no
     /// contact constraint has changed.
     pub(super) has_impulse_sum: bool,
+    /// Whether the island moves without friction (`moves_without_friction` of the island solver), as found in this update.
+    pub(super) needs_friction: bool,
     /// Number of Newton steps for the island in the last update.
     pub(super) newton_steps: usize,
     /// Whether the island has no acceptable solution and goes to the iterative solver in this update. Contact cycles with a
@@ -67,7 +69,7 @@ pub(super) struct DirectIsland {
 
 reusing_clone! {
     DirectIsland {
-        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, newton_steps, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
+        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, needs_friction, newton_steps, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
         spring_bodies, interval_joints, joint_impulses, total_displacements
     }
 }
@@ -236,7 +238,7 @@ impl DirectIsland {
     pub(super) fn load_bodies(&mut self, bodies: &BodySet, substeps: f64, unit: f64) -> f64 {
         let mut max_coordinate = 0.0;
         for member in &mut self.system.members {
-            let at = member.body as usize;
+            let at = member.index();
             let [x, y, ..] = bodies.poses[at];
             max_coordinate =
                 [x, y].iter().fold(max_coordinate, |far: f32, x| if x.abs() > far { x.abs() } else { far });

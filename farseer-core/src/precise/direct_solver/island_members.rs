@@ -61,10 +61,12 @@ impl DirectSolver {
                 history.pause = RESELECTION_PERIOD;
                 timer.has_paused = true;
             }
-            let is_watched = !is_wanted && stats.is_small_cycle() && !(stats.moves || stats.formed_by_motion);
+            let is_watched = (!is_wanted || stats.is_cold_start())
+                && stats.is_small_cycle()
+                && !(stats.moves || stats.formed_by_motion);
             if !is_watched {
                 history.friction_checks = 0;
-            } else if history.friction_checks == 0 {
+            } else if history.friction_checks == 0 || is_wanted {
                 history.begin_friction_checks();
             }
         }

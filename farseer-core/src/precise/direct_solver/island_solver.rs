@@ -15,9 +15,9 @@ use crate::precise::joints::JointSystem;
 use crate::precise::joints::springs::SpringRows;
 use crate::precise::parameters::direct::{
     ACCEPTED_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_FRACTION, CYCLIC_PENETRATION_SPEED,
-    CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, LATERAL_SLIP_MIN_SPEED,
-    MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY,
-    RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+    CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, FRICTIONLESS_SPEED_GAIN,
+    LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT,
+    NEWTON_LIMIT_PER_BODY, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
 use crate::precise::scaled_parameters::{Parameters, StepContext};
 /// The parts of the engine that the direct solver reads and writes for its islands.
@@ -45,7 +45,11 @@ impl DirectSolver {
         let DirectSolver { islands, count, history, timer, .. } = self;
         for island in &mut islands[..*count] {
             island.has_impulse_sum &= !has_changed;
-            let stats = solver.solve_island(island, history[island.system.members[0].body as usize]);
+            let stats = solver.solve_island(island, history[island.system.members[0].index()]);
+            if std::mem::take(&mut island.needs_friction) {
+                let members = &island.system.members;
+                members.iter().for_each(|member| history[member.index()].friction_checks = 0);
+            }
             record_stats(history, timer, island, stats, solver.has_depth);
             island.newton_steps = stats.newton_steps;
         }
@@ -60,9 +64,9 @@ impl DirectSolver {
                 // has.
                 let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
                 let depth = member.depth_velocity as f32 + 0.0;
-                bodies.states[member.body as usize].velocity = [x, y, spin, depth];
+                bodies.states[member.index()].velocity = [x, y, spin, depth];
                 let [x, y, turned] = displacement.map(|component| component as f32);
-                bodies.delta_pose[member.body as usize] = [x, y, turned, depth * dt];
+                bodies.delta_pose[member.index()] = [x, y, turned, depth * dt];
             }
         }
     }
@@ -111,6 +115,10 @@ impl IslandSolver<'_> {
             penetration_slop: slop,
             velocity_tolerance,
         };
+        if history.is_first_friction_check() {
+            island.needs_friction = moves_without_friction(island, rows, &reader, unit);
+            island.load_bodies(bodies, substeps, unit);
+        }
         island.apply_warm_start(rows, &reader);
         if !*has_depth {
             let [residual, deepest] = island.residual(rows, &reader);
@@ -154,6 +162,31 @@ impl IslandSolver<'_> {
     }
 }
 
+/// Returns whether a body of the island would gain speed in the step if all friction coefficients were 0: the island then stands
+/// by friction. `unit` is the length unit. The members must have been [loaded](DirectIsland::load_bodies), and must be loaded
+/// again afterwards.
+fn moves_without_friction(
+    island: &mut DirectIsland,
+    rows: &ConstraintGraph,
+    reader: &RowReader<'_>,
+    unit: f64,
+) -> bool {
+    island.make_contacts(rows, reader, false);
+    let system = &mut island.system;
+    system.contacts.iter_mut().for_each(|contact| contact.friction = 0.0);
+    let slop_and_slip = [reader.penetration_slop, LATERAL_SLIP_MIN_SPEED * unit];
+    let residual = system.begin_solve(reader.dt, slop_and_slip);
+    system.solve(&contact_tolerances(residual, unit));
+    let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+    system.members.iter().any(|member| {
+        let at = member.index();
+        let [x0, y0, ..] = reader.bodies.states[at].velocity.map(f64::from);
+        let [x, y, ..] = free_velocity(reader.bodies, at, reader.substeps);
+        let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
+        speed([member.velocity[0], member.velocity[1]]) > most + RESTING_VELOCITY_ERROR * unit
+    })
+}
+
 /// Returns the tolerances of an island of contacts. `residual` is its velocity residual before the solution, length units/s,
 /// and `unit` the length unit.
 fn contact_tolerances(residual: f64, unit: f64) -> Tolerances {
@@ -188,7 +221,7 @@ fn record_stats(
     let SolveStats { newton_steps: steps, is_solved, .. } = stats;
     let (system, contacts) = (&island.system, island.contact_handles.len());
     let bodies = system.members.len();
-    let mut history = histories[system.members[0].body as usize];
+    let mut history = histories[system.members[0].index()];
     history.average_newton_steps += (steps as f32 - history.average_newton_steps) / NEWTON_AVERAGE_UPDATES;
     history.was_iterated = steps > 0;
     let has_cycles = usize::from(contacts > bodies);
@@ -204,6 +237,6 @@ fn record_stats(
         }
     }
     for member in &system.members {
-        histories[member.body as usize] = history;
+        histories[member.index()] = history;
     }
 }

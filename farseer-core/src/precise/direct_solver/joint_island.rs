@@ -132,7 +132,7 @@ impl DirectIsland {
         !self.resting_bodies.is_empty()
             && self.has_impulse_sum
             && self.joints.iter().all(|&at| !joints.constraint(at).has_moved())
-            && of_members.map(|(member, stood)| (member.body as usize, stood)).all(|(number, stood)| {
+            && of_members.map(|(member, stood)| (member.index(), stood)).all(|(number, stood)| {
                 *stood == RestingBody::of(bodies, number) && bodies.states[number].velocity == [0.0; 4]
             })
             && self.contact_handles.iter().zip(&self.separations).all(|(&handle, separations)| {
@@ -159,10 +159,10 @@ impl DirectIsland {
         }));
         displacements.iter_mut().for_each(|displacement| *displacement = [0.0; 3]);
         let RowReader { bodies, .. } = reader;
-        let is_at_rest = |member: &IslandBody| bodies.states[member.body as usize].velocity == [0.0; 4];
+        let is_at_rest = |member: &IslandBody| bodies.states[member.index()].velocity == [0.0; 4];
         if system.members.iter().all(is_at_rest) {
             resting_bodies
-                .extend(system.members.iter().map(|member| RestingBody::of(bodies, member.body as usize)));
+                .extend(system.members.iter().map(|member| RestingBody::of(bodies, member.index())));
         }
         system.members.iter_mut().for_each(|member| member.velocity = [0.0; 3]);
     }

@@ -73,14 +73,17 @@ impl SolverSelection<'_> {
                     || self.has_unsolved_load()))
     }
 
-    /// Returns whether friction [slips](IslandStats::slips) in the iterative solver at a calm body that was due for a friction
-    /// check in this update, in an island built in place.
+    /// Returns whether a body that was due for a friction check in this update, in an island built in place, needs another
+    /// solver.
+    ///
+    /// Either it is calm and friction [slips](IslandStats::slips) in the iterative solver, or its [cold
+    /// start](IslandStats::is_cold_start) in the direct solver is over.
     pub(in crate::precise) fn has_slipping_contact(&self) -> bool {
         (0..self.pairs.awake_count).any(|pair| self.is_slipping(pair))
     }
 
-    /// Returns whether the contact with index `pair` slips in the iterative solver. The result is false unless its body B is
-    /// calm, was due for a friction check in this update, and belongs to an island built in place.
+    /// Returns whether the contact with index `pair` slips in the iterative solver, or had a cold start in the direct solver. The
+    /// result is false unless its body B was due for a friction check in this update and belongs to an island built in place.
     fn is_slipping(&self, pair: usize) -> bool {
         let body = self.pairs.bodies_of(self.proxies, pair)[1].0;
         let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } = self.history[body];
@@ -88,11 +91,12 @@ impl SolverSelection<'_> {
             && friction_check_in == 1 << (friction_checks - 1).min(FRICTION_CHECK_MAX_DOUBLINGS);
         let velocity = |body: u32| self.bodies.states[body as usize].velocity;
         let is_calm = || !self.exceeds_calm_speed(velocity(body as u32));
-        let constraint = self.pairs.constraint(pair).filter(|(_, handle)| {
-            was_checked && !formed_by_motion && !handle.is_in_direct_solver() && is_calm()
-        });
+        let constraint = self.pairs.constraint(pair).filter(|_| was_checked && !formed_by_motion);
         let limit = SLIP_SPEED * self.parameters.length_unit;
-        constraint.is_some_and(|(kind, handle)| slips(&self.constraints.get(kind, handle), &velocity, limit))
+        constraint.is_some_and(|(kind, handle)| {
+            handle.is_in_direct_solver()
+                || (is_calm() && slips(&self.constraints.get(kind, handle), &velocity, limit))
+        })
     }
 
     /// Returns whether the linear velocity `x`, `y` (length units/s) of a body is faster than [`CALM_ISLAND_MAX_SPEED`].
@@ -116,7 +120,7 @@ impl SolverSelection<'_> {
         {
             let (stats, history) = (census.stats_of(body as u32), self.history[body]);
             stats.bodies += 1;
-            stats.direct_bodies += u32::from(history.is_direct);
+            stats.direct_bodies += u32::from(history.is_direct && history.friction_checks == 0);
             stats.has_unsupported_joint |= self.has_depth && self.joints.has_joint(body);
             stats.was_paused |= history.back_off > 0;
             stats.pause = stats.pause.max(history.pause);
@@ -138,12 +142,10 @@ impl SolverSelection<'_> {
             stats.contacts += 1;
             stats.has_unsupported_joint |= mobility == BodyType::Hinged;
             stats.has_depth = self.has_depth;
-            if !(stats.slips || stats.has_depth) {
-                stats.slips = slips(
-                    &self.constraints.get(kind, handle),
-                    velocity,
-                    SLIP_SPEED * self.parameters.length_unit,
-                );
+            if !(stats.has_depth || stats.slips && stats.has_load) {
+                let contact = self.constraints.get(kind, handle);
+                stats.slips |= slips(&contact, velocity, SLIP_SPEED * self.parameters.length_unit);
+                stats.has_load |= contact.points.iter().any(|point| point.normal_impulse > 0.0);
             }
             let inverse_masses = [one, body].map(|body| self.bodies.inverse_mass_inertia[body][0]);
             if self.has_restitution || stats.has_depth || exceeds_mass_ratio(inverse_masses, heavy_ratio) {

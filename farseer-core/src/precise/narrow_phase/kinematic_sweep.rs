@@ -67,7 +67,7 @@ impl<'a> NarrowPhase<'a> {
     /// already are skipped.
     fn add_swept_contact(&mut self, pair: usize) {
         let state = &self.pairs.all[pair];
-        let is_new = self.pairs.manifolds[pair].count == 0 && state.responds && !state.is_vetoed;
+        let is_new = self.pairs.manifolds[pair].count == 0 && state.has_response();
         let two = self.proxy_pair(pair);
         if !is_new || two.b.body_type != BodyType::Dynamic || self.is_carried_equally(pair, two) {
             return;

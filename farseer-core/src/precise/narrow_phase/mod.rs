@@ -295,7 +295,7 @@ impl<'a> NarrowPhase<'a> {
         let previous_normal = self.pairs.manifolds[pair].normal;
         self.cache_manifold(pair, two, manifold);
         self.pairs.manifolds[pair].depth.z_offset += approach.z;
-        if !state.responds || state.is_vetoed {
+        if !state.has_response() {
             return;
         }
         let old = old.unwrap_or_default();
