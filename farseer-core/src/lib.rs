@@ -583,12 +583,14 @@ pub use path::{
     LinkType, Path,
 };
 #[doc(hidden)]
-pub use precise::depth::interface::{
-    DepthBodyState, DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget, DepthShape,
-    DepthTarget, HingeFeature, VerticalShape, WorldBox, WorldBoxHinge, WorldBoxMotion,
+pub use precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget};
+#[doc(hidden)]
+pub use precise::solver::depth::interface::{
+    DepthBodyState, DepthShape, DepthTarget, HingeFeature, VerticalShape, WorldBox, WorldBoxHinge,
+    WorldBoxMotion,
 };
 #[doc(hidden)]
-pub use precise::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
+pub use precise::solver::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
 pub use precise::{AwakeReason, Island, IslandCost, IslandResidual, IslandSolver, SolverReason};
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};

@@ -11,10 +11,10 @@ use super::ids::geom_of;
 use super::listed::Listed;
 use crate::body::BodyId;
 use crate::objects::Objects;
-use crate::precise::broad_phase::hash_grid::HashGrid;
 use crate::precise::ids::AlwaysTested;
-use crate::precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
+use crate::precise::solver::broad_phase::hash_grid::HashGrid;
+use crate::precise::solver::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 
 /// Bodies and geoms by which the simulator's lists differ from those of the precise set.
 struct MembershipDiff {
@@ -111,8 +111,8 @@ impl Precise {
         self.color_usage.add_body(index, self.bodies.inverse_mass_inertia[index]);
         self.sleep.add_body(index);
         if let Some(space) = &mut self.depth {
-            space.add_body(index, id);
-            space.import_body(&mut self.bodies, index, id);
+            space.add_body(index, id.slot());
+            space.import_body(&mut self.bodies, index, id.slot());
         }
     }
 
@@ -131,7 +131,7 @@ impl Precise {
         self.pairs.grow(count);
         for proxy in self.ids.proxies_of_geom(&self.proxies, id) {
             if let Some(space) = self.depth.as_deref_mut() {
-                space.add_proxy(proxy, id);
+                space.add_proxy(proxy, id.to_bits());
                 space.fix_rotation_of_proxy(proxy as u32, &self.proxies, &mut self.bodies);
             }
             self.fat_aabbs().insert(proxy as u32);

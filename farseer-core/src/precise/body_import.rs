@@ -3,7 +3,8 @@
 
 use wide::f32x4;
 
-use super::bodies::{BodySet, ListedBody, sin_cos_of_rotation};
+use super::solver::bodies::{BodySet, ListedBody, sin_cos_of_rotation};
+use super::solver::integration::BodyForces;
 use crate::body::Body;
 use crate::math::plane::Pose;
 use crate::math::{Vector2, decay};
@@ -95,17 +96,4 @@ pub(super) fn read_body(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> B
         force_delta: (velocity_change * f32x4::splat(h / dt)).to_array(),
         force_position_delta: (applied * f32x4::splat(0.5 * dt * dt)).to_array(),
     }
-}
-
-/// Velocity of a body before the step, and its changes by forces in the step.
-#[derive(Default)]
-pub(super) struct BodyForces {
-    /// Velocity at the beginning of the step: x, y (length units/s), angular velocity (radians/s), z (length units/s).
-    pub(super) velocity: [f32; 4],
-    /// Velocity change per substep by forces, gravity and drag: x, y (length units/s), angular velocity (radians/s), z (length
-    /// units/s).
-    pub(super) force_delta: [f32; 4],
-    /// Correction of the displacement in the step for applied forces: x, y (length units), rotation (radians), z (length
-    /// units).
-    pub(super) force_position_delta: [f32; 4],
 }

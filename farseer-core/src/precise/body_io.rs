@@ -5,11 +5,14 @@ use std::ops::Range;
 use wide::f32x4;
 
 use super::Precise;
-use super::body_import::{BodyForces, pose_of, read_body};
-use super::depth::feature_gate::FeatureGate;
-use super::integration::{integrate_kinematic, integrate_poses};
-use super::non_finite::{are_motions_finite, restore_non_finite};
-use super::scaled_parameters::StepContext;
+use super::body_import::{pose_of, read_body};
+use super::solver::depth::body_state::BodyDrag;
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::state::DepthState;
+use super::solver::integration::{BodyForces, integrate_kinematic, integrate_poses};
+use super::solver::non_finite::{are_motions_finite, restore_non_finite};
+use super::solver::scaled_parameters::StepContext;
+use crate::body::{Body, BodyId};
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::report::{Event, Report};
@@ -28,7 +31,8 @@ impl Precise {
                 continue;
             };
             let (velocity, spin) = entry.body.kinematic_velocity(self.dt);
-            let along_depth = self.depth.as_ref().map_or(0.0, |space| space.kinematic_velocity(id, self.dt));
+            let along_depth =
+                self.depth.as_ref().map_or(0.0, |space| space.kinematic_velocity(id.slot(), self.dt));
             let velocity = [velocity.x, velocity.y, spin, along_depth];
             if velocity.iter().all(|velocity| velocity.is_finite()) {
                 self.bodies.states[number].velocity = velocity;
@@ -83,7 +87,7 @@ impl Precise {
             let (Some(id), Some(entry)) = (*id, entry) else { continue };
             let mut read = read_body(&mut entry.body, gravity, step.dt, step.h);
             if let Some(space) = depth {
-                space.begin_velocity(number, &entry.body, &mut read, step, id);
+                begin_depth_velocity(space, (number, id), &entry.body, &mut read, step);
             }
             let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
             if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
@@ -140,7 +144,7 @@ impl Precise {
                 entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
                 *rotation = entry.body.rotation();
                 if let (Some(space), Some(id)) = (&mut *depth, id) {
-                    space.store_position(number, id, *delta_pose, vz);
+                    space.store_position(number, id.slot(), *delta_pose, vz);
                 }
                 if let Some(body) = id.filter(|_| *delta_pose != [0.0; 4]) {
                     report.counters.bodies_moved += 1;
@@ -158,7 +162,7 @@ impl Precise {
         for (number, disabled) in restore_non_finite(&mut self.bodies, &self.sleep, depth) {
             let Some(body) = self.ids.bodies[number] else { continue };
             if let Some(space) = &mut self.depth {
-                space.body_mut(body).target = None;
+                space.body_mut(body.slot()).target = None;
             }
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
                 entry.body.set_enabled(false);
@@ -169,4 +173,25 @@ impl Precise {
         }
         self.constraints.reset_non_finite(self.depth.is_some());
     }
+}
+
+/// Adds velocity and forces of a body along z to `read`. `body`: index and id of the body.
+fn begin_depth_velocity(
+    space: &mut DepthState,
+    (body_index, id): (usize, BodyId),
+    body: &Body,
+    read: &mut BodyForces,
+    step: &StepContext,
+) {
+    if body.is_kinematic() {
+        read.velocity[3] = space.begin_kinematic(id.slot(), step.dt);
+        return;
+    }
+    let drag = BodyDrag {
+        rates: body.drag_rates(),
+        quadratic: body
+            .is_quadratic_drag_enabled()
+            .then(|| [body.quadratic_drag_coefficient(), body.inverse_mass()]),
+    };
+    space.begin_velocity((body_index, id.slot()), &drag, read, step);
 }

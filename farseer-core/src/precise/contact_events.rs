@@ -5,13 +5,13 @@
 
 use super::Precise;
 use super::contact_points::contacts_of;
-use super::narrow_phase::{NarrowPhaseStats, TouchEvent};
+use super::solver::narrow_phase::{NarrowPhaseStats, TouchEvent};
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
-use crate::precise::broad_phase::pairs::Pairs;
-use crate::precise::broad_phase::proxies::{BodyType, Proxies};
 use crate::precise::ids::geom_of;
+use crate::precise::solver::broad_phase::pairs::Pairs;
+use crate::precise::solver::broad_phase::proxies::{BodyType, Proxies};
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
 use crate::surface::SurfaceOverride;
 

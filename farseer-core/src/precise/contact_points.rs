@@ -1,6 +1,6 @@
 //! Contacts of the solver as the API shows them.
 
-use super::narrow_phase::contact_reader::{PlanarContact, PlanarContactPoint};
+use super::solver::narrow_phase::contact_reader::{PlanarContact, PlanarContactPoint};
 use crate::contacts::contact::{Contact, ContactId};
 use crate::math::Vector2;
 use crate::math::scalar::nearest_finite;

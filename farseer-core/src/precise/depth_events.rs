@@ -1,13 +1,14 @@
 //! Adapter: contact queries and begin and end events in three axes, for the engine above (`twohalf`).
 //!
 //! Translates pairs to geoms, world boxes and the ground. The numbers come from the
-//! [contact reader](crate::precise::narrow_phase::contact_reader).
+//! [contact reader](crate::precise::solver::narrow_phase::contact_reader).
 
 use super::Precise;
-use super::depth::interface::{self, DepthContact, DepthContactEvent, DepthContactTarget};
+use super::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget, contact_target_of, is_geom};
+use super::solver::depth::interface::DepthInterval;
 use crate::geom::GeomId;
-use crate::precise::broad_phase::hash_grid::overlap;
 use crate::precise::ids::geom_of;
+use crate::precise::solver::broad_phase::hash_grid::overlap;
 
 impl Precise {
     /// Returns whether the cached contacts are valid. Between loading a snapshot and the next update they are not.
@@ -33,8 +34,8 @@ impl Precise {
         if begins && touch.is_none() {
             return None;
         }
-        let (this, partner) = if interface::is_geom(younger) { (younger, older) } else { (older, younger) };
-        Some(DepthContactEvent { this, target: interface::contact_target_of(partner), contact: touch })
+        let (this, partner) = if is_geom(younger) { (younger, older) } else { (older, younger) };
+        Some(DepthContactEvent { this, target: contact_target_of(partner), contact: touch })
     }
 
     /// Returns the manifold of deepest penetration among the touching convex pieces of two geoms; `None` if no pieces touch.
@@ -81,7 +82,7 @@ impl Precise {
         refused.map(move |pair| {
             let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
             let (this, other) = if a.body as usize == body_index { (a, b) } else { (b, a) };
-            (geom_of(this), interface::contact_target_of(geom_of(other)))
+            (geom_of(this), contact_target_of(geom_of(other)))
         })
     }
 
@@ -90,8 +91,7 @@ impl Precise {
     /// twice.
     pub(crate) fn for_each_geom_in(&self, low: [f32; 3], high: [f32; 3], mut find: impl FnMut(GeomId)) {
         let Some(space) = &self.depth else { return };
-        let (bounds, depths) =
-            ([low[0], low[1], high[0], high[1]], interface::DepthInterval::new(low[2], high[2]));
+        let (bounds, depths) = ([low[0], low[1], high[0], high[1]], DepthInterval::new(low[2], high[2]));
         self.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
             let (at, proxy) = (at as usize, &self.proxies.all[at as usize]);
             let is_near =
@@ -135,7 +135,7 @@ impl Precise {
         Some(DepthContact {
             this: geom_of(this),
             body: self.ids.bodies[this.body as usize]?,
-            target: interface::contact_target_of(geom_of(partner)),
+            target: contact_target_of(geom_of(partner)),
             pieces: [this.piece, partner.piece],
             target_body,
             normal: contact.normal.map(|part| sign * part),

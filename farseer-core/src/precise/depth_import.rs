@@ -2,13 +2,14 @@
 //! depth states of moved bodies.
 
 use super::Precise;
-use super::broad_phase::proxies::BodyType;
-use super::depth::feature_gate::FeatureGate;
-use super::depth::interface::{
-    self, DepthBodyState, DepthContactTarget, DepthShape, HingeFeature, WorldBox, WorldBoxMotion, is_geom,
+use super::depth_contact::{
+    DepthContactTarget, contact_target_of, is_geom, world_box_body_id, world_box_of_body_id,
 };
-use super::depth::world_box_shape::solver_velocity;
 use super::ids::geom_of;
+use super::solver::broad_phase::proxies::BodyType;
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::interface::{DepthBodyState, DepthShape, HingeFeature, WorldBox, WorldBoxMotion};
+use super::solver::depth::world_box_shape::solver_velocity;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::Vector3;
@@ -28,7 +29,7 @@ impl Precise {
     /// Sets the depth state of a body. This is an edit: the body wakes.
     pub(crate) fn set_depth_body(&mut self, id: BodyId, state: DepthBodyState) {
         let Some(space) = self.depth.as_deref_mut() else { return };
-        *space.body_mut(id) = state;
+        *space.body_mut(id.slot()) = state;
         self.edits.bodies.push(id);
     }
 
@@ -37,7 +38,7 @@ impl Precise {
     pub(crate) fn record_force(&mut self, id: BodyId, along_depth: f32) {
         let Some(number) = self.movable_index_of(id) else { return };
         if let Some(space) = self.depth.as_deref_mut() {
-            space.add_acceleration(id, along_depth);
+            space.add_acceleration(id.slot(), along_depth);
         }
         self.sleep.record_force(number);
     }
@@ -45,7 +46,7 @@ impl Precise {
     /// Returns the acceleration of a body along z by the forces applied for the coming step, in length units/s^2; 0 without a
     /// depth axis.
     pub(crate) fn depth_acceleration(&self, id: BodyId) -> f32 {
-        self.depth.as_ref().map_or(0.0, |space| space.acceleration(id))
+        self.depth.as_ref().map_or(0.0, |space| space.acceleration(id.slot()))
     }
 
     /// Returns the body index of a dynamic or kinematic body; `None` for static and absent ones.
@@ -61,14 +62,14 @@ impl Precise {
     ) -> [Option<(BodyId, f32)>; 2] {
         ids.map(|id| {
             let (id, space) = (id?, self.depth.as_ref()?);
-            self.movable_index_of(id).is_none().then(|| (id, space.acceleration(id)))
+            self.movable_index_of(id).is_none().then(|| (id, space.acceleration(id.slot())))
         })
     }
 
     /// Sets the depth shape of a geom. If the shape changes, all lists of bodies and proxies are rebuilt before the next step.
     pub(crate) fn set_depth_shape(&mut self, id: GeomId, shape: DepthShape) {
         let Some(space) = self.depth.as_deref_mut() else { return };
-        let known = space.shape_mut(id);
+        let known = space.shape_mut(id.slot());
         if *known != shape {
             *known = shape;
             self.edits.needs_rebuild |= self.proxy_of(id, 0).is_some();
@@ -108,7 +109,7 @@ impl Precise {
         let space = self.depth.as_ref();
         self.sleep.awake_bodies(self.bodies.last_movable).filter_map(move |number| {
             let id = self.ids.bodies[number]?;
-            Some((id, space?.body(id)))
+            Some((id, space?.body(id.slot())))
         })
     }
 
@@ -117,7 +118,7 @@ impl Precise {
         self.depth.iter().flat_map(|space| {
             space.newly_asleep.iter().map(|&id| {
                 let id = BodyId::from_bits(id);
-                (id, space.body(id))
+                (id, space.body(id.slot()))
             })
         })
     }
@@ -127,7 +128,7 @@ impl Precise {
 impl Precise {
     /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y.
     pub(super) fn rests_along_z(&self, id: BodyId) -> bool {
-        self.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id))
+        self.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id.slot()))
     }
 
     /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of
@@ -135,10 +136,10 @@ impl Precise {
     pub(super) fn rebuild_world_boxes(&mut self) {
         let Precise { depth: Some(space), bodies, ids, .. } = self else { return };
         space.add_box_bodies(bodies);
-        space.rebuild_bodies(bodies, &ids.bodies);
+        space.rebuild_bodies(bodies, ids.bodies.iter().map(|id| id.map(|id| id.slot())));
         for body_index in 1..=bodies.last_movable {
             if let Some(id) = ids.bodies[body_index] {
-                space.import_body(bodies, body_index, id);
+                space.import_body(bodies, body_index, id.slot());
             }
         }
     }
@@ -150,7 +151,7 @@ impl Precise {
             let mut proxies = self.proxies.proxies_of(body_index).map(|at| &self.proxies.all[at as usize]);
             proxies
                 .find(|proxy| proxy.body_type == BodyType::Hinged)
-                .map(|proxy| interface::world_box_body_id(geom_of(proxy)))
+                .map(|proxy| world_box_body_id(geom_of(proxy)))
         };
         self.ids.bodies[body_index].or_else(|| if HingeFeature::ENABLED { of_world_box() } else { None })
     }
@@ -161,14 +162,14 @@ impl Precise {
             if !HingeFeature::ENABLED {
                 return None;
             }
-            self.depth.as_ref()?.hinged_body(interface::world_box_of_body_id(name)?)
+            self.depth.as_ref()?.hinged_body(world_box_of_body_id(name)?)
         })
     }
 
     /// Returns the proxy index of the ground or of a world box; `None` for a geom or an unknown box.
     pub(super) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
         let space = self.depth.as_ref()?;
-        match interface::contact_target_of(id) {
+        match contact_target_of(id) {
             DepthContactTarget::Ground => Some(space.ground_proxy as usize),
             DepthContactTarget::WorldBox(id) => space.proxy_of_world_box(id),
             DepthContactTarget::Geom(_) => None,
@@ -185,7 +186,7 @@ impl Precise {
         };
         let (Some(space), Some(entry)) = (&self.depth, objects.geoms.get(geom)) else { return Some(false) };
         let is_enabled = objects.bodies.get(entry.body).is_some_and(|body| body.body.enabled());
-        let meets = match interface::contact_target_of(other) {
+        let meets = match contact_target_of(other) {
             DepthContactTarget::Ground => entry.geom.collision_enabled(),
             DepthContactTarget::WorldBox(id) => space
                 .world_box_by_id(id)

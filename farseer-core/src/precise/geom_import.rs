@@ -1,13 +1,13 @@
 //! Adapter: makes the proxies of geoms from their properties.
 
-use super::bodies::BodySet;
-use super::broad_phase::proxies::{BodyType, Proxies, Proxy};
-use super::depth::feature_gate::FeatureGate;
-use super::depth::interface::DepthShape;
-use super::depth::state::DepthState;
-use super::fingerprint::Fingerprint;
 use super::ids::{IdTable, owner_of};
-use super::shape::Shape;
+use super::solver::bodies::BodySet;
+use super::solver::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::interface::DepthShape;
+use super::solver::depth::state::DepthState;
+use super::solver::fingerprint::Fingerprint;
+use super::solver::shape::Shape;
 use crate::body::{Body, BodyId};
 use crate::geom::entry::GeomEntry;
 use crate::geom::filter::CollisionFilter;
@@ -97,7 +97,7 @@ impl ProxyImport<'_> {
 
     /// Adds the shape of a convex piece, in the frame of its body, to the vertex pool. Returns the shape.
     fn add_shape(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
-        match self.depth.map(|space| space.shape(id)) {
+        match self.depth.map(|space| space.shape(id.slot())) {
             Some(DepthShape { vertical: Some(upright), .. }) => {
                 let ([x, y], half) = upright.front_box();
                 self.proxies.vertices.add_box_at([geom.offset.x + x, geom.offset.y + y], half)
@@ -110,12 +110,12 @@ impl ProxyImport<'_> {
         }
     }
 
-    /// Returns the [fingerprint](super::fingerprint) of a listed `shape` of a geom, with its depth shape in three axes.
+    /// Returns the [fingerprint](super::solver::fingerprint) of a listed `shape` of a geom, with its depth shape in three axes.
     fn fingerprint_of(&self, id: GeomId, shape: Shape) -> u64 {
         let mut fingerprint = Fingerprint::default();
         fingerprint.add_outline(self.proxies.vertices.shape_ref(shape));
         if let Some(space) = self.depth {
-            fingerprint.add_depth_shape(&space.shape(id));
+            fingerprint.add_depth_shape(&space.shape(id.slot()));
         }
         fingerprint.bits()
     }
@@ -125,7 +125,7 @@ impl ProxyImport<'_> {
 /// (radians/s), z (length units/s).
 pub(super) fn surface_velocity(body: &Body, id: BodyId, depth: Option<FeatureGate<&DepthState>>) -> [f32; 4] {
     let (velocity, spin) = (body.linear_velocity(), body.angular_velocity());
-    let along_depth = depth.map_or(0.0, |space| space.body(id).velocity);
+    let along_depth = depth.map_or(0.0, |space| space.body(id.slot()).velocity);
     [velocity.x, velocity.y, spin, along_depth].map(without_negative_zero)
 }
 

@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use super::broad_phase::proxies::{Proxies, Proxy};
+use super::solver::broad_phase::proxies::{Proxies, Proxy};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::storage::reusing_clone::reusing_clone;

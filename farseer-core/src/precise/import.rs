@@ -6,20 +6,20 @@
 //! objects and writes bodies, proxies, pairs and sleep.
 
 use super::Precise;
-use super::bodies::BodySet;
 use super::body_import::{
     gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
 };
-use super::broad_phase::pair_finder::is_pair_reported;
-use super::broad_phase::pairs::Pairs;
-use super::broad_phase::proxies::{Proxies, Proxy};
-use super::depth::feature_gate::FeatureGate;
-use super::depth::interface::is_geom;
+use super::depth_contact::is_geom;
 use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, surface_velocity};
 use super::ids::piece_at;
 use super::listed::{Listed, is_simulated};
-use super::narrow_phase::pair_lifetime::initial_one_way_state;
 use super::saved::{EditPolicy, Saved};
+use super::solver::bodies::BodySet;
+use super::solver::broad_phase::pair_finder::is_pair_reported;
+use super::solver::broad_phase::pairs::Pairs;
+use super::solver::broad_phase::proxies::{Proxies, Proxy};
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::narrow_phase::pair_lifetime::initial_one_way_state;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::filter::{is_valid_pair, may_keep_touching};
@@ -40,7 +40,7 @@ impl Precise {
         let depth = self.depth.as_ref().map(FeatureGate::by_ref);
         let mut inverses = if is_movable { inverse_mass_inertia_of(body) } else { [0.0; 2] };
         inverses = depth.map_or(inverses, |space| space.without_fixed_inertia(index, inverses));
-        let is_at_other_z = depth.is_some_and(|space| space.was_moved_along_z(index, id));
+        let is_at_other_z = depth.is_some_and(|space| space.was_moved_along_z(index, id.slot()));
         let velocity = if is_movable { [0.0; 4] } else { surface_velocity(body, id, depth) };
         let has_moved = was_moved(&self.bodies, index, body) || is_at_other_z;
         let has_mass_changed = inverses != self.bodies.inverse_mass_inertia[index];
@@ -67,7 +67,7 @@ impl Precise {
             self.bodies.clear_delta_pose(index);
         }
         if let Some(space) = &mut self.depth {
-            space.import_body(&mut self.bodies, index, id);
+            space.import_body(&mut self.bodies, index, id.slot());
         }
         for &geom in &entry.geoms {
             self.update_proxies(geom, |proxy| {
@@ -312,7 +312,7 @@ impl Precise {
             // A force along the depth axis on a body that a handler has made static is in no snapshot, so it is removed here,
             // too.
             let unmoved = movable().filter(|(_, entry)| !entry.body.is_integrated());
-            unmoved.for_each(|(id, _)| space.set_acceleration(id, 0.0));
+            unmoved.for_each(|(id, _)| space.set_acceleration(id.slot(), 0.0));
         }
     }
 

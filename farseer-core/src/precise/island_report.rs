@@ -3,19 +3,19 @@
 //! The report is computed on request, from the state that the update has left. The step itself stores nothing for it.
 
 use super::Precise;
-use super::bodies::BodySet;
-use super::broad_phase::pairs::Pairs;
-use super::broad_phase::proxies::Proxies;
-use super::direct_solver::island_stats::IslandCensus;
 use super::ids::IdTable;
-use super::island::falling_asleep::unite_islands;
-use super::island::report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
-use super::island::sleep::SleepState;
-use super::island::union_find::UnionFind;
 use super::island_types::{AwakeReason, Island};
-use super::narrow_phase::manifold::Manifold;
-use super::narrow_phase::shape_dispatch::collide;
-use super::parameters::sleep::TIME_TO_SLEEP;
+use super::solver::bodies::BodySet;
+use super::solver::broad_phase::pairs::Pairs;
+use super::solver::broad_phase::proxies::Proxies;
+use super::solver::direct_solver::island_stats::IslandCensus;
+use super::solver::island::falling_asleep::unite_islands;
+use super::solver::island::report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
+use super::solver::island::sleep::SleepState;
+use super::solver::island::union_find::UnionFind;
+use super::solver::narrow_phase::manifold::Manifold;
+use super::solver::narrow_phase::shape_dispatch::collide;
+use super::solver::parameters::sleep::TIME_TO_SLEEP;
 use super::wake_import::spring_body_pairs;
 use crate::body::BodyId;
 use crate::joints::Joint;

@@ -1,6 +1,6 @@
 //! Adapter: the types with which the API describes islands, and tells why a body is awake.
 
-use super::island::report::{IslandCost, IslandSolver, SolverReason};
+use super::solver::island::report::{IslandCost, IslandSolver, SolverReason};
 use crate::body::BodyId;
 
 /// Reason why a body is awake: see [`PhysicsSimulator::why_awake`](crate::PhysicsSimulator::why_awake).

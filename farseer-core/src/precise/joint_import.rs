@@ -5,15 +5,15 @@
 //! break. The module reads the joints and bodies of the simulator. It writes errors, anchors and forces of the joints, and an
 //! event for each broken joint.
 
-use super::bodies::BodySet;
-use super::depth::feature_gate::FeatureGate;
-use super::depth::state::DepthState;
 use super::ids::IdTable;
-use super::island::sleep::SleepState;
-use super::joints::JointSystem;
-use super::joints::articulated_body::{LockedDofs, Vec2};
-use super::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
-use super::scaled_parameters::StepContext;
+use super::solver::bodies::BodySet;
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::state::DepthState;
+use super::solver::island::sleep::SleepState;
+use super::solver::joints::JointSystem;
+use super::solver::joints::articulated_body::{LockedDofs, Vec2};
+use super::solver::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
+use super::solver::scaled_parameters::StepContext;
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
 use crate::joints::constraint_spec::ConstraintSpecKind;
@@ -242,7 +242,7 @@ impl<'a> JointImport<'a> {
     fn depth_offset(self, locked: LockedDofs, bodies: (Option<BodyId>, BodyId)) -> f64 {
         match (locked, self.depth, bodies) {
             (LockedDofs::Distance, Some(space), (Some(first), second)) => {
-                f64::from(-space.relative_z_and_velocity(first, second)[0])
+                f64::from(-space.relative_z_and_velocity(first.slot(), second.slot())[0])
             }
             _ => 0.0,
         }
@@ -308,7 +308,7 @@ impl<'a> JointImport<'a> {
         if let Some(space) = self.depth {
             let depth_of = |at: usize, side: usize| match (side, ids[at].bodies) {
                 (0, (None, _)) => 0.0,
-                (0, (Some(body), _)) | (_, (_, body)) => space.z_and_velocity(body)[0],
+                (0, (Some(body), _)) | (_, (_, body)) => space.z_and_velocity(body.slot())[0],
             };
             joints.prepare_spatial(self.bodies, step, is_touched, read, depth_of);
         }

@@ -2,7 +2,7 @@
 
 use super::Precise;
 use super::joint_import::{JointImport, export_joints};
-use super::scaled_parameters::StepContext;
+use super::solver::scaled_parameters::StepContext;
 use super::spring_import::{SpringChoice, import_springs};
 use crate::body::entry::Bodies;
 use crate::joints::JointId;

@@ -1,10 +1,10 @@
 //! Adapter: what is listed, compared with the objects of the game. The comparison finds edits that need a rebuild of all lists.
 
-use super::bodies::BodySet;
 use super::body_import::inverse_mass_inertia_of;
-use super::broad_phase::proxies::Proxies;
 use super::geom_import::geom_filter;
 use super::ids::IdTable;
+use super::solver::bodies::BodySet;
+use super::solver::broad_phase::proxies::Proxies;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;

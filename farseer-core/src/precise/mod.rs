@@ -6,99 +6,82 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | 1 | imports edited objects | [`import`], [`add_remove`], [`geom_import`] |
-//! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`] |
-//! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`], [`constraint_graph`] |
-//! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`], [`joints`], [`island`] |
-//! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`], [`continuous_collision`] |
-//! | 6 | writes bodies, refits AABBs | [`step`], [`integration`] |
-//! | 7 | puts islands at rest to sleep | [`sleep_stages`], [`island`] |
+//! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`](solver::broad_phase) |
+//! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`](solver::narrow_phase), [`constraint_graph`](solver::constraint_graph) |
+//! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`](solver::bodies), [`joints`](solver::joints), [`island`](solver::island) |
+//! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`], [`continuous_collision`](solver::continuous_collision) |
+//! | 6 | writes bodies, refits AABBs | [`step`], [`integration`](solver::integration) |
+//! | 7 | puts islands at rest to sleep | [`sleep_stages`], [`island`](solver::island) |
 //!
 //! Files whose first line begins with "Adapter" name ids and objects of the game; [`ids`] translates them to indices.
 //!
-//! For `twohalf`, an engine on top of this one, all stages work in three axes ([`depth`]). Lengths are in the user's unit.
-//! Parameters are multiples of one length unit ([`scaled_parameters`]).
+//! For `twohalf`, an engine on top of this one, all stages work in three axes ([`depth`](solver::depth)). Lengths are in the user's unit.
+//! Parameters are multiples of one length unit ([`scaled_parameters`](solver::scaled_parameters)).
 
 mod add_remove;
-mod bodies;
 mod body_import;
 mod body_io;
-pub(crate) mod broad_phase;
 mod candidate_pairs;
-mod constraint_graph;
 mod contact_events;
 mod contact_points;
-mod contact_solver;
-mod continuous_collision;
-pub(crate) mod depth;
+pub(crate) mod depth_contact;
 mod depth_events;
 mod depth_import;
-mod direct_solver;
-mod fingerprint;
 mod geom_import;
 mod ids;
 mod import;
-mod integration;
-mod island;
 mod island_report;
 mod island_types;
 mod joint_import;
 mod joint_stages;
-mod joints;
 mod listed;
-mod mass;
-mod minimum_degree;
-mod narrow_phase;
-mod non_finite;
-mod parameters;
 mod pending_edits;
 mod query_candidates;
 mod saved;
-mod scaled_parameters;
-mod shape;
 pub(crate) mod skip_step;
 mod sleep_stages;
 mod sleeping_joints;
-mod sparse_ordering;
+pub(crate) mod solver;
 mod spring_import;
 mod step;
 mod wake_import;
 
 use serde::Deserialize;
 
-pub use crate::precise::island::report::IslandCost;
-pub use crate::precise::island::report::IslandResidual;
-pub use crate::precise::island::report::IslandSolver;
-pub use crate::precise::island::report::SolverReason;
+pub use crate::precise::solver::island::report::IslandCost;
+pub use crate::precise::solver::island::report::IslandResidual;
+pub use crate::precise::solver::island::report::IslandSolver;
+pub use crate::precise::solver::island::report::SolverReason;
 use crate::storage::reusing_clone::reusing_clone;
 use crate::surface::FrictionType;
 pub use island_types::{AwakeReason, Island};
 use saved::Saved;
-pub(crate) use scaled_parameters::StepContext;
+pub(crate) use solver::scaled_parameters::StepContext;
 
-use crate::precise::broad_phase::fat_aabbs::FatAabbs;
-use crate::precise::broad_phase::hash_grid::HashGrid;
-use crate::precise::broad_phase::pairs::Pairs;
-use crate::precise::broad_phase::proxies::Proxies;
-use crate::precise::contact_solver::rolling::RollingContact;
-use crate::precise::island::sleep::SleepState;
-use crate::precise::parameters::direct::IMMEDIATE_RESELECTION_BODIES;
-use bodies::BodySet;
-use constraint_graph::{ColorUsage, ConstraintGraph};
-use continuous_collision::fast_body::FastBody;
-use continuous_collision::swept_motion::SweptMotion;
-use depth::feature_gate::FeatureGate;
-use depth::state::DepthState;
-use direct_solver::DirectSolver;
-use direct_solver::selection::SolverSelection;
+use crate::precise::solver::broad_phase::fat_aabbs::FatAabbs;
+use crate::precise::solver::broad_phase::hash_grid::HashGrid;
+use crate::precise::solver::broad_phase::pairs::Pairs;
+use crate::precise::solver::broad_phase::proxies::Proxies;
+use crate::precise::solver::contact_solver::rolling::RollingContact;
+use crate::precise::solver::island::sleep::SleepState;
+use crate::precise::solver::parameters::direct::IMMEDIATE_RESELECTION_BODIES;
 use ids::{AlwaysTested, IdTable};
 use joint_import::JointTable;
-use joints::JointSystem;
-use joints::springs::SpringRows;
-use narrow_phase::contact_reader::ContactReader;
-use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
 use pending_edits::PendingEdits;
-use scaled_parameters::Parameters;
 use sleeping_joints::SleepingJoint;
+use solver::bodies::BodySet;
+use solver::constraint_graph::{ColorUsage, ConstraintGraph};
+use solver::continuous_collision::fast_body::FastBody;
+use solver::continuous_collision::swept_motion::SweptMotion;
+use solver::depth::feature_gate::FeatureGate;
+use solver::depth::state::DepthState;
+use solver::direct_solver::DirectSolver;
+use solver::direct_solver::selection::SolverSelection;
+use solver::joints::JointSystem;
+use solver::joints::springs::SpringRows;
+use solver::narrow_phase::contact_reader::ContactReader;
+use solver::narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
+use solver::scaled_parameters::Parameters;
 
 /// State of the precise engine between steps.
 #[derive(Debug, Deserialize)]

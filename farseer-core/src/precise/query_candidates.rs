@@ -10,7 +10,7 @@ use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::ids::AlwaysTested;
-use crate::precise::parameters::broad_phase::{
+use crate::precise::solver::parameters::broad_phase::{
     PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
 };
 use crate::shape::Aabb;

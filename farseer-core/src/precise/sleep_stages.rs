@@ -1,18 +1,18 @@
 //! Adapter: the stages that put bodies to sleep and wake them, and their order.
 //!
-//! The solver's part is in [`island`](super::island). Bodies and joints of the game are read and written here,
+//! The solver's part is in [`island`](super::solver::island). Bodies and joints of the game are read and written here,
 //! in [`wake_import`](super::wake_import) and in [`sleeping_joints`](super::sleeping_joints).
 
 use super::Precise;
-use super::depth::feature_gate::FeatureGate;
-use super::depth::state::DepthState;
 use super::ids::IdTable;
-use super::island::falling_asleep::RestDetector;
-use super::island::wake::{
+use super::sleeping_joints::{JointComparison, drop_joints_of_awake};
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::state::DepthState;
+use super::solver::island::falling_asleep::RestDetector;
+use super::solver::island::wake::{
     are_sleeping_pairs_parked, sleep_pairs, wake_partners, wake_requested, wake_touched,
 };
-use super::scaled_parameters::StepContext;
-use super::sleeping_joints::{JointComparison, drop_joints_of_awake};
+use super::solver::scaled_parameters::StepContext;
 use super::wake_import::{ForceComparison, KinematicMotion, spring_body_pairs};
 use crate::body::BodyId;
 use crate::math::Vector2;
@@ -229,7 +229,10 @@ fn stop_objects(
             entry.body.stop();
         }
         if let Some(space) = &mut depth {
-            id.into_iter().for_each(|id| space.put_to_rest(body, id));
+            if let Some(id) = id {
+                space.put_to_rest(body, id.slot());
+                space.newly_asleep.push(id.to_bits());
+            }
             space.put_hinge_to_rest(body);
         }
     }

@@ -3,11 +3,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bodies::BodySet;
-use super::depth::feature_gate::FeatureGate;
-use super::depth::state::DepthState;
 use super::ids::IdTable;
-use super::island::sleep::SleepState;
+use super::solver::bodies::BodySet;
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::state::DepthState;
+use super::solver::island::sleep::SleepState;
 use crate::body::BodyId;
 use crate::joints::constraint_spec::ConstraintSpec;
 use crate::joints::{Joint, JointId};
@@ -77,7 +77,7 @@ impl JointComparison<'_> {
         let entry = self.objects.bodies.get(id).filter(|_| self.ids.body_index(id).is_none());
         entry.map_or([0.0; 4], |entry| {
             let (position, rotation) = (entry.body.position(), entry.body.rotation());
-            let z = self.depth.map_or(0.0, |space| space.z_and_velocity(id)[0]);
+            let z = self.depth.map_or(0.0, |space| space.z_and_velocity(id.slot())[0]);
             [position.x, position.y, rotation, z]
         })
     }

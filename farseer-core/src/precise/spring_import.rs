@@ -1,14 +1,14 @@
 //! Adapter: import of the game's springs as rows of the solvers.
 //!
-//! A spring at a body with joints or contacts becomes a [row](super::joints::springs); all others stay explicit forces. The
+//! A spring at a body with joints or contacts becomes a [row](super::solver::joints::springs); all others stay explicit forces. The
 //! choice is made when the spring acts. The step then reads pose and coefficients of each row.
 
-use super::broad_phase::pairs::Pairs;
-use super::broad_phase::proxies::Proxies;
 use super::joint_import::{JointImport, JointTable, bodies_hash};
-use super::joints::JointSystem;
-use super::joints::joint_constraint::JointAnchor;
-use super::joints::springs::{SpringConstraint, SpringRows, anchor_distance};
+use super::solver::broad_phase::pairs::Pairs;
+use super::solver::broad_phase::proxies::Proxies;
+use super::solver::joints::JointSystem;
+use super::solver::joints::joint_constraint::JointAnchor;
+use super::solver::joints::springs::{SpringConstraint, SpringRows, anchor_distance};
 use crate::body::BodyId;
 use crate::math::Vector2;
 use crate::objects::Objects;

@@ -2,23 +2,23 @@
 //! bodies of the game are in [`body_io`](super::body_io).
 //!
 //! Islands in the direct solver and free articulations have solvers of their own. All other constraints are solved by the
-//! [iterative solver](super::contact_solver::iterative_solver) in substeps. If it has no constraint at all, all bodies move in
+//! [iterative solver](super::solver::contact_solver::iterative_solver) in substeps. If it has no constraint at all, all bodies move in
 //! free flight without substeps ([`integrate_free_flight`]).
 
 use super::Precise;
-use super::broad_phase::fat_aabbs::FatAabbs;
-use super::broad_phase::pair_finder::PairFinder;
-use super::continuous_collision::{end_paths, find_impacts, list_fast_bodies, toi_of_carried};
-use super::depth::feature_gate::FeatureGate;
-use super::depth::hinged_box::{brace_at_stops, finish_hinges, list_hinged_boxes};
-use super::depth::step::restitution_threshold_3d;
-use super::direct_solver::island_solver::IslandSolver;
-use super::integration::integrate_free_flight;
-use super::narrow_phase::NarrowPhaseStats;
-use super::scaled_parameters::LoadAdaptation;
-pub(crate) use super::scaled_parameters::StepContext;
+use super::solver::broad_phase::fat_aabbs::FatAabbs;
+use super::solver::broad_phase::pair_finder::PairFinder;
+use super::solver::continuous_collision::{end_paths, find_impacts, list_fast_bodies, toi_of_carried};
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::hinged_box::{brace_at_stops, finish_hinges, list_hinged_boxes};
+use super::solver::depth::step::restitution_threshold_3d;
+use super::solver::direct_solver::island_solver::IslandSolver;
+use super::solver::integration::integrate_free_flight;
+use super::solver::narrow_phase::NarrowPhaseStats;
+use super::solver::scaled_parameters::LoadAdaptation;
+pub(crate) use super::solver::scaled_parameters::StepContext;
 use crate::math::Vector2;
-use crate::precise::contact_solver::iterative_solver::IterativeSolver;
+use crate::precise::solver::contact_solver::iterative_solver::IterativeSolver;
 
 impl Precise {
     /// Returns the length of the last step, seconds, >= 0; 0 before the first step.

@@ -1,12 +1,12 @@
 //! Adapter: waking by the objects of the game. It finds the sleeping bodies that forces, springs, controllers or moving kinematic
 //! bodies concern, and requests that they wake.
 
-use super::bodies::BodySet;
-use super::depth::feature_gate::FeatureGate;
-use super::depth::state::DepthState;
 use super::ids::IdTable;
-use super::island::sleep::SleepState;
-use super::parameters::sleep::{REMEASURED_FORCE_MAX_CHANGE, TIME_TO_SLEEP};
+use super::solver::bodies::BodySet;
+use super::solver::depth::feature_gate::FeatureGate;
+use super::solver::depth::state::DepthState;
+use super::solver::island::sleep::SleepState;
+use super::solver::parameters::sleep::{REMEASURED_FORCE_MAX_CHANGE, TIME_TO_SLEEP};
 use crate::body::BodyId;
 use crate::controllers::ControllerKind;
 use crate::objects::Objects;
@@ -41,7 +41,7 @@ impl KinematicMotion<'_> {
         let body = id.and_then(|id| self.objects.bodies.get(id));
         body.is_some_and(|entry| entry.body.will_move())
             || self.depth.is_some_and(|space| match id {
-                Some(id) => space.is_kinematic_moving(id),
+                Some(id) => space.is_kinematic_moving(id.slot()),
                 None => space.is_world_box_moving(body_index),
             })
     }
@@ -93,13 +93,13 @@ impl ForceComparison<'_> {
                 (self.sleep.supported_acceleration[body], self.bodies.max_extents[body]);
             let Some(id) = self.ids.bodies[body] else { continue };
             let Some(entry) = objects.bodies.get_mut(id) else { continue };
-            let in_depth = self.depth.as_ref().map_or(0.0, |space| (space.acceleration(id) - z).abs());
+            let in_depth = self.depth.as_ref().map_or(0.0, |space| (space.acceleration(id.slot()) - z).abs());
             if in_depth > tolerance
                 || !entry.body.take_unchanged_forces([x, y, turning], reach, tolerance - in_depth)
             {
                 self.sleep.request_wake(body);
             } else if let Some(space) = &mut self.depth {
-                space.clear_acceleration(id);
+                space.clear_acceleration(id.slot());
             }
         }
         self.sleep.forced_bodies = forced_bodies;
@@ -117,7 +117,7 @@ impl ForceComparison<'_> {
             let Some(entry) = objects.bodies.get(id) else { continue };
             let ([x, y, turning], before) =
                 (entry.body.pending_accelerations(), self.sleep.supported_acceleration[body]);
-            let now = [x, y, turning, self.depth.as_ref().map_or(0.0, |space| space.acceleration(id))];
+            let now = [x, y, turning, self.depth.as_ref().map_or(0.0, |space| space.acceleration(id.slot()))];
             let is_near =
                 |at: usize| (now[at] - before[at]).abs() <= REMEASURED_FORCE_MAX_CHANGE * before[at].abs();
             if (0..4).all(is_near) {

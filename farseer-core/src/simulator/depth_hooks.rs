@@ -1,5 +1,5 @@
 //! Methods of the simulator for an engine with depth (`twohalf`) that games do not call: see
-//! [`precise::depth`](crate::precise::depth).
+//! [`precise::depth`](crate::precise::solver::depth).
 
 use super::callbacks::Handler;
 use super::{EventHandler, PhysicsSimulator};
@@ -8,10 +8,9 @@ use crate::geom::GeomId;
 use crate::geom::filter::Filter;
 use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
-use crate::precise::depth::feature_gate::IS_DEPTH_ENABLED;
-use crate::precise::depth::interface::{
-    DepthBodyState, DepthContact, DepthContactEvent, DepthContactTarget, DepthShape, WorldBox, WorldBoxMotion,
-};
+use crate::precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget};
+use crate::precise::solver::depth::feature_gate::IS_DEPTH_ENABLED;
+use crate::precise::solver::depth::interface::{DepthBodyState, DepthShape, WorldBox, WorldBoxMotion};
 use crate::report::Stopwatch;
 use crate::{Error, Result};
 

@@ -41,7 +41,7 @@ impl PhysicsSimulator {
             }
         }
         if let Some(space) = pipeline.precise.as_mut().and_then(|precise| precise.depth_mut()) {
-            kept.into_iter().flatten().for_each(|(body, push)| space.set_acceleration(body, push));
+            kept.into_iter().flatten().for_each(|(body, push)| space.set_acceleration(body.slot(), push));
         }
         match outcome {
             SpringOutcome::Idle => {}

@@ -11,7 +11,7 @@ use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::{dot, length};
-use crate::precise::depth::state::DepthState;
+use crate::precise::solver::depth::state::DepthState;
 use crate::springs::discrete_spring::inverse_mass_at;
 use crate::springs::spring_body::SpringBody;
 use crate::springs::{
@@ -139,7 +139,7 @@ impl FixedLinearSpring {
         let difference = point - self.world_attach_point;
         let [behind, receding] =
             self.world_attach_depth.zip(space.as_deref()).map_or([0.0; 2], |(depth, space)| {
-                let [z, velocity] = space.z_and_velocity(self.body);
+                let [z, velocity] = space.z_and_velocity(self.body.slot());
                 [z - depth, velocity]
             });
         let distance = length_with_depth(difference, behind);
@@ -159,7 +159,7 @@ impl FixedLinearSpring {
             return SpringEvaluation::NotFinite;
         }
         if let Some(space) = space.filter(|_| force_z != 0.0) {
-            space.add_acceleration(self.body, force_z * body.inverse_mass());
+            space.add_acceleration(self.body.slot(), force_z * body.inverse_mass());
         }
         let push = is_non_zero(force).then_some(SpringForce::Force { body: self.body, force, point });
         SpringEvaluation::Done { error, has_acted: push.is_some() || force_z != 0.0, forces: [push, None] }

@@ -11,7 +11,7 @@ use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::{dot, length};
-use crate::precise::depth::state::DepthState;
+use crate::precise::solver::depth::state::DepthState;
 use crate::springs::discrete_spring::inverse_mass_at;
 use crate::springs::spring_body::{SpringBody, may_act};
 use crate::springs::{
@@ -132,8 +132,9 @@ impl LinearSpring {
         let point1 = body1.get_world_position(self.attach_point1);
         let point2 = body2.get_world_position(self.attach_point2);
         let difference = point1 - point2;
-        let [behind, receding] =
-            space.as_deref().map_or([0.0; 2], |space| space.relative_z_and_velocity(self.body1, self.body2));
+        let [behind, receding] = space
+            .as_deref()
+            .map_or([0.0; 2], |space| space.relative_z_and_velocity(self.body1.slot(), self.body2.slot()));
         let distance = length_with_depth(difference, behind);
         if distance < MIN_SPRING_LENGTH {
             return SpringEvaluation::None;
@@ -169,8 +170,8 @@ impl LinearSpring {
         if let Some(space) = space.filter(|_| force_z != 0.0) {
             let inverses = [(moves1, body1), (moves2, body2)]
                 .map(|(moves, body)| if moves { body.inverse_mass() } else { 0.0 });
-            space.add_acceleration(self.body1, force_z * inverses[0]);
-            space.add_acceleration(self.body2, -force_z * inverses[1]);
+            space.add_acceleration(self.body1.slot(), force_z * inverses[0]);
+            space.add_acceleration(self.body2.slot(), -force_z * inverses[1]);
         }
         let has_acted = is_non_zero(force) || force_z != 0.0;
         let one = SpringForce::Force { body: self.body1, force, point: point1 };

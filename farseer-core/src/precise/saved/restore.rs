@@ -11,14 +11,14 @@ use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::body_import::velocity_of;
-use crate::precise::broad_phase::pair_finder::order_pair;
-use crate::precise::broad_phase::pairs::OneWayState;
-use crate::precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
-use crate::precise::depth::feature_gate::FeatureGate;
 use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
-use crate::precise::narrow_phase::TouchEvent;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
+use crate::precise::solver::broad_phase::pair_finder::order_pair;
+use crate::precise::solver::broad_phase::pairs::OneWayState;
+use crate::precise::solver::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
+use crate::precise::solver::depth::feature_gate::FeatureGate;
+use crate::precise::solver::narrow_phase::TouchEvent;
 use crate::storage::order::sort_by_number;
 
 impl From<Saved> for Precise {
@@ -180,7 +180,7 @@ impl Precise {
         let Some(entry) = objects.bodies.get(id) else { return };
         self.bodies.set_velocity(number, velocity_of(&entry.body));
         if let Some(space) = &mut self.depth {
-            space.import_body(&mut self.bodies, number, id);
+            space.import_body(&mut self.bodies, number, id.slot());
         }
     }
 

@@ -7,15 +7,15 @@ use super::{
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
-use crate::precise::broad_phase::pairs::CachedManifold;
-use crate::precise::broad_phase::proxies::Proxy;
-use crate::precise::constraint_graph::{
+use crate::precise::ids::geom_of;
+use crate::precise::solver::broad_phase::pairs::CachedManifold;
+use crate::precise::solver::broad_phase::proxies::Proxy;
+use crate::precise::solver::constraint_graph::{
     ConstraintHandle, ConstraintKind, ContactConstraint, ContactConstraintZ,
 };
-use crate::precise::depth::interface::DepthInterval;
-use crate::precise::direct_solver::IslandHistory;
-use crate::precise::ids::geom_of;
-use crate::precise::narrow_phase::TouchEvent;
+use crate::precise::solver::depth::interface::DepthInterval;
+use crate::precise::solver::direct_solver::IslandHistory;
+use crate::precise::solver::narrow_phase::TouchEvent;
 use crate::storage::order::sort_by_number;
 
 impl Precise {

@@ -1,0 +1,169 @@
+//! Facts about the islands of an update, and the reasons why the direct solver does not take an island.
+
+use crate::methods::SolverChoice;
+use crate::precise::solver::island::report::SolverReason;
+use crate::precise::solver::island::union_find::UnionFind;
+use crate::precise::solver::parameters::direct::{
+    ACYCLIC_MOVING_ISLAND_BODIES, CYCLIC_DEPTH_ISLAND_BODIES, CYCLIC_ISLAND_BODIES, DIRECT_ISLAND_BODIES,
+};
+use crate::storage::reusing_clone::reusing_clone;
+
+/// The islands of awake bodies, with the facts about each.
+#[derive(Debug, Default)]
+pub(in crate::precise) struct IslandCensus {
+    /// Union-find of body indices: one set per island.
+    pub(super) union_find: UnionFind,
+    /// Facts about each island, by the body index that is its union-find root.
+    pub(super) stats: Vec<IslandStats>,
+}
+
+reusing_clone! { IslandCensus { union_find, stats } }
+
+impl IslandCensus {
+    /// Returns the facts about the island of the body with index `body`.
+    #[inline(always)]
+    pub(in crate::precise) fn stats_of(&mut self, body: u32) -> &mut IslandStats {
+        &mut self.stats[self.union_find.find(body) as usize]
+    }
+}
+
+/// Facts about one island in the present update, on which solver selection depends.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::precise) struct IslandStats {
+    /// Number of dynamic bodies of the island.
+    pub(super) bodies: u32,
+    /// Number of contact constraints of the island.
+    pub(super) contacts: u32,
+    /// Number of bodies of the island whose last solver is the direct solver, other than for a [cold start](Self::is_cold_start).
+    pub(super) direct_bodies: u32,
+    /// Number of further updates for which the iterative solver keeps the island; 0 without a pause.
+    pub(super) pause: u8,
+    /// Number of joints and springs of the island; 0 in 2.5D.
+    pub(super) joints: u32,
+    /// Whether the island has a joint or a hinged body that the direct solver cannot take.
+    pub(super) has_unsupported_joint: bool,
+    /// Whether a contact of the island is about to apply restitution.
+    pub(super) bounces: bool,
+    /// Whether a body of the island is not calm: faster than
+    /// [`CALM_ISLAND_MAX_SPEED`](crate::precise::solver::parameters::direct::CALM_ISLAND_MAX_SPEED).
+    pub(super) moves: bool,
+    /// Whether a body of the island was not calm at an earlier solver selection. If not, the island is built in place.
+    pub(super) formed_by_motion: bool,
+    /// In 2D: whether a contact of the island slides although its friction is within the limit. Such a contact shows that the
+    /// iterative solver has not converged. A structure that stands by friction alone, such as a card house, then creeps until
+    /// it topples.
+    pub(super) slips: bool,
+    /// In 2D: whether a contact of the island has a normal impulse, from which the solver can start warm.
+    pub(super) has_load: bool,
+    /// For islands with joints: whether the island had a pause lately, so that its [`back_off`](super::island_history::IslandHistory::back_off) is not
+    /// 0.
+    pub(super) was_paused: bool,
+    /// For islands with joints: whether a joint has a position error above
+    /// [`ACCEPTED_JOINT_ERROR`](crate::precise::solver::parameters::direct::ACCEPTED_JOINT_ERROR).
+    pub(super) has_joint_gap: bool,
+    /// Whether the simulator has a depth axis (2.5D) and the island has contacts.
+    pub(super) has_depth: bool,
+    /// Whether a contact of the island [excludes a solution in the plane](super::lateral_friction::blocks_planar_solution).
+    pub(super) has_nonplanar_contact: bool,
+    /// Whether a heavy body of the island lies on a light one: see [`classify_load`](super::selection::SolverSelection::classify_load).
+    pub(super) has_heavy_on_light: bool,
+    /// Whether a much heavier body may jam a light one in the island: see [`classify_load`](super::selection::SolverSelection::classify_load).
+    pub(super) may_jam: bool,
+    /// Index of the island in the list of the direct solver; `None` if the iterative solver has it.
+    pub(super) island_index: Option<u32>,
+}
+
+impl IslandStats {
+    /// Returns the reason why the direct solver does not take this island under the user's `choice`; `None` if it takes the
+    /// island.
+    pub(in crate::precise) fn rejection_reason(&self, choice: SolverChoice) -> Option<SolverReason> {
+        let refusals = [
+            (self.bodies < 2 && self.joints == 0, SolverReason::OneBody),
+            (self.has_unsupported_joint, SolverReason::Joints),
+            (choice == SolverChoice::Iterative, SolverReason::Chosen),
+            (self.bodies > DIRECT_ISLAND_BODIES && self.contacts > self.joints, SolverReason::TooLarge),
+            (self.bounces, SolverReason::Bounces),
+        ];
+        first_reason(&refusals)
+            .or_else(|| if choice == SolverChoice::Direct { None } else { self.cost_objection() })
+    }
+
+    /// Returns whether the island gets a pause of [`RESELECTION_PERIOD`](crate::precise::solver::parameters::direct::RESELECTION_PERIOD) updates: a contact bounces or is not planar. In 2.5D
+    /// the pause is only for islands with a heavy body on a light one; the direct solver takes no others there.
+    pub(super) fn must_back_off(&self) -> bool {
+        (self.bounces || self.has_nonplanar_contact) && (self.has_heavy_on_light || !self.has_depth)
+    }
+
+    /// Returns whether the island has more contacts than bodies. Then the contact graph has cycles, or bodies are supported
+    /// from two sides.
+    pub(super) fn has_contact_cycles(&self) -> bool {
+        self.contacts > self.bodies
+    }
+
+    /// Returns whether the island has contacts.
+    pub(in crate::precise) fn has_contacts(&self) -> bool {
+        self.contacts > 0
+    }
+
+    /// Returns whether the island is in 2D and has contact cycles, no joints and fewer than [`CYCLIC_ISLAND_BODIES`] bodies.
+    /// The iterative solver suffices for such an island unless friction [slips](Self::slips).
+    pub(super) fn is_small_cycle(&self) -> bool {
+        self.has_contact_cycles() && self.bodies < CYCLIC_ISLAND_BODIES && self.joints == 0 && !self.has_depth
+    }
+
+    /// Returns whether no contact of the island has an impulse yet, so that no solver can start warm.
+    ///
+    /// A [small island with contact cycles](Self::is_small_cycle) that is built in place then has one update in the direct
+    /// solver, and hands its exact loads to the iterative solver. Without them friction slips in the iterative solver for some
+    /// updates. In long steps a card house of 4 storeys creeps so far in one of them that it topples.
+    pub(super) fn is_cold_start(&self) -> bool {
+        !self.has_load
+    }
+
+    /// Returns the reason why the iterative solver has this island, for the island report.
+    pub(in crate::precise) fn iterative_reason(&self, choice: SolverChoice) -> SolverReason {
+        let pause = (self.pause > 0).then_some(SolverReason::Rests { updates: self.pause });
+        let is_free = self.contacts == 0 && self.joints == 0;
+        let joints = is_free.then_some(SolverReason::Joints);
+        joints.or(self.rejection_reason(choice)).or(pause).unwrap_or(SolverReason::NotAskedYet)
+    }
+
+    /// Returns the reason why a direct solution of the island is not worth its cost; `None` if it is. Each condition is a row
+    /// of the table at the head of the module.
+    fn cost_objection(&self) -> Option<SolverReason> {
+        let IslandStats { bodies, direct_bodies, .. } = *self;
+        let (has_cycles, is_built) = (self.has_contact_cycles(), !(self.moves || self.formed_by_motion));
+        let was_direct = 2 * direct_bodies > bodies;
+        let pause = (self.pause > 0, SolverReason::Rests { updates: self.pause });
+        first_reason(&if self.joints > 0 {
+            let has_failed = self.was_paused && !was_direct && self.has_joint_gap;
+            [pause, (has_failed, SolverReason::Moves), pause, pause]
+        } else if self.has_depth {
+            [
+                pause,
+                (self.has_nonplanar_contact, SolverReason::HasDepth),
+                (!(self.has_heavy_on_light || was_direct), SolverReason::HasDepth),
+                (has_cycles && bodies > CYCLIC_DEPTH_ISLAND_BODIES, SolverReason::TooLarge),
+            ]
+        } else if self.is_loaded() {
+            [pause; 4]
+        } else {
+            [
+                pause,
+                (
+                    self.is_small_cycle()
+                        && !(is_built && (was_direct || self.slips || self.is_cold_start())),
+                    SolverReason::TooSmall,
+                ),
+                (has_cycles && !is_built && !was_direct, SolverReason::Moves),
+                (!has_cycles && !is_built && bodies < ACYCLIC_MOVING_ISLAND_BODIES, SolverReason::Moves),
+            ]
+        })
+    }
+}
+
+/// Returns the reason of the first pair in `refusals` whose condition is true; `None` if all are false.
+#[inline(never)]
+fn first_reason(refusals: &[(bool, SolverReason)]) -> Option<SolverReason> {
+    refusals.iter().find(|(applies, _)| *applies).map(|&(_, reason)| reason)
+}
