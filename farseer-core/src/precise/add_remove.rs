@@ -37,9 +37,9 @@ impl Precise {
     /// nothing is changed and a rebuild is needed: there are other changes, too, or the lists have no capacity left.
     pub(super) fn apply_add_remove(&mut self, objects: &Objects) -> bool {
         let listed = self.listed(objects);
-        let world_proxies = self.depth.as_ref().map_or(0, |space| space.world_proxy_count());
+        let world_proxies = self.solver.depth.as_ref().map_or(0, |space| space.world_proxy_count());
         let diff = MembershipDiff::new(&listed, world_proxies)
-            .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.grid));
+            .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.solver.grid));
         let Some(members) = diff else { return false };
         self.remove_members(&members);
         for &id in &members.added_bodies {
@@ -56,8 +56,8 @@ impl Precise {
         self.update_list_positions(&members, objects);
         self.edits.disabled_bodies = members.disabled_bodies;
         self.invalidate_joints();
-        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.sleep);
-        self.sleep.update_runs(&self.proxies);
+        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.solver.sleep);
+        self.solver.sleep.update_runs(&self.solver.proxies);
         true
     }
 
@@ -65,28 +65,34 @@ impl Precise {
     fn remove_members(&mut self, diff: &MembershipDiff) {
         let MembershipDiff { removed_bodies, removed_proxies, .. } = diff;
         // A removed body wakes nothing later.
-        removed_bodies.iter().for_each(|&number| self.sleep.remove_body(number));
-        let pairs = removed_proxies.iter().flat_map(|&proxy| self.pairs.pairs_of(proxy));
+        removed_bodies.iter().for_each(|&number| self.solver.sleep.remove_body(number));
+        let pairs = removed_proxies.iter().flat_map(|&proxy| self.solver.pairs.pairs_of(proxy));
         let mut pairs: Vec<usize> = pairs.collect();
         // Descending order keeps the remaining indices valid.
         pairs.sort_unstable();
         pairs.dedup();
         for pair in pairs.into_iter().rev() {
-            if self.pairs.all[pair].constraint.is_some() {
-                self.sleep.support_of_pair_removed(self.pairs.bodies_of(&self.proxies, pair));
+            if self.solver.pairs.all[pair].constraint.is_some() {
+                self.solver
+                    .sleep
+                    .support_of_pair_removed(self.solver.pairs.bodies_of(&self.solver.proxies, pair));
             }
-            self.narrow_phase().end_touch_event(pair);
-            self.narrow_phase().delete_pair(pair);
+            self.solver.narrow_phase().end_touch_event(pair);
+            self.solver.narrow_phase().delete_pair(pair);
         }
-        self.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
+        self.solver.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
         for &proxy in removed_proxies {
-            let (geom, body) =
-                (geom_of(&self.proxies.all[proxy as usize]), self.proxies.all[proxy as usize].body as usize);
-            self.grid.remove(proxy);
-            self.proxies.remove(proxy);
+            let (geom, body) = (
+                geom_of(&self.solver.proxies.all[proxy as usize]),
+                self.solver.proxies.all[proxy as usize].body as usize,
+            );
+            self.solver.grid.remove(proxy);
+            self.solver.proxies.remove(proxy);
             self.ids.remove_geom(geom);
             // A static body without geoms is not listed.
-            if body >= self.bodies.first_static() && self.proxies.proxies_of(body).next().is_none() {
+            if body >= self.solver.bodies.first_static()
+                && self.solver.proxies.proxies_of(body).next().is_none()
+            {
                 self.remove_body(body);
             }
         }
@@ -96,23 +102,23 @@ impl Precise {
     /// Removes the body at `index` from `bodies`, the direct solver and the graph colours.
     fn remove_body(&mut self, index: usize) {
         self.ids.remove_body(index);
-        if index < self.bodies.first_static() {
-            self.direct_solver.forget_body(index);
-            self.color_usage.remove_body(index);
+        if index < self.solver.bodies.first_static() {
+            self.solver.direct_solver.forget_body(index);
+            self.solver.color_usage.remove_body(index);
         }
-        self.bodies.remove(index);
+        self.solver.bodies.remove(index);
     }
 
     /// Appends a dynamic or kinematic body to `bodies`, the graph colours and the sleep state.
     fn add_body(&mut self, id: BodyId, objects: &Objects) {
         let body = &objects.bodies[id].body;
-        let Some(index) = self.bodies.add_movable(&listed_body(body, true)) else { return };
+        let Some(index) = self.solver.bodies.add_movable(&listed_body(body, true)) else { return };
         self.ids.add_body(index, id);
-        self.color_usage.add_body(index, self.bodies.inverse_mass_inertia[index]);
-        self.sleep.add_body(index);
-        if let Some(space) = &mut self.depth {
+        self.solver.color_usage.add_body(index, self.solver.bodies.inverse_mass_inertia[index]);
+        self.solver.sleep.add_body(index);
+        if let Some(space) = &mut self.solver.depth {
             space.add_body(index, id.slot());
-            space.import_body(&mut self.bodies, index, id.slot());
+            space.import_body(&mut self.solver.bodies, index, id.slot());
         }
     }
 
@@ -121,22 +127,22 @@ impl Precise {
     fn add_geom(&mut self, at: usize, objects: &Objects) {
         let Some((id, geom)) = objects.geoms.at(at) else { return };
         if self.body_index(geom.body).is_none() {
-            let index = self.bodies.add_static(&listed_body(&objects.bodies[geom.body].body, false));
+            let index = self.solver.bodies.add_static(&listed_body(&objects.bodies[geom.body].body, false));
             self.ids.add_body(index, geom.body);
         }
         self.proxy_import(objects).add(at);
-        let count = self.proxies.all.len();
-        self.proxy_flags.resize(count, false);
-        self.grid.grow(count);
-        self.pairs.grow(count);
-        for proxy in self.ids.proxies_of_geom(&self.proxies, id) {
-            if let Some(space) = self.depth.as_deref_mut() {
+        let count = self.solver.proxies.all.len();
+        self.solver.proxy_flags.resize(count, false);
+        self.solver.grid.grow(count);
+        self.solver.pairs.grow(count);
+        for proxy in self.ids.proxies_of_geom(&self.solver.proxies, id) {
+            if let Some(space) = self.solver.depth.as_deref_mut() {
                 space.add_proxy(proxy, id.to_bits());
-                space.fix_rotation_of_proxy(proxy as u32, &self.proxies, &mut self.bodies);
+                space.fix_rotation_of_proxy(proxy as u32, &self.solver.proxies, &mut self.solver.bodies);
             }
-            self.fat_aabbs().insert(proxy as u32);
+            self.solver.fat_aabbs().insert(proxy as u32);
             // The new body may form an island for the direct solver.
-            self.direct_solver.timer.is_due = true;
+            self.solver.direct_solver.timer.is_due = true;
         }
     }
 
@@ -157,12 +163,12 @@ impl Precise {
         let first = if is_shifted { 0 } else { diff.added_geoms.first().copied().unwrap_or(usize::MAX) };
         for (at, &geom) in objects.geoms.list().iter().enumerate().skip(first) {
             let list_index = at as u32;
-            let pieces = self.ids.proxies_of_geom(&self.proxies, geom);
+            let pieces = self.ids.proxies_of_geom(&self.solver.proxies, geom);
             let was_always_tested = known.next_if(|loose| loose.geom == geom).is_some();
             if was_always_tested || pieces.is_empty() || added_always_tested.binary_search(&at).is_ok() {
                 self.always_tested.push(AlwaysTested { list_index, geom });
             }
-            self.proxies.all[pieces].iter_mut().for_each(|proxy| proxy.list_index = list_index);
+            self.solver.proxies.all[pieces].iter_mut().for_each(|proxy| proxy.list_index = list_index);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The bodies of the game before and after a step: velocities and forces in, poses, velocities and events out.
 
+use super::solver::Solver;
 use std::ops::Range;
 
 use wide::f32x4;
@@ -23,21 +24,24 @@ impl Precise {
     ///
     /// The broad phase then pairs these proxies with the geoms along their paths.
     pub(crate) fn begin_kinematic(&mut self, objects: &Objects) {
-        for at in 0..self.bodies.kinematic.len() {
-            let number = self.bodies.kinematic[at] as usize;
+        for at in 0..self.solver.bodies.kinematic.len() {
+            let number = self.solver.bodies.kinematic[at] as usize;
             let Some((id, entry)) =
                 self.ids.bodies[number].and_then(|id| Some((id, objects.bodies.get(id)?)))
             else {
                 continue;
             };
-            let (velocity, spin) = entry.body.kinematic_velocity(self.dt);
-            let along_depth =
-                self.depth.as_ref().map_or(0.0, |space| space.kinematic_velocity(id.slot(), self.dt));
+            let (velocity, spin) = entry.body.kinematic_velocity(self.solver.dt);
+            let along_depth = self
+                .solver
+                .depth
+                .as_ref()
+                .map_or(0.0, |space| space.kinematic_velocity(id.slot(), self.solver.dt));
             let velocity = [velocity.x, velocity.y, spin, along_depth];
             if velocity.iter().all(|velocity| velocity.is_finite()) {
-                self.bodies.states[number].velocity = velocity;
-                let displacement = velocity.map(|velocity| velocity * self.dt);
-                self.fat_aabbs().enlarge_kinematic_to_sweep(number, displacement);
+                self.solver.bodies.states[number].velocity = velocity;
+                let displacement = velocity.map(|velocity| velocity * self.solver.dt);
+                self.solver.fat_aabbs().enlarge_kinematic_to_sweep(number, displacement);
             }
         }
     }
@@ -54,13 +58,13 @@ impl Precise {
         step: &StepContext,
         report: &mut Report,
     ) {
-        for at in 0..self.sleep.awake_body_runs.len() {
-            let run = self.sleep.awake_body_runs[at].clone();
+        for at in 0..self.solver.sleep.awake_body_runs.len() {
+            let run = self.solver.sleep.awake_body_runs[at].clone();
             self.read_run(run, objects, gravity, step, report);
         }
-        if let Some(space) = &mut self.depth {
-            space.clear_fixed_rotation_velocities(&mut self.bodies, &self.sleep);
-            space.begin_world_box_velocities(&mut self.bodies);
+        if let Some(space) = &mut self.solver.depth {
+            space.clear_fixed_rotation_velocities(&mut self.solver.bodies, &self.solver.sleep);
+            space.begin_world_box_velocities(&mut self.solver.bodies);
         }
     }
 
@@ -73,7 +77,7 @@ impl Precise {
         step: &StepContext,
         report: &mut Report,
     ) {
-        let Precise { bodies, ids, sleep, edits, depth, .. } = self;
+        let Precise { solver: Solver { bodies, sleep, depth, .. }, ids, edits, .. } = self;
         let substeps = f32x4::splat(step.substeps as f32);
         let (states, initial_velocities) =
             (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
@@ -107,29 +111,29 @@ impl Precise {
     /// A body whose new pose or velocity is not finite keeps the pose and velocity that it had before the step. The fastest of
     /// such bodies is disabled, and impulses that are not finite are cleared.
     pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
-        integrate_kinematic(&mut self.bodies, self.dt);
-        let depth = self.depth.as_ref().map(FeatureGate::by_ref);
-        if !are_motions_finite(&self.bodies, &self.sleep, depth) {
+        integrate_kinematic(&mut self.solver.bodies, self.solver.dt);
+        let depth = self.solver.depth.as_ref().map(FeatureGate::by_ref);
+        if !are_motions_finite(&self.solver.bodies, &self.solver.sleep, depth) {
             self.restore_non_finite_bodies(objects, report);
         }
         self.write_moved_bodies(objects, report);
-        integrate_poses(&mut self.bodies, &self.sleep.awake_body_runs);
-        for at in 0..self.bodies.kinematic.len() {
-            let number = self.bodies.kinematic[at] as usize;
+        integrate_poses(&mut self.solver.bodies, &self.solver.sleep.awake_body_runs);
+        for at in 0..self.solver.bodies.kinematic.len() {
+            let number = self.solver.bodies.kinematic[at] as usize;
             // A kinematic body that reaches its target has the pose of the target, bit for bit.
             if let Some(entry) = self.ids.bodies[number].and_then(|id| objects.bodies.get(id)) {
-                self.bodies.set_pose(number, pose_of(&entry.body));
+                self.solver.bodies.set_pose(number, pose_of(&entry.body));
             }
         }
-        if let Some(space) = &mut self.depth {
-            space.reset_fixed_rotation_poses(&mut self.bodies, &self.sleep);
-            space.store_world_boxes(&mut self.bodies, &mut self.proxies);
+        if let Some(space) = &mut self.solver.depth {
+            space.reset_fixed_rotation_poses(&mut self.solver.bodies, &self.solver.sleep);
+            space.store_world_boxes(&mut self.solver.bodies, &mut self.solver.proxies);
         }
     }
 
     /// Writes the new poses and velocities of awake bodies to their objects, and adds an event for each moved body.
     fn write_moved_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
-        let Precise { bodies, ids, sleep, depth, .. } = self;
+        let Precise { solver: Solver { bodies, sleep, depth, .. }, ids, .. } = self;
         for run in &sleep.awake_body_runs {
             let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
             let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
@@ -158,10 +162,10 @@ impl Precise {
     /// fastest of these bodies is disabled.
     #[cold]
     fn restore_non_finite_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
-        let depth = self.depth.as_mut().map(FeatureGate::by_mut);
-        for (number, disabled) in restore_non_finite(&mut self.bodies, &self.sleep, depth) {
+        let depth = self.solver.depth.as_mut().map(FeatureGate::by_mut);
+        for (number, disabled) in restore_non_finite(&mut self.solver.bodies, &self.solver.sleep, depth) {
             let Some(body) = self.ids.bodies[number] else { continue };
-            if let Some(space) = &mut self.depth {
+            if let Some(space) = &mut self.solver.depth {
                 space.body_mut(body.slot()).target = None;
             }
             if let Some(entry) = objects.bodies.get_mut(body).filter(|_| disabled) {
@@ -171,7 +175,7 @@ impl Precise {
             }
             report.push(Event::NotFinite { body, disabled });
         }
-        self.constraints.reset_non_finite(self.depth.is_some());
+        self.solver.constraints.reset_non_finite(self.solver.depth.is_some());
     }
 }
 

@@ -7,41 +7,41 @@ use crate::geom::GeomId;
 impl Precise {
     /// Returns the number of proxies whose fat AABB has changed since the last [`find_pairs`](Self::find_pairs).
     pub(crate) fn refitted_count(&self) -> usize {
-        self.proxies.refitted.len()
+        self.solver.proxies.refitted.len()
     }
 
     /// Returns the geoms of the candidate pair `at`, an index into `new_pairs`. The geom with the smaller creation number is
     /// first.
     pub(crate) fn candidate_geoms(&self, at: usize) -> (GeomId, GeomId) {
-        self.geoms_of_proxies(self.new_pairs[at])
+        self.geoms_of_proxies(self.solver.new_pairs[at])
     }
 
     /// Adds the candidate pair `at`, an index into `new_pairs`, to the pairs. Sensor pairs without a body that can move go to
     /// the sleeping pairs.
     pub(crate) fn add_candidate_pair(&mut self, at: usize) {
-        let proxies = self.new_pairs[at];
-        let pair = self.narrow_phase().add_pair(proxies);
-        if self.pairs.all[pair].is_static_sensor {
-            self.narrow_phase().sleep_pair(pair);
+        let proxies = self.solver.new_pairs[at];
+        let pair = self.solver.narrow_phase().add_pair(proxies);
+        if self.solver.pairs.all[pair].is_static_sensor {
+            self.solver.narrow_phase().sleep_pair(pair);
         } else {
-            self.sleep.wake_for_new_pair(&self.pairs, &self.proxies, pair);
+            self.solver.sleep.wake_for_new_pair(&self.solver.pairs, &self.solver.proxies, pair);
         }
     }
 
     /// Returns the two geoms of a passage through a sensor, the one with the smaller creation number first. `at` is an index
     /// into the passages of the step, which are sorted by creation numbers; `None` beyond the last one.
     pub(crate) fn sensor_passthrough(&self, at: usize) -> Option<(GeomId, GeomId)> {
-        self.sensor_passthroughs.get(at).map(|&proxies| self.geoms_of_proxies(proxies))
+        self.solver.sensor_passthroughs.get(at).map(|&proxies| self.geoms_of_proxies(proxies))
     }
 
     /// Returns the geoms of a pair, the one with the smaller creation number first.
     pub(crate) fn geoms_of(&self, pair: usize) -> (GeomId, GeomId) {
-        self.geoms_of_proxies(self.pairs.triggers[pair].proxies)
+        self.geoms_of_proxies(self.solver.pairs.triggers[pair].proxies)
     }
 
     /// Returns the geoms of two proxies, the one with the smaller creation number first.
     fn geoms_of_proxies(&self, proxies: [u32; 2]) -> (GeomId, GeomId) {
-        let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let [a, b] = proxies.map(|proxy| &self.solver.proxies.all[proxy as usize]);
         if a.creation_number < b.creation_number {
             (geom_of(a), geom_of(b))
         } else {
@@ -54,6 +54,6 @@ impl Precise {
 impl Precise {
     /// Returns the number of proxies that got a new fat AABB at the end of the step.
     pub(crate) fn bounds_renewed(&self) -> usize {
-        self.proxies.refitted.len()
+        self.solver.proxies.refitted.len()
     }
 }

@@ -18,31 +18,32 @@ use crate::surface::SurfaceOverride;
 impl Precise {
     /// Returns the number of pairs, touching or not.
     pub(crate) fn pair_count(&self) -> usize {
-        self.pairs.len()
+        self.solver.pairs.len()
     }
 
     /// Returns the numbers of computed and of recycled manifolds in this step.
     pub(crate) fn narrow_phase_stats(&self) -> NarrowPhaseStats {
-        self.narrow_phase_stats
+        self.solver.narrow_phase_stats
     }
 
     /// Returns the number of contact constraints in each graph colour.
     pub(crate) fn constraints_per_color(&self) -> Vec<usize> {
-        self.constraints.constraints_per_color()
+        self.solver.constraints.constraints_per_color()
     }
 
     /// Returns the number of contact points in both solvers.
     pub(crate) fn contacts_solved(&self) -> usize {
-        self.constraints.point_count()
+        self.solver.constraints.point_count()
     }
 
     /// Returns the arbiter of a pair: the touching geoms with their contacts. `None` if the pair does not touch, and in three
     /// axes.
     pub(crate) fn arbiter_of_pair(&self, pair: usize) -> Option<ArbiterRef<'static>> {
-        self.pairs.all.get(pair).filter(|state| state.is_touching && self.depth.is_none())?;
-        let contact = self.contact_reader().planar_contact(pair);
-        let numbers =
-            self.pairs.triggers[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].creation_number);
+        self.solver.pairs.all.get(pair).filter(|state| state.is_touching && self.solver.depth.is_none())?;
+        let contact = self.solver.contact_reader().planar_contact(pair);
+        let numbers = self.solver.pairs.triggers[pair]
+            .proxies
+            .map(|proxy| self.solver.proxies.all[proxy as usize].creation_number);
         let contacts = ContactSource::Copied(contacts_of(&contact, numbers), contact.count);
         let friction = contact.friction;
         Some(ArbiterRef { handle: pair as u32, geoms: self.geoms_of(pair), friction, contacts })
@@ -51,7 +52,7 @@ impl Precise {
     /// Removes and returns the touch events since the last call, in the order of creation numbers. Each pair of geoms occurs
     /// once, with true if it began to touch, false if it ceased.
     pub(crate) fn drain_touch_events(&mut self) -> Vec<((GeomId, GeomId), bool)> {
-        let mut events = std::mem::take(&mut self.touch_events);
+        let mut events = std::mem::take(&mut self.solver.touch_events);
         sort_by_number(&mut events, TouchEvent::sort_key);
         let by_geoms = events.chunk_by(|one, other| one.numbers == other.numbers);
         by_geoms.filter_map(|changes| self.geom_touch_event(changes)).collect()
@@ -62,7 +63,8 @@ impl Precise {
     fn geom_touch_event(&self, events: &[TouchEvent]) -> Option<((GeomId, GeomId), bool)> {
         let [one, other] = events.first()?.owners.map(GeomId::from_bits);
         let geoms = (one, other);
-        let touching_now = self.pairs_between(geoms).filter(|&pair| self.pairs.all[pair].is_touching).count();
+        let touching_now =
+            self.pairs_between(geoms).filter(|&pair| self.solver.pairs.all[pair].is_touching).count();
         let begun = events.iter().filter(|change| change.begins).count();
         let touching_before = (touching_now + events.len() - begun).saturating_sub(begun);
         ((touching_before > 0) != (touching_now > 0)).then_some((geoms, touching_now > 0))
@@ -71,21 +73,23 @@ impl Precise {
     /// Returns the indices of the pairs between the convex pieces of two geoms.
     pub(super) fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
         // A chain may have thousands of pieces, and a floor thousands of pairs, so the pieces of the smaller geom are searched.
-        let is_movable = |at: u32| self.proxies.all[at as usize].body_type == BodyType::Dynamic;
+        let is_movable = |at: u32| self.solver.proxies.all[at as usize].body_type == BodyType::Dynamic;
         let is_small = self.proxy_of(other, 1).is_none() && self.proxy_of(other, 0).is_some_and(is_movable);
         let (one, other) = if is_small { (one, other) } else { (other, one) };
         let proxies = [self.single_proxy(one), self.single_proxy(other)];
         let (pair, first) = match proxies {
-            [Some(one), Some(other)] => (self.pairs.find([one, other]), u32::MAX),
+            [Some(one), Some(other)] => (self.solver.pairs.find([one, other]), u32::MAX),
             _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
         };
-        let is_piece =
-            move |at: &u32| self.proxies.all.get(*at as usize).is_some_and(|proxy| geom_of(proxy) == other);
-        let is_with_one = move |pair: &usize| {
-            let proxies = self.pairs.triggers[*pair].proxies;
-            proxies.iter().any(|&proxy| geom_of(&self.proxies.all[proxy as usize]) == one)
+        let is_piece = move |at: &u32| {
+            self.solver.proxies.all.get(*at as usize).is_some_and(|proxy| geom_of(proxy) == other)
         };
-        let of_pieces = (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.pairs.pairs_of(piece));
+        let is_with_one = move |pair: &usize| {
+            let proxies = self.solver.pairs.triggers[*pair].proxies;
+            proxies.iter().any(|&proxy| geom_of(&self.solver.proxies.all[proxy as usize]) == one)
+        };
+        let of_pieces =
+            (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.solver.pairs.pairs_of(piece));
         pair.into_iter().chain(of_pieces.filter(is_with_one))
     }
 
@@ -96,15 +100,15 @@ impl Precise {
 
     /// Returns the number of pairs that touch.
     pub(crate) fn touching_count(&self) -> usize {
-        self.pairs.touching_count
+        self.solver.pairs.touching_count
     }
 
     /// Returns the number of contact points between two geoms.
     pub(crate) fn contacts_between(&self, geoms: (GeomId, GeomId)) -> u32 {
         let pairs = self.pairs_between(geoms);
         pairs
-            .filter(|&pair| self.pairs.all[pair].is_touching)
-            .map(|pair| self.pairs.manifolds[pair].count)
+            .filter(|&pair| self.solver.pairs.all[pair].is_touching)
+            .map(|pair| self.solver.pairs.manifolds[pair].count)
             .sum()
     }
 
@@ -113,12 +117,13 @@ impl Precise {
     ///
     /// The caller must give the list back by [`return_touching_buffer`](Self::return_touching_buffer).
     pub(crate) fn touching_pairs(&mut self, events: &[((GeomId, GeomId), bool)]) -> Vec<(u128, u32)> {
-        let mut touching = std::mem::take(&mut self.touching_scratch);
+        let mut touching = std::mem::take(&mut self.solver.touching_scratch);
         touching.clear();
-        let with_numbers =
-            |pair: usize| Some((touching_pair_key(&self.pairs, &self.proxies, pair)?, pair as u32));
-        let is_reported = |pair: &usize| self.pairs.all[*pair].is_reported;
-        let count = if self.pairs.reported_count > 0 { self.pairs.len() } else { 0 };
+        let with_numbers = |pair: usize| {
+            Some((touching_pair_key(&self.solver.pairs, &self.solver.proxies, pair)?, pair as u32))
+        };
+        let is_reported = |pair: &usize| self.solver.pairs.all[*pair].is_reported;
+        let count = if self.solver.pairs.reported_count > 0 { self.solver.pairs.len() } else { 0 };
         touching.extend((0..count).filter(is_reported).filter_map(with_numbers));
         for &(geoms, _) in events.iter().filter(|(_, begins)| *begins) {
             let unreported = self.pairs_between(geoms).filter(|pair| !is_reported(pair));
@@ -130,14 +135,14 @@ impl Precise {
 
     /// Takes back the list that [`touching_pairs`](Self::touching_pairs) returned, so that its memory is reused.
     pub(crate) fn return_touching_buffer(&mut self, touching: Vec<(u128, u32)>) {
-        self.touching_scratch = touching;
+        self.solver.touching_scratch = touching;
     }
 
     /// Disables all contacts of a pair for this step, because a handler has rejected them: the contact constraint of the pair
     /// is removed.
     pub(crate) fn disable_contact(&mut self, pair: usize) {
-        self.has_handler_changes = true;
-        self.narrow_phase().veto(pair);
+        self.solver.has_handler_changes = true;
+        self.solver.narrow_phase().veto(pair);
     }
 
     /// Retains only the contact points of a pair that a handler has left in `contacts`. All other points of the pair exert no
@@ -149,16 +154,16 @@ impl Precise {
             *is_kept = contacts.contains(&contact);
         }
         if is_kept != [true; 2] {
-            self.has_handler_changes |= self.narrow_phase().retain_points(pair, is_kept);
+            self.solver.has_handler_changes |= self.solver.narrow_phase().retain_points(pair, is_kept);
         }
     }
 
     /// Overrides friction, restitution and tangent speed of a pair for this step, as a handler has set them. A sleeping pair
     /// wakes if these values differ from those with which it fell asleep.
     pub(crate) fn override_surface(&mut self, pair: usize, surface: SurfaceOverride) {
-        if let Some(restitution) = self.narrow_phase().override_surface(pair, surface) {
-            self.has_restitution |= restitution > 0.0;
-            self.has_handler_changes = true;
+        if let Some(restitution) = self.solver.narrow_phase().override_surface(pair, surface) {
+            self.solver.has_restitution |= restitution > 0.0;
+            self.solver.has_handler_changes = true;
         }
     }
 }

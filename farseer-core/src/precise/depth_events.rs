@@ -40,9 +40,9 @@ impl Precise {
 
     /// Returns the manifold of deepest penetration among the touching convex pieces of two geoms; `None` if no pieces touch.
     fn deepest_contact_between(&self, geoms: (GeomId, GeomId)) -> Option<DepthContact> {
-        let touching = self.pairs_between(geoms).filter(|&pair| self.pairs.all[pair].is_touching);
-        let touches =
-            touching.filter_map(|pair| Some((self.pairs.triggers[pair].proxies, self.depth_contact(pair)?)));
+        let touching = self.pairs_between(geoms).filter(|&pair| self.solver.pairs.all[pair].is_touching);
+        let touches = touching
+            .filter_map(|pair| Some((self.solver.pairs.triggers[pair].proxies, self.depth_contact(pair)?)));
         // Ties: by pieces. Loading a snapshot reorders pairs, but not pieces.
         let order = |(pieces, touch): &([u32; 2], DepthContact),
                      (others, other): &([u32; 2], DepthContact)| {
@@ -53,19 +53,24 @@ impl Precise {
 
     /// Iterates over the contact manifolds of a body. Shapes that are only within the contact margin have one, too.
     pub(crate) fn depth_contacts_of(&self, body_index: usize) -> impl Iterator<Item = DepthContact> + '_ {
-        self.pairs.pairs_of_body(&self.proxies, body_index).filter_map(|pair| self.depth_contact(pair))
+        self.solver
+            .pairs
+            .pairs_of_body(&self.solver.proxies, body_index)
+            .filter_map(|pair| self.depth_contact(pair))
     }
 
     /// Iterates over the geoms that form a broad-phase pair with a body, touching or not. Pairs with a sensor or a vetoed
     /// contact are left out. A geom occurs once for each pair of convex pieces.
     pub(crate) fn depth_neighbours_of(&self, body_index: usize) -> impl Iterator<Item = GeomId> + '_ {
-        let others = self.proxies.proxies_of(body_index).flat_map(move |proxy| {
-            self.pairs.pairs_of(proxy).filter(|&pair| self.pairs.all[pair].has_response()).map(move |pair| {
-                let [a, b] = self.pairs.triggers[pair].proxies;
-                if a == proxy { b } else { a }
-            })
+        let others = self.solver.proxies.proxies_of(body_index).flat_map(move |proxy| {
+            self.solver.pairs.pairs_of(proxy).filter(|&pair| self.solver.pairs.all[pair].has_response()).map(
+                move |pair| {
+                    let [a, b] = self.solver.pairs.triggers[pair].proxies;
+                    if a == proxy { b } else { a }
+                },
+            )
         });
-        let others = others.map(|other| &self.proxies.all[other as usize]);
+        let others = others.map(|other| &self.solver.proxies.all[other as usize]);
         others.filter(|proxy| !proxy.is_world).map(geom_of)
     }
 
@@ -76,11 +81,14 @@ impl Precise {
         body_index: usize,
     ) -> impl Iterator<Item = (GeomId, DepthContactTarget)> + '_ {
         let refused = self
+            .solver
             .pairs
-            .pairs_of_body(&self.proxies, body_index)
-            .filter(|&pair| self.pairs.all[pair].is_vetoed);
+            .pairs_of_body(&self.solver.proxies, body_index)
+            .filter(|&pair| self.solver.pairs.all[pair].is_vetoed);
         refused.map(move |pair| {
-            let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+            let [a, b] = self.solver.pairs.triggers[pair]
+                .proxies
+                .map(|proxy| &self.solver.proxies.all[proxy as usize]);
             let (this, other) = if a.body as usize == body_index { (a, b) } else { (b, a) };
             (geom_of(this), contact_target_of(geom_of(other)))
         })
@@ -90,12 +98,12 @@ impl Precise {
     /// corner of the box: x, y (down) and z in world coordinates, length units. The order is not defined; some geoms come
     /// twice.
     pub(crate) fn for_each_geom_in(&self, low: [f32; 3], high: [f32; 3], mut find: impl FnMut(GeomId)) {
-        let Some(space) = &self.depth else { return };
+        let Some(space) = &self.solver.depth else { return };
         let (bounds, depths) = ([low[0], low[1], high[0], high[1]], DepthInterval::new(low[2], high[2]));
-        self.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
-            let (at, proxy) = (at as usize, &self.proxies.all[at as usize]);
+        self.solver.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
+            let (at, proxy) = (at as usize, &self.solver.proxies.all[at as usize]);
             let is_near =
-                overlap(&bounds, &self.proxies.fat_aabbs[at]) && space.interval(at).overlaps(depths);
+                overlap(&bounds, &self.solver.proxies.fat_aabbs[at]) && space.interval(at).overlaps(depths);
             if is_near && !proxy.is_world {
                 find(geom_of(proxy));
             }
@@ -104,13 +112,15 @@ impl Precise {
 
     /// Returns the number of proxies that touch the ground.
     pub(crate) fn ground_contact_count(&self) -> usize {
-        self.pairs.touching_ground_count
+        self.solver.pairs.touching_ground_count
     }
 
     /// Iterates over touching pairs with an event listener. Each item is the index of the pair and its contact manifold.
     pub(crate) fn depth_contacts_with_listener(&self) -> impl Iterator<Item = (usize, DepthContact)> + '_ {
-        let count = if self.pairs.reported_count > 0 { self.pairs.len() } else { 0 };
-        let is_heard = |pair: &usize| self.pairs.all[*pair].is_touching && self.pairs.all[*pair].is_reported;
+        let count = if self.solver.pairs.reported_count > 0 { self.solver.pairs.len() } else { 0 };
+        let is_heard = |pair: &usize| {
+            self.solver.pairs.all[*pair].is_touching && self.solver.pairs.all[*pair].is_reported
+        };
         (0..count).filter(is_heard).filter_map(|pair| Some((pair, self.depth_contact(pair)?)))
     }
 
@@ -118,11 +128,11 @@ impl Precise {
     /// callback vetoed the pair. The manifold is reported for the younger geom, or for the only geom if the target is a world
     /// box or the ground.
     pub(crate) fn depth_contact(&self, pair: usize) -> Option<DepthContact> {
-        let state = self.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
-        let space = self.depth.as_ref()?;
-        let contact = self.contact_reader().spatial_contact(pair)?;
-        let proxies = self.pairs.triggers[pair].proxies;
-        let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let state = self.solver.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
+        let space = self.solver.depth.as_ref()?;
+        let contact = self.solver.contact_reader().spatial_contact(pair)?;
+        let proxies = self.solver.pairs.triggers[pair].proxies;
+        let [a, b] = proxies.map(|proxy| &self.solver.proxies.all[proxy as usize]);
         // Normals point from A to B.
         let is_b = a.is_world || a.creation_number < b.creation_number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };

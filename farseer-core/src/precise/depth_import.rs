@@ -6,6 +6,7 @@ use super::depth_contact::{
     DepthContactTarget, contact_target_of, is_geom, world_box_body_id, world_box_of_body_id,
 };
 use super::ids::geom_of;
+use super::solver::Solver;
 use super::solver::broad_phase::proxies::BodyType;
 use super::solver::depth::feature_gate::FeatureGate;
 use super::solver::depth::interface::{DepthBodyState, DepthShape, HingeFeature, WorldBox, WorldBoxMotion};
@@ -18,17 +19,17 @@ use crate::objects::Objects;
 impl Precise {
     /// Returns whether the engine has a depth axis.
     pub(crate) fn has_depth(&self) -> bool {
-        self.depth.is_some()
+        self.solver.depth.is_some()
     }
 
     /// Adds an empty depth state to the engine. No call removes it.
     pub(crate) fn enable_depth(&mut self) {
-        self.depth = FeatureGate::new();
+        self.solver.depth = FeatureGate::new();
     }
 
     /// Sets the depth state of a body. This is an edit: the body wakes.
     pub(crate) fn set_depth_body(&mut self, id: BodyId, state: DepthBodyState) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
+        let Some(space) = self.solver.depth.as_deref_mut() else { return };
         *space.body_mut(id.slot()) = state;
         self.edits.bodies.push(id);
     }
@@ -37,21 +38,21 @@ impl Precise {
     /// listed as forced, so that the next step checks whether it wakes. Static bodies ignore the call.
     pub(crate) fn record_force(&mut self, id: BodyId, along_depth: f32) {
         let Some(number) = self.movable_index_of(id) else { return };
-        if let Some(space) = self.depth.as_deref_mut() {
+        if let Some(space) = self.solver.depth.as_deref_mut() {
             space.add_acceleration(id.slot(), along_depth);
         }
-        self.sleep.record_force(number);
+        self.solver.sleep.record_force(number);
     }
 
     /// Returns the acceleration of a body along z by the forces applied for the coming step, in length units/s^2; 0 without a
     /// depth axis.
     pub(crate) fn depth_acceleration(&self, id: BodyId) -> f32 {
-        self.depth.as_ref().map_or(0.0, |space| space.acceleration(id.slot()))
+        self.solver.depth.as_ref().map_or(0.0, |space| space.acceleration(id.slot()))
     }
 
     /// Returns the body index of a dynamic or kinematic body; `None` for static and absent ones.
     fn movable_index_of(&self, id: BodyId) -> Option<usize> {
-        self.body_index(id).filter(|&number| number < self.bodies.first_static())
+        self.body_index(id).filter(|&number| number < self.solver.bodies.first_static())
     }
 
     /// Returns, for each of two bodies, its id and its acceleration along z by forces (length units/s^2) if updates do not move
@@ -61,14 +62,14 @@ impl Precise {
         ids: [Option<BodyId>; 2],
     ) -> [Option<(BodyId, f32)>; 2] {
         ids.map(|id| {
-            let (id, space) = (id?, self.depth.as_ref()?);
+            let (id, space) = (id?, self.solver.depth.as_ref()?);
             self.movable_index_of(id).is_none().then(|| (id, space.acceleration(id.slot())))
         })
     }
 
     /// Sets the depth shape of a geom. If the shape changes, all lists of bodies and proxies are rebuilt before the next step.
     pub(crate) fn set_depth_shape(&mut self, id: GeomId, shape: DepthShape) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
+        let Some(space) = self.solver.depth.as_deref_mut() else { return };
         let known = space.shape_mut(id.slot());
         if *known != shape {
             *known = shape;
@@ -78,7 +79,7 @@ impl Precise {
 
     /// Sets all world boxes. All lists of bodies and proxies are rebuilt before the next step.
     pub(crate) fn set_world_boxes(&mut self, world_boxes: impl Iterator<Item = WorldBox>) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
+        let Some(space) = self.solver.depth.as_deref_mut() else { return };
         space.set_world_boxes(world_boxes);
         self.edits.needs_rebuild = true;
     }
@@ -86,12 +87,13 @@ impl Precise {
     /// Sets the motion of the moving box with this id; an unknown id is ignored. A hinged box wakes if its motion or its hinge
     /// changes.
     pub(crate) fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) {
-        let Some(space) = self.depth.as_deref_mut() else { return };
+        let Some(space) = self.solver.depth.as_deref_mut() else { return };
         let Some((body_index, has_changed)) = space.set_world_box_motion(id, motion) else { return };
-        if let Some(hot) = self.bodies.states.get_mut(body_index).filter(|_| !self.edits.needs_rebuild) {
+        if let Some(hot) = self.solver.bodies.states.get_mut(body_index).filter(|_| !self.edits.needs_rebuild)
+        {
             hot.velocity = solver_velocity(&motion);
             if motion.hinge().is_some() && has_changed {
-                self.sleep.request_wake(body_index);
+                self.solver.sleep.request_wake(body_index);
             }
         }
     }
@@ -101,13 +103,13 @@ impl Precise {
     pub(crate) fn moving_world_boxes(
         &self,
     ) -> impl Iterator<Item = (u32, Vector3, Option<f32>, WorldBoxMotion)> + '_ {
-        self.depth.iter().flat_map(|space| space.moving_world_boxes())
+        self.solver.depth.iter().flat_map(|space| space.moving_world_boxes())
     }
 
     /// Iterates over the bodies that were awake in the last update, with id and depth state.
     pub(crate) fn moved_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
-        let space = self.depth.as_ref();
-        self.sleep.awake_bodies(self.bodies.last_movable).filter_map(move |number| {
+        let space = self.solver.depth.as_ref();
+        self.solver.sleep.awake_bodies(self.solver.bodies.last_movable).filter_map(move |number| {
             let id = self.ids.bodies[number]?;
             Some((id, space?.body(id.slot())))
         })
@@ -115,7 +117,7 @@ impl Precise {
 
     /// Iterates over the bodies that fell asleep in the last update, with id and depth state.
     pub(crate) fn newly_asleep_depth_bodies(&self) -> impl Iterator<Item = (BodyId, DepthBodyState)> + '_ {
-        self.depth.iter().flat_map(|space| {
+        self.solver.depth.iter().flat_map(|space| {
             space.newly_asleep.iter().map(|&id| {
                 let id = BodyId::from_bits(id);
                 (id, space.body(id.slot()))
@@ -128,13 +130,13 @@ impl Precise {
 impl Precise {
     /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y.
     pub(super) fn rests_along_z(&self, id: BodyId) -> bool {
-        self.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id.slot()))
+        self.solver.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id.slot()))
     }
 
     /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of
     /// moving boxes. Then rebuilds the depth data by body index.
     pub(super) fn rebuild_world_boxes(&mut self) {
-        let Precise { depth: Some(space), bodies, ids, .. } = self else { return };
+        let Precise { solver: Solver { depth: Some(space), bodies, .. }, ids, .. } = self else { return };
         space.add_box_bodies(bodies);
         space.rebuild_bodies(bodies, ids.bodies.iter().map(|id| id.map(|id| id.slot())));
         for body_index in 1..=bodies.last_movable {
@@ -148,7 +150,8 @@ impl Precise {
     /// without an id. A box is identified by its proxy, because the list of boxes may be newer than the list of bodies.
     pub(super) fn saved_body_id(&self, body_index: usize) -> Option<BodyId> {
         let of_world_box = || {
-            let mut proxies = self.proxies.proxies_of(body_index).map(|at| &self.proxies.all[at as usize]);
+            let mut proxies =
+                self.solver.proxies.proxies_of(body_index).map(|at| &self.solver.proxies.all[at as usize]);
             proxies
                 .find(|proxy| proxy.body_type == BodyType::Hinged)
                 .map(|proxy| world_box_body_id(geom_of(proxy)))
@@ -162,13 +165,13 @@ impl Precise {
             if !HingeFeature::ENABLED {
                 return None;
             }
-            self.depth.as_ref()?.hinged_body(world_box_of_body_id(name)?)
+            self.solver.depth.as_ref()?.hinged_body(world_box_of_body_id(name)?)
         })
     }
 
     /// Returns the proxy index of the ground or of a world box; `None` for a geom or an unknown box.
     pub(super) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
-        let space = self.depth.as_ref()?;
+        let space = self.solver.depth.as_ref()?;
         match contact_target_of(id) {
             DepthContactTarget::Ground => Some(space.ground_proxy as usize),
             DepthContactTarget::WorldBox(id) => space.proxy_of_world_box(id),
@@ -184,7 +187,9 @@ impl Precise {
             (true, false) => (a, b),
             (false, _) => (b, a),
         };
-        let (Some(space), Some(entry)) = (&self.depth, objects.geoms.get(geom)) else { return Some(false) };
+        let (Some(space), Some(entry)) = (&self.solver.depth, objects.geoms.get(geom)) else {
+            return Some(false);
+        };
         let is_enabled = objects.bodies.get(entry.body).is_some_and(|body| body.body.enabled());
         let meets = match contact_target_of(other) {
             DepthContactTarget::Ground => entry.geom.collision_enabled(),

@@ -14,6 +14,7 @@ use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, s
 use super::ids::piece_at;
 use super::listed::{Listed, is_simulated};
 use super::saved::{EditPolicy, Saved};
+use super::solver::Solver;
 use super::solver::bodies::BodySet;
 use super::solver::broad_phase::pair_finder::is_pair_reported;
 use super::solver::broad_phase::pairs::Pairs;
@@ -36,38 +37,39 @@ impl Precise {
     fn import_body(&mut self, id: BodyId, objects: &Objects) {
         let (Some(entry), Some(index)) = (objects.bodies.get(id), self.body_index(id)) else { return };
         let body = &entry.body;
-        let is_movable = index < self.bodies.first_static();
-        let depth = self.depth.as_ref().map(FeatureGate::by_ref);
+        let is_movable = index < self.solver.bodies.first_static();
+        let depth = self.solver.depth.as_ref().map(FeatureGate::by_ref);
         let mut inverses = if is_movable { inverse_mass_inertia_of(body) } else { [0.0; 2] };
         inverses = depth.map_or(inverses, |space| space.without_fixed_inertia(index, inverses));
         let is_at_other_z = depth.is_some_and(|space| space.was_moved_along_z(index, id.slot()));
         let velocity = if is_movable { [0.0; 4] } else { surface_velocity(body, id, depth) };
-        let has_moved = was_moved(&self.bodies, index, body) || is_at_other_z;
-        let has_mass_changed = inverses != self.bodies.inverse_mass_inertia[index];
-        let is_at_rest = body.is_at_rest_under(self.bodies.gravity_scales[index]) && self.rests_along_z(id);
+        let has_moved = was_moved(&self.solver.bodies, index, body) || is_at_other_z;
+        let has_mass_changed = inverses != self.solver.bodies.inverse_mass_inertia[index];
+        let is_at_rest =
+            body.is_at_rest_under(self.solver.bodies.gravity_scales[index]) && self.rests_along_z(id);
         if has_moved || has_mass_changed || !is_at_rest {
-            self.sleep.request_wake(index);
+            self.solver.sleep.request_wake(index);
         } else {
-            self.sleep.record_force(index);
+            self.solver.sleep.record_force(index);
         }
-        self.bodies.inverse_mass_inertia[index] = inverses;
+        self.solver.bodies.inverse_mass_inertia[index] = inverses;
         if is_movable {
-            set_geomless_extent(&mut self.bodies, &self.proxies, index, body);
+            set_geomless_extent(&mut self.solver.bodies, &self.solver.proxies, index, body);
         }
         if has_mass_changed {
             self.invalidate_joints();
         }
-        self.bodies.gravity_scales[index] = body.effective_gravity_scale();
+        self.solver.bodies.gravity_scales[index] = body.effective_gravity_scale();
         if is_movable {
-            self.bodies.are_bullets[index] = body.is_bullet();
+            self.solver.bodies.are_bullets[index] = body.is_bullet();
         }
-        self.bodies.set_velocity(index, velocity_of(body));
+        self.solver.bodies.set_velocity(index, velocity_of(body));
         if has_moved {
-            self.bodies.set_pose(index, pose_of(body));
-            self.bodies.clear_delta_pose(index);
+            self.solver.bodies.set_pose(index, pose_of(body));
+            self.solver.bodies.clear_delta_pose(index);
         }
-        if let Some(space) = &mut self.depth {
-            space.import_body(&mut self.bodies, index, id.slot());
+        if let Some(space) = &mut self.solver.depth {
+            space.import_body(&mut self.solver.bodies, index, id.slot());
         }
         for &geom in &entry.geoms {
             self.update_proxies(geom, |proxy| {
@@ -82,10 +84,10 @@ impl Precise {
     /// Computes the greatest and the least extent of the body at `index` from its shapes, and stores them in `bodies`, length
     /// units.
     pub(super) fn compute_extents(&mut self, index: usize, objects: &Objects) {
-        let Precise { bodies, proxies, .. } = self;
+        let Solver { bodies, proxies, depth, .. } = &mut self.solver;
         let shapes = proxies.proxies_of(index).map(|proxy| proxies.all[proxy as usize].shape);
         bodies.compute_extents(index, shapes.map(|shape| (shape, proxies.vertices.min_extent(shape))));
-        if let Some(space) = self.depth.as_deref_mut() {
+        if let Some(space) = depth.as_deref_mut() {
             space.update_is_ball(index, proxies);
         }
         if let Some(entry) = self.ids.bodies[index].and_then(|id| objects.bodies.get(id)) {
@@ -97,10 +99,10 @@ impl Precise {
     /// pairs.
     fn import_geom(&mut self, id: GeomId, objects: &Objects) {
         let Some(entry) = objects.geoms.get(id) else { return };
-        let (geom, one_way) = (&entry.geom, one_way_direction(entry, self.depth.is_some()));
+        let (geom, one_way) = (&entry.geom, one_way_direction(entry, self.solver.depth.is_some()));
         let [friction, restitution] = surface_coefficients(geom);
         let is_reported = geom.collision_callbacks_enabled();
-        self.has_restitution |= restitution > 0.0;
+        self.solver.has_restitution |= restitution > 0.0;
         self.update_proxies(id, |proxy| {
             let have_coefficients_changed = proxy.friction != friction || proxy.restitution != restitution;
             (proxy.friction, proxy.restitution) = (friction, restitution);
@@ -117,23 +119,23 @@ impl Precise {
 
     /// Calls `apply` for each proxy of a geom, and updates the pairs of that proxy by the [`ProxyUpdate`] that `apply` returns.
     fn update_proxies(&mut self, geom: GeomId, mut apply: impl FnMut(&mut Proxy) -> ProxyUpdate) {
-        for at in self.ids.proxies_of_geom(&self.proxies, geom) {
-            let was_one_way = self.proxies.all[at].one_way.is_some();
-            let update = apply(&mut self.proxies.all[at]);
-            self.proxies.one_way_count += usize::from(self.proxies.all[at].one_way.is_some());
-            self.proxies.one_way_count -= usize::from(was_one_way);
+        for at in self.ids.proxies_of_geom(&self.solver.proxies, geom) {
+            let was_one_way = self.solver.proxies.all[at].one_way.is_some();
+            let update = apply(&mut self.solver.proxies.all[at]);
+            self.solver.proxies.one_way_count += usize::from(self.solver.proxies.all[at].one_way.is_some());
+            self.solver.proxies.one_way_count -= usize::from(was_one_way);
             if update.moved {
-                self.fat_aabbs().teleport(at as u32);
-                self.proxies.refitted.push(at as u32);
+                self.solver.fat_aabbs().teleport(at as u32);
+                self.solver.proxies.refitted.push(at as u32);
             }
             if update.contacts || update.moved {
                 self.invalidate_pairs(at as u32);
             }
             if update.callbacks {
-                update_callbacks(&mut self.pairs, &self.proxies, at as u32);
+                update_callbacks(&mut self.solver.pairs, &self.solver.proxies, at as u32);
             }
             if update.one_way {
-                reset_one_way_states(&mut self.pairs, &self.proxies, at as u32);
+                reset_one_way_states(&mut self.solver.pairs, &self.solver.proxies, at as u32);
             }
         }
     }
@@ -141,8 +143,8 @@ impl Precise {
     /// Invalidates the pairs of a proxy: the next step updates their contacts in full, wakes sleeping partners and may select
     /// solvers anew.
     pub(super) fn invalidate_pairs(&mut self, proxy: u32) {
-        self.direct_solver.timer.may_be_due = true;
-        let Precise { pairs, proxies, sleep, .. } = self;
+        self.solver.direct_solver.timer.may_be_due = true;
+        let Solver { pairs, proxies, sleep, .. } = &mut self.solver;
         pairs.for_each_index_of(proxy, |pairs, pair| {
             pairs.invalidate(pair);
             sleep.support_of_pair_removed(pairs.bodies_of(proxies, pair));
@@ -171,7 +173,7 @@ impl Precise {
         self.edits.needs_rebuild =
             self.edits.needs_rebuild || self.must_rebuild_for(&bodies, &geoms, objects);
         let has_new_members = std::mem::take(&mut self.edits.has_membership_changes);
-        let had_one_way = self.proxies.one_way_count > 0;
+        let had_one_way = self.solver.proxies.one_way_count > 0;
         let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
         if has_new_members {
             self.edits.needs_rebuild =
@@ -192,8 +194,8 @@ impl Precise {
                 self.reread_joints_of_unlisted(&bodies);
             }
             geoms.iter().for_each(|&geom| self.import_geom(geom, objects));
-            if !had_one_way && self.proxies.one_way_count > 0 {
-                self.bodies.clear_delta_poses();
+            if !had_one_way && self.solver.proxies.one_way_count > 0 {
+                self.solver.bodies.clear_delta_poses();
             }
         }
         bodies.clear();
@@ -209,7 +211,7 @@ impl Precise {
 
     /// Returns the listed bodies and proxies, for a comparison with `objects`.
     pub(super) fn listed<'a>(&'a self, objects: &'a Objects) -> Listed<'a> {
-        Listed { ids: &self.ids, bodies: &self.bodies, proxies: &self.proxies, objects }
+        Listed { ids: &self.ids, bodies: &self.solver.bodies, proxies: &self.solver.proxies, objects }
     }
 
     /// Returns whether one of the edited `bodies` has changed its type, or one of the edited `geoms` its filter. Added bodies
@@ -240,20 +242,20 @@ impl Precise {
     pub(super) fn rebuild(&mut self, objects: &Objects, saved: &Saved, edits: EditPolicy) {
         (self.edits.needs_rebuild, self.edits.has_membership_changes) = (false, false);
         // Indices of proxies change here, also if a handler has caused the rebuild in the middle of an update.
-        self.rolling_contacts.clear();
+        self.solver.rolling_contacts.clear();
         self.invalidate_joints();
         self.rebuild_bodies(objects);
         self.rebuild_proxies(objects);
         self.list_always_tested(objects);
-        self.sleep.reset(&self.bodies.has_body);
-        if let Some(space) = &mut self.depth {
-            space.fix_rotation_of_all(&self.proxies, &mut self.bodies);
-            space.keep_moving_boxes_awake(&mut self.sleep);
+        self.solver.sleep.reset(&self.solver.bodies.has_body);
+        if let Some(space) = &mut self.solver.depth {
+            space.fix_rotation_of_all(&self.solver.proxies, &mut self.solver.bodies);
+            space.keep_moving_boxes_awake(&mut self.solver.sleep);
         }
-        self.direct_solver.reset(self.bodies.states.len());
+        self.solver.direct_solver.reset(self.solver.bodies.states.len());
         // The body indices in the springs have become invalid.
-        self.springs.clear();
-        (1..=self.bodies.last_movable).for_each(|number| self.compute_extents(number, objects));
+        self.solver.springs.clear();
+        (1..=self.solver.bodies.last_movable).for_each(|number| self.compute_extents(number, objects));
         self.restore(saved, objects, edits);
     }
 
@@ -266,7 +268,7 @@ impl Precise {
 
     /// Returns whether the collision filters still allow the pair of these geoms, which existed before.
     pub(super) fn may_keep_pair(&self, geoms: (GeomId, GeomId), objects: &Objects) -> bool {
-        let may_stay = if self.depth.is_some() { is_valid_pair } else { may_keep_touching };
+        let may_stay = if self.solver.depth.is_some() { is_valid_pair } else { may_keep_touching };
         self.may_meet_world_geom(geoms, objects)
             .unwrap_or_else(|| may_stay(geoms, &objects.geoms, &objects.bodies))
     }
@@ -289,26 +291,26 @@ impl Precise {
                 static_bodies.push(geom.body);
             }
         }
-        self.bodies.rebuild(
+        self.solver.bodies.rebuild(
             bodies.list().len(),
-            self.depth.iter().flat_map(|space| space.moving_poses()),
+            self.solver.depth.iter().flat_map(|space| space.moving_poses()),
             integrated().map(|(_, entry)| listed_body(&entry.body, true)),
             static_bodies.iter().map(|&id| listed_body(&bodies[id].body, false)),
         );
-        self.ids.clear_bodies(self.bodies.poses.len());
-        let first_body = self.bodies.last_movable + 1 - self.bodies.movable_count;
+        self.ids.clear_bodies(self.solver.bodies.poses.len());
+        let first_body = self.solver.bodies.last_movable + 1 - self.solver.bodies.movable_count;
         (first_body..).zip(integrated()).for_each(|(index, (id, _))| self.ids.add_body(index, id));
-        (self.bodies.first_static()..)
+        (self.solver.bodies.first_static()..)
             .zip(static_bodies)
             .for_each(|(index, id)| self.ids.add_body(index, id));
         self.rebuild_world_boxes();
         // The ground and the static boxes follow all bodies, and have no ids.
-        self.ids.bodies.resize(self.bodies.poses.len(), None);
+        self.ids.bodies.resize(self.solver.bodies.poses.len(), None);
         self.edits.disabled_bodies.clear();
         self.edits
             .disabled_bodies
             .extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
-        if let Some(space) = self.depth.as_deref_mut() {
+        if let Some(space) = self.solver.depth.as_deref_mut() {
             // A force along the depth axis on a body that a handler has made static is in no snapshot, so it is removed here,
             // too.
             let unmoved = movable().filter(|(_, entry)| !entry.body.is_integrated());
@@ -319,33 +321,33 @@ impl Precise {
     /// Lists a proxy for each convex piece: pieces of dynamic and kinematic bodies, capacity for new ones, then pieces of
     /// static bodies.
     fn rebuild_proxies(&mut self, objects: &Objects) {
-        self.proxies.clear();
-        self.proxies.reserve_lists(objects.geoms.list().len());
+        self.solver.proxies.clear();
+        self.solver.proxies.reserve_lists(objects.geoms.list().len());
         self.ids.clear_geoms();
-        self.proxy_flags.clear();
-        self.has_restitution = false;
-        let first_fixed = self.bodies.first_static();
-        let Precise { depth, proxies, has_restitution, .. } = self;
+        self.solver.proxy_flags.clear();
+        self.solver.has_restitution = false;
+        let first_fixed = self.solver.bodies.first_static();
+        let Solver { depth, proxies, has_restitution, .. } = &mut self.solver;
         *has_restitution |= depth.as_mut().is_some_and(|space| space.add_moving_box_proxies(proxies));
         self.proxy_import(objects).push_all(|body| body < first_fixed);
-        self.proxies.add_spare_positions();
+        self.solver.proxies.add_spare_positions();
         self.proxy_import(objects).push_all(|body| body >= first_fixed);
-        let Precise { depth, proxies, has_restitution, bodies, .. } = self;
+        let Solver { depth, proxies, has_restitution, bodies, .. } = &mut self.solver;
         *has_restitution |= depth
             .as_mut()
             .is_some_and(|space| space.add_ground_and_static_proxies(proxies, bodies.poses.len()));
-        self.proxies.link_bodies(self.bodies.poses.len());
-        self.proxy_flags.resize(self.proxies.all.len(), false);
+        self.solver.proxies.link_bodies(self.solver.bodies.poses.len());
+        self.solver.proxy_flags.resize(self.solver.proxies.all.len(), false);
     }
 
     /// Returns the parts from which the proxies of geoms follow.
     pub(super) fn proxy_import<'a>(&'a mut self, objects: &'a Objects) -> ProxyImport<'a> {
         ProxyImport {
             ids: &mut self.ids,
-            bodies: &self.bodies,
-            proxies: &mut self.proxies,
-            depth: self.depth.as_ref().map(FeatureGate::by_ref),
-            has_restitution: &mut self.has_restitution,
+            bodies: &self.solver.bodies,
+            proxies: &mut self.solver.proxies,
+            depth: self.solver.depth.as_ref().map(FeatureGate::by_ref),
+            has_restitution: &mut self.solver.has_restitution,
             objects,
         }
     }
@@ -353,7 +355,7 @@ impl Precise {
     /// Returns the index of the proxy of a geom's convex piece; `None` if there is none.
     pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
         let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
-        piece_at(&self.proxies, first? + piece as usize, (geom, piece))
+        piece_at(&self.solver.proxies, first? + piece as usize, (geom, piece))
     }
 }
 

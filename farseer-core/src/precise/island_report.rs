@@ -62,10 +62,10 @@ impl Precise {
     /// island.
     pub(crate) fn islands(&self, objects: &Objects) -> Vec<Island> {
         let mut awake = self.awake_islands(objects);
-        let mut all: Vec<(bool, usize, usize)> = (1..=self.bodies.last_movable)
-            .filter(|&number| self.bodies.is_dynamic(number))
-            .map(|number| match self.sleep.is_asleep(number) {
-                true => (true, self.sleep.first_of_ring(number), number),
+        let mut all: Vec<(bool, usize, usize)> = (1..=self.solver.bodies.last_movable)
+            .filter(|&number| self.solver.bodies.is_dynamic(number))
+            .map(|number| match self.solver.sleep.is_asleep(number) {
+                true => (true, self.solver.sleep.first_of_ring(number), number),
                 false => (false, awake.find(number as u32) as usize, number),
             })
             .collect();
@@ -91,72 +91,87 @@ impl Precise {
     /// Returns the islands of the awake bodies.
     fn awake_islands(&self, objects: &Objects) -> UnionFind {
         let mut islands = UnionFind::default();
-        let links = self.joints.body_pairs().chain(spring_body_pairs(&self.ids, objects));
-        unite_islands(&mut islands, &self.bodies, &self.proxies, &self.pairs, links);
+        let links = self.solver.joints.body_pairs().chain(spring_body_pairs(&self.ids, objects));
+        unite_islands(&mut islands, &self.solver.bodies, &self.solver.proxies, &self.solver.pairs, links);
         islands
     }
 
     /// Returns the reason why a dynamic body is awake; `None` if it sleeps, or is not dynamic.
     pub(crate) fn why_awake(&self, body: BodyId, objects: &Objects) -> Option<AwakeReason> {
-        let number = self.ids.body_index(body).filter(|&number| self.bodies.is_dynamic(number))?;
-        if self.sleep.is_asleep(number) {
+        let number = self.ids.body_index(body).filter(|&number| self.solver.bodies.is_dynamic(number))?;
+        if self.solver.sleep.is_asleep(number) {
             return None;
         }
         let mut islands = self.awake_islands(objects);
         let island = islands.find(number as u32);
         let mut members = self
+            .solver
             .sleep
-            .awake_bodies(self.bodies.last_movable)
+            .awake_bodies(self.solver.bodies.last_movable)
             .filter(|&other| islands.find(other as u32) == island);
-        let restless = members.find(|&other| self.sleep.rest_time[other] == 0.0);
-        let limit = self.sleep.sleep_speed(self.parameters.length_unit);
+        let restless = members.find(|&other| self.solver.sleep.rest_time[other] == 0.0);
+        let limit = self.solver.sleep.sleep_speed(self.solver.parameters.length_unit);
         Some(match restless {
-            _ if self.sleep.rest_time[number] == 0.0 => AwakeReason::Moves { limit },
+            _ if self.solver.sleep.rest_time[number] == 0.0 => AwakeReason::Moves { limit },
             Some(other) => match self.ids.bodies[other] {
                 Some(with) => AwakeReason::HangsTogether { with },
                 // A hinged platform has no body id. It moves the bodies that it leans on.
                 None => AwakeReason::Moves { limit },
             },
-            None => AwakeReason::RestsSince { seconds: self.sleep.rest_time[number], needed: TIME_TO_SLEEP },
+            None => AwakeReason::RestsSince {
+                seconds: self.solver.sleep.rest_time[number],
+                needed: TIME_TO_SLEEP,
+            },
         })
     }
 
     /// Returns the report of each body, in the order of body indices.
     fn body_reports(&self) -> Vec<BodyReport> {
         let mut census = IslandCensus::default();
-        self.solver_selection()
-            .count_islands(&mut census, &|body| self.bodies.initial_velocity[body as usize]);
-        let substeps =
-            if self.impulse_substep > 0.0 { (self.dt / self.impulse_substep).round() as u32 } else { 0 };
-        let rows = rows_by_body(&self.bodies, &self.proxies, &self.pairs, &self.sleep);
-        let mut reports: Vec<BodyReport> = (0..self.bodies.states.len())
+        self.solver
+            .solver_selection()
+            .count_islands(&mut census, &|body| self.solver.bodies.initial_velocity[body as usize]);
+        let substeps = if self.solver.impulse_substep > 0.0 {
+            (self.solver.dt / self.solver.impulse_substep).round() as u32
+        } else {
+            0
+        };
+        let rows =
+            rows_by_body(&self.solver.bodies, &self.solver.proxies, &self.solver.pairs, &self.solver.sleep);
+        let mut reports: Vec<BodyReport> = (0..self.solver.bodies.states.len())
             .map(|body| {
                 let stats = census.stats_of(body as u32);
-                if self.sleep.is_asleep(body) {
+                if self.solver.sleep.is_asleep(body) {
                     BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
-                } else if self.direct_solver.is_direct(body) {
-                    let is_chosen = self.direct_solver.choice() == SolverChoice::Direct;
+                } else if self.solver.direct_solver.is_direct(body) {
+                    let is_chosen = self.solver.direct_solver.choice() == SolverChoice::Direct;
                     let why = if is_chosen { SolverReason::Chosen } else { SolverReason::Pays };
                     BodyReport::new(IslandSolver::Direct, why, 1)
-                } else if stats.has_contacts() || self.joints.has_joint(body) {
-                    let why = stats.iterative_reason(self.direct_solver.choice());
+                } else if stats.has_contacts() || self.solver.joints.has_joint(body) {
+                    let why = stats.iterative_reason(self.solver.direct_solver.choice());
                     BodyReport::new(IslandSolver::Iterative, why, substeps)
                 } else {
                     BodyReport::new(IslandSolver::Ballistic, SolverReason::NothingTouches, 1)
                 }
             })
             .collect();
-        for (body, parts) in
-            self.joints.free_articulations(substeps).filter(|&(body, _)| !self.sleep.is_asleep(body))
+        for (body, parts) in self
+            .solver
+            .joints
+            .free_articulations(substeps)
+            .filter(|&(body, _)| !self.solver.sleep.is_asleep(body))
         {
             reports[body] = BodyReport::new(IslandSolver::Articulated, SolverReason::NothingTouches, parts);
         }
         reports.iter_mut().zip(rows).for_each(|(told, rows)| told.cost.rows = rows);
-        for ties in self.joints.body_pairs() {
-            let holder = ties.into_iter().find(|&body| body > 0 && is_awake(&self.bodies, &self.sleep, body));
+        for ties in self.solver.joints.body_pairs() {
+            let holder = ties
+                .into_iter()
+                .find(|&body| body > 0 && is_awake(&self.solver.bodies, &self.solver.sleep, body));
             holder.into_iter().for_each(|body| reports[body].cost.joints += 1);
         }
-        self.direct_solver
+        self.solver
+            .direct_solver
             .newton_steps_of_islands()
             .for_each(|(body, steps)| reports[body].cost.newton_steps = steps);
         reports
@@ -167,18 +182,18 @@ impl Precise {
     pub(crate) fn residual(&self, bodies: &[BodyId], objects: &Objects) -> IslandResidual {
         let mut residual = IslandResidual::default();
         let contacts = ContactErrors {
-            bodies: &self.bodies,
+            bodies: &self.solver.bodies,
             ids: &self.ids,
-            proxies: &self.proxies,
-            pairs: &self.pairs,
-            speculative_distance: self.parameters.speculative_distance,
-            dt: self.dt,
+            proxies: &self.solver.proxies,
+            pairs: &self.solver.pairs,
+            speculative_distance: self.solver.parameters.speculative_distance,
+            dt: self.solver.dt,
             objects,
         };
         let numbers = bodies.iter().filter_map(|&body| self.ids.body_index(body));
-        for body in numbers.filter(|&body| self.bodies.is_dynamic(body)) {
-            let pairs = self.pairs.pairs_of_body(&self.proxies, body);
-            for pair in pairs.filter(|&pair| self.pairs.all[pair].constraint.is_some()) {
+        for body in numbers.filter(|&body| self.solver.bodies.is_dynamic(body)) {
+            let pairs = self.solver.pairs.pairs_of_body(&self.solver.proxies, body);
+            for pair in pairs.filter(|&pair| self.solver.pairs.all[pair].constraint.is_some()) {
                 let [overlap, approach] = contacts.of_pair(pair);
                 (residual.overlap, residual.approach) =
                     (residual.overlap.max(overlap), residual.approach.max(approach));

@@ -2,6 +2,7 @@
 
 use super::Precise;
 use super::joint_import::{JointImport, export_joints};
+use super::solver::Solver;
 use super::solver::scaled_parameters::StepContext;
 use super::spring_import::{SpringChoice, import_springs};
 use crate::body::entry::Bodies;
@@ -13,7 +14,12 @@ use crate::springs::{SpringForce, SpringId};
 impl Precise {
     /// Returns the import of joints and springs from the bodies `objects` of the game.
     pub(crate) fn joint_import<'a>(&'a self, objects: &'a Bodies) -> JointImport<'a> {
-        JointImport::new(objects, (&self.bodies, &self.ids), &self.sleep, self.depth.as_ref())
+        JointImport::new(
+            objects,
+            (&self.solver.bodies, &self.ids),
+            &self.solver.sleep,
+            self.solver.depth.as_ref(),
+        )
     }
 
     /// Marks the joints as edited, so that the next step imports them again.
@@ -35,20 +41,22 @@ impl Precise {
     /// Fourth stage of a step: moves the joint constraints to the poses of this step, prepares their solvers, and builds the
     /// springs that are rows. Imports the joints first if one was edited.
     pub(crate) fn import_joints(&mut self, objects: &Objects, step: &StepContext) {
-        let Precise { joint_table, joints, springs, bodies, ids, sleep, depth, .. } = self;
+        let Precise {
+            solver: Solver { joints, springs, bodies, sleep, depth, .. }, joint_table, ids, ..
+        } = self;
         let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
         let springs_signature = import_springs(joint_table, springs, import, objects);
-        joints.begin_update(self.parameters.length_unit);
+        joints.begin_update(self.solver.parameters.length_unit);
         import.reimport_joints(joint_table, joints, objects);
         let (joints_signature, are_indices_new) = joint_table.take_signature();
-        self.direct_solver.note_joints(joints_signature ^ springs_signature, are_indices_new);
+        self.solver.direct_solver.note_joints(joints_signature ^ springs_signature, are_indices_new);
         springs.begin_step(bodies, step.dt);
         if joints.is_empty() {
             return;
         }
-        let all_touched = self.constraints.has_overflow();
+        let all_touched = self.solver.constraints.has_overflow();
         let is_touched = |body: usize| {
-            all_touched || !self.color_usage.has_no_constraint(body) || springs.is_attached_to(body)
+            all_touched || !self.solver.color_usage.has_no_constraint(body) || springs.is_attached_to(body)
         };
         let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
         import.prepare_joints(joint_table, joints, objects, step, is_touched);
@@ -57,7 +65,7 @@ impl Precise {
     /// Starts the springs of an update: clears the list of springs that are rows, and imports edited joints, by which
     /// [`constrain_spring`](Self::constrain_spring) decides.
     pub(crate) fn begin_springs(&mut self, objects: &Objects) {
-        let Precise { joint_table, joints, bodies, ids, sleep, depth, .. } = self;
+        let Precise { solver: Solver { joints, bodies, sleep, depth, .. }, joint_table, ids, .. } = self;
         joint_table.row_springs.clear();
         if depth.is_none() && !objects.springs.list().is_empty() {
             JointImport::new(&objects.bodies, (bodies, ids), sleep, None).reimport_joints(
@@ -76,14 +84,14 @@ impl Precise {
         pushes: [Option<SpringForce>; 2],
         objects: &Objects,
     ) -> bool {
-        if self.depth.is_some() {
+        if self.solver.depth.is_some() {
             return false;
         }
         let choice = SpringChoice {
             import: self.joint_import(&objects.bodies),
-            joints: &self.joints,
-            pairs: &self.pairs,
-            proxies: &self.proxies,
+            joints: &self.solver.joints,
+            pairs: &self.solver.pairs,
+            proxies: &self.solver.proxies,
         };
         let accelerations = choice.row_accelerations(&objects.springs[id], pushes);
         self.joint_table.row_springs.extend(accelerations.map(|accelerations| (id, accelerations)));
@@ -93,6 +101,6 @@ impl Precise {
     /// Writes error, anchors and force to the joints in `objects`. Joints whose load exceeds their greatest force or torque
     /// break, and `report` gets an event for each.
     pub(crate) fn export_joints(&mut self, objects: &mut Objects, report: &mut Report) {
-        export_joints(&mut self.joint_table, &mut self.joints, objects, report);
+        export_joints(&mut self.joint_table, &mut self.solver.joints, objects, report);
     }
 }

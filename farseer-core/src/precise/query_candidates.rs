@@ -27,7 +27,7 @@ impl Precise {
         let is_outdated =
             self.edits.needs_rebuild || self.edits.has_membership_changes || self.loaded.is_some();
         if is_outdated
-            || self.depth.is_some()
+            || self.solver.depth.is_some()
             || objects.has_new_structure
             || objects.has_new_members
             || !is_in_range
@@ -37,15 +37,16 @@ impl Precise {
         let tolerance = QUERY_ROUNDING_RATIO * coordinate_sum;
         let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
         let mut list_indices: Vec<u32> = self.always_tested.iter().map(|tested| tested.list_index).collect();
-        self.grid.for_each_overlap(&bounds, |proxy| {
-            list_indices.push(self.proxies.all[proxy as usize].list_index)
+        self.solver.grid.for_each_overlap(&bounds, |proxy| {
+            list_indices.push(self.solver.proxies.all[proxy as usize].list_index)
         });
         let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
         for &geom in
             edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms)
         {
-            list_indices
-                .extend(self.proxy_of(geom, 0).map(|proxy| self.proxies.all[proxy as usize].list_index));
+            list_indices.extend(
+                self.proxy_of(geom, 0).map(|proxy| self.solver.proxies.all[proxy as usize].list_index),
+            );
         }
         list_indices.sort_unstable();
         list_indices.dedup();
@@ -74,8 +75,8 @@ impl Precise {
         let Some(proxy) = self.proxy_of(id, 0).filter(|_| !has_own_pose && geom.pieces().len() == 1) else {
             return false;
         };
-        let shape = self.proxies.all[proxy as usize].shape;
-        let tolerance = PIECE_MAX_SHORTFALL_RATIO * self.parameters.speculative_distance;
+        let shape = self.solver.proxies.all[proxy as usize].shape;
+        let tolerance = PIECE_MAX_SHORTFALL_RATIO * self.solver.parameters.speculative_distance;
         let on_body = GeomPose::of_body(Vector2::zeros(), 0.0, geom.offset, geom.rotation_offset).matrix;
         let is_covered = |&corner: &Vector2| {
             let corner = on_body.apply(corner);

@@ -29,28 +29,28 @@ impl Precise {
     pub(crate) fn try_skip_step(&mut self, settings: &StepSettings) -> bool {
         let &StepSettings { dt, substeps, gravity, may_sleep, friction, max_contacts: most_contacts } =
             settings;
-        let is_as_before = self.impulse_substep == dt / substeps as f32
+        let is_as_before = self.solver.impulse_substep == dt / substeps as f32
             && may_sleep
-            && self.sleep.is_undisturbed([gravity.x, gravity.y])
-            && (self.friction, self.max_contacts) == (friction, most_contacts);
+            && self.solver.sleep.is_undisturbed([gravity.x, gravity.y])
+            && (self.solver.friction, self.solver.max_contacts) == (friction, most_contacts);
         if !(is_as_before && self.has_no_work()) {
             return false;
         }
-        self.dt = dt;
+        self.solver.dt = dt;
         true
     }
 
     /// Returns whether no stage of the step has work: no awake pairs, new fat AABBs, one-way geoms, events, handler changes,
     /// joints or islands in the direct solver.
     fn has_no_work(&self) -> bool {
-        self.pairs.awake_count == 0
-            && self.proxies.refitted.is_empty()
-            && self.proxies.one_way_count == 0
-            && self.enlarged_proxies.is_empty()
-            && self.touch_events.is_empty()
-            && !self.has_handler_changes
-            && self.joints.is_empty()
+        self.solver.pairs.awake_count == 0
+            && self.solver.proxies.refitted.is_empty()
+            && self.solver.proxies.one_way_count == 0
+            && self.solver.enlarged_proxies.is_empty()
+            && self.solver.touch_events.is_empty()
+            && !self.solver.has_handler_changes
+            && self.solver.joints.is_empty()
             && !self.may_break_joints()
-            && self.direct_solver.is_idle()
+            && self.solver.direct_solver.is_idle()
     }
 }

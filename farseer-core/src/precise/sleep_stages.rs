@@ -6,6 +6,7 @@
 use super::Precise;
 use super::ids::IdTable;
 use super::sleeping_joints::{JointComparison, drop_joints_of_awake};
+use super::solver::Solver;
 use super::solver::depth::feature_gate::FeatureGate;
 use super::solver::depth::state::DepthState;
 use super::solver::island::falling_asleep::RestDetector;
@@ -22,54 +23,60 @@ impl Precise {
     /// Stores whether bodies may sleep, and gravity. All bodies wake if gravity has changed or sleeping is switched off.
     pub(super) fn set_sleep(&mut self, is_enabled: bool, gravity: Vector2) {
         let gravity = [gravity.x, gravity.y];
-        if !self.sleep.may_go_on(is_enabled, gravity) {
+        if !self.solver.sleep.may_go_on(is_enabled, gravity) {
             self.wake_all();
         }
-        self.sleep.set_conditions(is_enabled, gravity);
+        self.solver.sleep.set_conditions(is_enabled, gravity);
     }
 
     /// Puts islands to sleep that have been at rest for long enough. It is the last stage of a step.
     pub(crate) fn fall_asleep(&mut self, objects: &mut Objects, step: &StepContext) {
-        let Precise { bodies, sleep, parameters, dt, .. } = self;
+        let Solver { bodies, sleep, proxies, pairs, constraints, joints, parameters, dt, .. } =
+            &mut self.solver;
         if !sleep.is_enabled() || !sleep.accumulate_rest_time(bodies, *dt, parameters.length_unit) {
             return;
         }
         let detector = RestDetector {
             bodies,
-            proxies: &self.proxies,
-            pairs: &self.pairs,
-            constraints: &self.constraints,
-            joints: &self.joints,
+            proxies,
+            pairs,
+            constraints,
+            joints,
             load_adaptation: &step.load_adaptation,
             dt: *dt,
         };
         detector.list_falling_asleep(sleep, spring_body_pairs(&self.ids, objects));
-        if !self.sleep.falling_asleep.is_empty() {
+        if !self.solver.sleep.falling_asleep.is_empty() {
             self.sleep_bodies(objects);
         }
     }
 
     /// Puts the bodies in `falling_asleep` to sleep, with their pairs and joints.
     fn sleep_bodies(&mut self, objects: &mut Objects) {
-        self.sleep.sleep_bodies(&mut self.bodies, self.dt);
-        stop_objects(&self.sleep.falling_asleep, &self.ids, self.depth.as_deref_mut(), objects);
+        self.solver.sleep.sleep_bodies(&mut self.solver.bodies, self.solver.dt);
+        stop_objects(&self.solver.sleep.falling_asleep, &self.ids, self.solver.depth.as_deref_mut(), objects);
         self.sleep_pairs();
         self.sleep_joints(objects);
-        self.sleep.update_runs(&self.proxies);
+        self.solver.sleep.update_runs(&self.solver.proxies);
     }
 
     /// Parks the contact constraints of pairs without an awake body: see [`sleep_pairs`].
     pub(super) fn sleep_pairs(&mut self) {
-        let h = self.impulse_substep;
-        sleep_pairs(&mut self.narrow_phase(), h);
+        let h = self.solver.impulse_substep;
+        sleep_pairs(&mut self.solver.narrow_phase(), h);
     }
 
     /// Stores the joints of sleeping bodies in `sleeping_joints`, and makes the solvers import the other joints anew.
     fn sleep_joints(&mut self, objects: &Objects) {
-        if self.joints.body_pairs().any(|ties| ties.iter().any(|&body| self.sleep.is_asleep(body))) {
+        if self
+            .solver
+            .joints
+            .body_pairs()
+            .any(|ties| ties.iter().any(|&body| self.solver.sleep.is_asleep(body)))
+        {
             self.invalidate_joints();
         }
-        let Precise { ids, bodies, depth, sleep, sleeping_joints, .. } = self;
+        let Precise { solver: Solver { bodies, depth, sleep, .. }, ids, sleeping_joints, .. } = self;
         let depth = depth.as_ref().map(FeatureGate::by_ref);
         JointComparison { ids, bodies, depth, objects }.list_sleeping(sleep, sleeping_joints);
     }
@@ -77,7 +84,8 @@ impl Precise {
     /// Wakes sleeping islands that an awake body touches, that a kinematic body will move in this step, or whose forces have
     /// changed.
     pub(crate) fn wake_disturbed(&mut self, objects: &mut Objects) {
-        let Precise { bodies, ids, sleep, pairs, proxies, depth, parameters, .. } = self;
+        let Precise { solver: Solver { bodies, sleep, pairs, proxies, depth, parameters, .. }, ids, .. } =
+            self;
         if sleep.count == 0 {
             sleep.touched_pairs.clear();
             return;
@@ -96,7 +104,12 @@ impl Precise {
         ForceComparison { bodies, ids, sleep, depth, length_unit }.wake_unless_unchanged(objects);
         self.wake_up();
         debug_assert!(
-            are_sleeping_pairs_parked(&self.sleep, &self.pairs, &self.proxies, &self.constraints),
+            are_sleeping_pairs_parked(
+                &self.solver.sleep,
+                &self.solver.pairs,
+                &self.solver.proxies,
+                &self.solver.constraints
+            ),
             "rows and joints of what sleeps are put aside"
         );
     }
@@ -104,8 +117,8 @@ impl Precise {
     /// Requests that bodies wake whose joints have been added, removed or edited since the bodies fell asleep.
     #[inline]
     pub(super) fn wake_for_changed_joints(&mut self, objects: &Objects) {
-        if self.sleep.count > 0 && !self.joint_table.are_imported() {
-            let Precise { ids, bodies, depth, sleep, sleeping_joints, .. } = self;
+        if self.solver.sleep.count > 0 && !self.joint_table.are_imported() {
+            let Precise { solver: Solver { bodies, depth, sleep, .. }, ids, sleeping_joints, .. } = self;
             let depth = depth.as_ref().map(FeatureGate::by_ref);
             JointComparison { ids, bodies, depth, objects }.wake_unless_known(sleeping_joints, sleep);
         }
@@ -113,7 +126,7 @@ impl Precise {
 
     /// Requests that bodies wake whose joints have an edited motor or limit.
     pub(crate) fn wake_for_edited_drives(&mut self, objects: &Objects) {
-        let Precise { ids, bodies, depth, sleep, sleeping_joints, .. } = self;
+        let Precise { solver: Solver { bodies, depth, sleep, .. }, ids, sleeping_joints, .. } = self;
         let depth = depth.as_ref().map(FeatureGate::by_ref);
         JointComparison { ids, bodies, depth, objects }
             .wake_unless_unchanged(sleeping_joints, sleep, |_| true);
@@ -126,7 +139,7 @@ impl Precise {
             edited.contains(&second) || first.is_some_and(|first| edited.contains(&first))
         };
         let sleeping = self.sleeping_joints.iter().map(|joint| joint.held.bodies);
-        if self.joint_table.bodies_of_unlisted(&self.joints).chain(sleeping).any(is_of) {
+        if self.joint_table.bodies_of_unlisted(&self.solver.joints).chain(sleeping).any(is_of) {
             self.invalidate_joints();
         }
     }
@@ -134,8 +147,8 @@ impl Precise {
     /// Wakes all sleeping bodies.
     #[inline]
     pub(super) fn wake_all(&mut self) {
-        if self.sleep.count > 0 {
-            (1..=self.bodies.last_movable).for_each(|body| self.sleep.request_wake(body));
+        if self.solver.sleep.count > 0 {
+            (1..=self.solver.bodies.last_movable).for_each(|body| self.solver.sleep.request_wake(body));
             self.wake_up();
         }
     }
@@ -160,12 +173,12 @@ impl Precise {
     }
 
     fn process_wake_requests_of_game(&mut self) {
-        let others = std::mem::take(&mut self.sleep.wake_requests);
+        let others = std::mem::take(&mut self.solver.sleep.wake_requests);
         let mut has_woken = false;
         for body in std::mem::take(&mut self.edits.wake_requests) {
             if let Some(number) = self.ids.body_index(body) {
-                self.sleep.request_wake(number);
-                if !self.sleep.wake_requests.is_empty() {
+                self.solver.sleep.request_wake(number);
+                if !self.solver.sleep.wake_requests.is_empty() {
                     self.process_wake_requests();
                     has_woken = true;
                 }
@@ -174,23 +187,18 @@ impl Precise {
         if has_woken {
             self.drop_woken_from_lists();
         }
-        self.sleep.wake_requests.extend(others);
-    }
-
-    /// Returns the number of sleeping bodies, without hinged platforms.
-    pub(crate) fn asleep_count(&self) -> usize {
-        self.sleep.count - self.depth.as_ref().map_or(0, |space| space.sleeping_hinged_boxes(&self.sleep))
+        self.solver.sleep.wake_requests.extend(others);
     }
 
     /// Returns whether the body sleeps.
     pub(crate) fn is_asleep(&self, body: BodyId) -> bool {
-        self.ids.body_index(body).is_some_and(|number| self.sleep.is_asleep(number))
+        self.ids.body_index(body).is_some_and(|number| self.solver.sleep.is_asleep(number))
     }
 
     /// Wakes the bodies in `wake_requests`, each with all bodies that fell asleep with it.
     #[inline]
     pub(super) fn wake_up(&mut self) {
-        if !self.sleep.wake_requests.is_empty() {
+        if !self.solver.sleep.wake_requests.is_empty() {
             self.process_wake_requests();
             self.drop_woken_from_lists();
         }
@@ -198,21 +206,21 @@ impl Precise {
 
     /// Makes the bodies in `wake_requests` awake, with the bodies that fell asleep with them and all pairs.
     fn process_wake_requests(&mut self) {
-        let h = self.impulse_substep;
-        wake_requested(&mut self.narrow_phase(), h);
+        let h = self.solver.impulse_substep;
+        wake_requested(&mut self.solver.narrow_phase(), h);
         // A handler's decision on a contact holds for one step.
-        self.has_handler_changes = true;
+        self.solver.has_handler_changes = true;
     }
 
     /// Removes woken bodies from the lists of sleeping joints and loaded bodies, and computes the index ranges of awake bodies
     /// anew.
     fn drop_woken_from_lists(&mut self) {
         let before = self.sleeping_joints.len();
-        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.sleep);
+        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.solver.sleep);
         if self.sleeping_joints.len() < before {
             self.invalidate_joints();
         }
-        self.sleep.drop_woken(&self.proxies);
+        self.solver.sleep.drop_woken(&self.solver.proxies);
     }
 }
 

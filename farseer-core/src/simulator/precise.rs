@@ -31,17 +31,17 @@ impl PhysicsSimulator {
         let gravity = self.settings.gravity;
         let may_sleep = self.settings.is_sleep_enabled;
         let choice = self.settings.island_choice;
-        self.precise().set_solver_choice(choice);
+        self.precise().solver.set_solver_choice(choice);
         if self.try_skip_step(dt, substeps, handler) {
             return false;
         }
-        let steps = StepLengths { before: self.precise().last_dt(), now: dt };
+        let steps = StepLengths { before: self.precise().solver.last_dt(), now: dt };
         let step = self.precise().begin_step(dt, substeps, gravity, may_sleep);
         if let Some(precise) = &mut self.pipeline.precise {
             precise.begin_kinematic(&self.objects);
         }
         self.report.counters.aabbs_renewed = self.precise().refitted_count();
-        let found = self.precise().find_pairs();
+        let found = self.precise().solver.find_pairs();
         self.add_precise_pairs(found, handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
@@ -67,14 +67,14 @@ impl PhysicsSimulator {
         self.break_precise_joints(handler);
         self.load_bodies_and_joints(&step);
         stopwatch.lap(|times| &mut times.apply_forces_time);
-        self.precise().solve(&step);
-        if self.precise().find_fast_bodies() {
-            let found = self.precise().find_pairs_of_fast_bodies();
+        self.precise().solver.solve(&step);
+        if self.precise().solver.find_fast_bodies() {
+            let found = self.precise().solver.find_pairs_of_fast_bodies();
             self.add_precise_pairs(found, handler);
-            if self.precise().clamp_to_toi(&step) {
-                let found = self.precise().find_pairs_of_fast_bodies();
+            if self.precise().solver.clamp_to_toi(&step) {
+                let found = self.precise().solver.find_pairs_of_fast_bodies();
                 self.add_precise_pairs(found, handler);
-                self.precise().clamp_carried_motion();
+                self.precise().solver.clamp_carried_motion();
             }
         }
         self.report.counters.passes = substeps;
@@ -104,7 +104,7 @@ impl PhysicsSimulator {
         if !precise.try_skip_step(&settings) {
             return false;
         }
-        let (touching, asleep) = (precise.touching_count(), precise.asleep_count());
+        let (touching, asleep) = (precise.touching_count(), precise.solver.asleep_count());
         let counters = &mut self.report.counters;
         (counters.pairs_touching, counters.bodies_asleep, counters.passes) = (touching, asleep, substeps);
         true
@@ -148,7 +148,7 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             precise.fall_asleep(objects, step);
-            report.counters.bodies_asleep = precise.asleep_count();
+            report.counters.bodies_asleep = precise.solver.asleep_count();
         }
     }
 
@@ -353,7 +353,7 @@ impl PhysicsSimulator {
         let Some(precise) = &mut pipeline.precise else { return };
         precise.write_bodies(objects, report);
         let event_count = report.events.len();
-        precise.refit_aabbs();
+        precise.solver.refit_aabbs();
         if precise.has_depth() {
             self.call_handler(handler, |handler, context| handler.on_depth_moved(context));
         }

@@ -9,11 +9,11 @@ use crate::precise::solver::scaled_parameters::Parameters;
 impl Precise {
     /// Returns whether a loaded state is valid and was saved by the precise set with the length unit of `methods`.
     pub(crate) fn is_valid(&self, methods: Methods) -> bool {
-        matches!(methods, Methods::Precise { length_unit } if length_unit == self.parameters.length_unit)
+        matches!(methods, Methods::Precise { length_unit } if length_unit == self.solver.parameters.length_unit)
             && self
                 .loaded
                 .as_ref()
-                .is_none_or(|saved| saved.is_valid() && saved.is_in_space == self.depth.is_some())
+                .is_none_or(|saved| saved.is_valid() && saved.is_in_space == self.solver.depth.is_some())
     }
 }
 

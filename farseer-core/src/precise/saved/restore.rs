@@ -14,6 +14,7 @@ use crate::precise::body_import::velocity_of;
 use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
+use crate::precise::solver::Solver;
 use crate::precise::solver::broad_phase::pair_finder::order_pair;
 use crate::precise::solver::broad_phase::pairs::OneWayState;
 use crate::precise::solver::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
@@ -23,29 +24,32 @@ use crate::storage::order::sort_by_number;
 
 impl From<Saved> for Precise {
     fn from(saved: Saved) -> Self {
-        Precise {
+        let solver = Solver {
             impulse_substep: saved.h,
             dt: saved.dt,
             friction: saved.friction,
             max_contacts: saved.most_contacts,
             depth: saved.is_in_space.then(FeatureGate::new).flatten(),
-            loaded: Some(saved.clone()),
-            ..Precise::new(saved.tuning.length_unit)
-        }
+            ..Solver::new(saved.tuning.length_unit)
+        };
+        let empty = Precise::new(saved.tuning.length_unit);
+        Precise { solver, loaded: Some(saved), ..empty }
     }
 }
 
 impl Precise {
     /// Restores the state of all proxies and pairs that still exist. `edits`: when edits made since the save take effect.
     pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy) {
-        self.has_handler_changes =
+        self.solver.has_handler_changes =
             saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed || pair.was_vetoed);
-        self.grid.reset(self.proxies.all.len());
-        self.pairs.reset(self.proxies.all.len());
-        self.constraints.clear();
-        self.color_usage.reset(&self.bodies.inverse_mass_inertia[..self.bodies.states.len()]);
-        if let Some(space) = &self.depth {
-            space.mark_hinged_boxes(&mut self.color_usage);
+        self.solver.grid.reset(self.solver.proxies.all.len());
+        self.solver.pairs.reset(self.solver.proxies.all.len());
+        self.solver.constraints.clear();
+        self.solver
+            .color_usage
+            .reset(&self.solver.bodies.inverse_mass_inertia[..self.solver.bodies.states.len()]);
+        if let Some(space) = &self.solver.depth {
+            space.mark_hinged_boxes(&mut self.solver.color_usage);
         }
         self.restore_solver_history(saved);
         self.restore_delta_poses(saved);
@@ -54,8 +58,9 @@ impl Precise {
         let remaining = |pair: &SavedPair| {
             let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
             current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
-                let [one, other] = now.map(|proxy| geom_of(&self.proxies.all[proxy as usize]));
-                order_pair(&self.proxies, self.depth.as_ref().map(FeatureGate::by_ref), now) == Some(now)
+                let [one, other] = now.map(|proxy| geom_of(&self.solver.proxies.all[proxy as usize]));
+                order_pair(&self.solver.proxies, self.solver.depth.as_ref().map(FeatureGate::by_ref), now)
+                    == Some(now)
                     && (edits == EditPolicy::Defer || self.may_keep_pair((one, other), objects))
             })
         };
@@ -74,7 +79,7 @@ impl Precise {
             let (pair, Some(now)) = (&saved.pairs[at], stays[at]) else { continue };
             let row = self.restore_pair(now, pair);
             let was_direct = pair.constraint.is_some_and(|row| row.direct.is_some());
-            self.direct_solver.timer.is_due |= was_direct && row.is_none();
+            self.solver.direct_solver.timer.is_due |= was_direct && row.is_none();
             constraints.extend(row);
         }
         self.reset_changed_one_way(saved, &current_proxies);
@@ -89,10 +94,10 @@ impl Precise {
     /// Restores touch events that the game has not received, and adds an end event for each touching pair that no longer
     /// exists. Causes are a changed filter, a disabled or removed geom, or other convex pieces.
     fn restore_touch_events(&mut self, saved: &Saved, is_lost: impl Fn(usize) -> bool) {
-        self.touch_events.clear();
-        self.touch_events.extend(saved.touch_events.iter().map(SavedTouchEvent::event));
+        self.solver.touch_events.clear();
+        self.solver.touch_events.extend(saved.touch_events.iter().map(SavedTouchEvent::event));
         let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_touching && is_lost(at));
-        self.touch_events.extend(ended.map(|(_, pair)| {
+        self.solver.touch_events.extend(ended.map(|(_, pair)| {
             let sides = pair.proxies.map(|proxy| &saved.proxies[proxy as usize]);
             TouchEvent::new(sides.map(|proxy| (proxy.number, owner_of(proxy.geom))), false)
         }));
@@ -105,11 +110,11 @@ impl Precise {
         for (pair, row) in constraints {
             let surface = row.sleeping_surface.or(row.awake_surface);
             if let Some([_, restitution, _]) = surface {
-                self.pairs.all[pair].has_surface_override = true;
-                self.has_restitution |= restitution > 0.0;
+                self.solver.pairs.all[pair].has_surface_override = true;
+                self.solver.has_restitution |= restitution > 0.0;
             }
             let aside = row.sleeping_h.map(|h| (h, None)).or(row.direct.map(|(h, exact)| (h, Some(exact))));
-            self.narrow_phase().restore_constraint(pair, row.colour, aside, |lane| {
+            self.solver.narrow_phase().restore_constraint(pair, row.colour, aside, |lane| {
                 if let Some(surface) = surface {
                     [lane.friction, lane.restitution, lane.tangent_speed] = surface;
                 }
@@ -133,18 +138,20 @@ impl Precise {
     /// may be selected anew.
     fn record_lost_constraint(&mut self, pair: &SavedPair, current_proxies: &[Option<u32>]) {
         let was_direct = pair.constraint.is_some_and(|row| row.direct.is_some());
-        self.direct_solver.timer.is_due |= was_direct;
-        self.direct_solver.timer.may_be_due |= self.depth.is_none();
+        self.solver.direct_solver.timer.is_due |= was_direct;
+        self.solver.direct_solver.timer.may_be_due |= self.solver.depth.is_none();
         for proxy in pair.proxies.iter().filter_map(|&proxy| current_proxies[proxy as usize]) {
-            self.sleep.support_removed(self.proxies.all[proxy as usize].body as usize);
+            self.solver.sleep.support_removed(self.solver.proxies.all[proxy as usize].body as usize);
         }
     }
 
     /// Restores the displacements in the last step of dynamic and kinematic bodies.
     fn restore_delta_poses(&mut self, saved: &Saved) {
         for &(body, delta_pose) in &saved.delta_poses {
-            if let Some(number) = self.body_index(body).filter(|&number| number <= self.bodies.last_movable) {
-                self.bodies.delta_pose[number] = delta_pose;
+            if let Some(number) =
+                self.body_index(body).filter(|&number| number <= self.solver.bodies.last_movable)
+            {
+                self.solver.bodies.delta_pose[number] = delta_pose;
             }
         }
     }
@@ -153,20 +160,20 @@ impl Precise {
     fn reset_changed_one_way(&mut self, saved: &Saved, current_proxies: &[Option<u32>]) {
         for (proxy, place) in saved.proxies.iter().zip(current_proxies) {
             if let Some(place) =
-                place.filter(|&now| self.proxies.all[now as usize].one_way != proxy.imported.one_way)
+                place.filter(|&now| self.solver.proxies.all[now as usize].one_way != proxy.imported.one_way)
             {
-                reset_one_way_states(&mut self.pairs, &self.proxies, place);
+                reset_one_way_states(&mut self.solver.pairs, &self.solver.proxies, place);
             }
         }
     }
 
     /// Restores the timer of the solver selection and the history of each dynamic body.
     fn restore_solver_history(&mut self, saved: &Saved) {
-        self.direct_solver.timer = saved.reselection_timer;
+        self.solver.direct_solver.timer = saved.reselection_timer;
         for &(body, history) in &saved.solver_history {
-            match self.body_index(body).filter(|&number| self.bodies.is_dynamic(number)) {
-                Some(number) => self.direct_solver.history[number] = history,
-                None => self.direct_solver.timer.is_due |= history.is_direct,
+            match self.body_index(body).filter(|&number| self.solver.bodies.is_dynamic(number)) {
+                Some(number) => self.solver.direct_solver.history[number] = history,
+                None => self.solver.direct_solver.timer.is_due |= history.is_direct,
             }
         }
     }
@@ -174,27 +181,27 @@ impl Precise {
     /// Sets the velocity that a body was given since the save, which the narrow phase uses. A hinged box has no body with this
     /// id.
     fn restore_edited_velocity(&mut self, number: usize, id: BodyId, objects: &Objects) {
-        if let Some(space) = &self.depth {
-            space.import_hinge_velocity(&mut self.bodies, number);
+        if let Some(space) = &self.solver.depth {
+            space.import_hinge_velocity(&mut self.solver.bodies, number);
         }
         let Some(entry) = objects.bodies.get(id) else { return };
-        self.bodies.set_velocity(number, velocity_of(&entry.body));
-        if let Some(space) = &mut self.depth {
-            space.import_body(&mut self.bodies, number, id.slot());
+        self.solver.bodies.set_velocity(number, velocity_of(&entry.body));
+        if let Some(space) = &mut self.solver.depth {
+            space.import_body(&mut self.solver.bodies, number, id.slot());
         }
     }
 
     /// Restores rest times, sleeping joints, and the sleeping bodies that may go on sleeping. An edited body wakes the other
     /// bodies of its island.
     fn restore_sleep(&mut self, saved: &Saved, objects: &Objects) {
-        self.sleep.gravity = saved.gravity;
+        self.solver.sleep.gravity = saved.gravity;
         // Bodies that wake before the next step need the velocity change by gravity, to find which bodies support others.
-        self.gravity_delta = saved.gravity.map(|part| part * saved.dt);
+        self.solver.gravity_delta = saved.gravity.map(|part| part * saved.dt);
         for &(body, rest_time) in &saved.rest_times {
             if let Some(number) =
-                self.body_of_saved_id(body).filter(|&number| number <= self.bodies.last_movable)
+                self.body_of_saved_id(body).filter(|&number| number <= self.solver.bodies.last_movable)
             {
-                self.sleep.rest_time[number] = rest_time;
+                self.solver.sleep.rest_time[number] = rest_time;
             }
         }
         // By index of the first body of an island: the last of its bodies that sleeps again.
@@ -209,28 +216,29 @@ impl Precise {
         } in &saved.sleeping_bodies
         {
             let may_sleep = |&number: &usize| {
-                let is_hinged = || self.depth.as_ref().is_some_and(|space| space.is_hinged(number));
-                (self.bodies.is_dynamic(number) || is_hinged()) && !self.sleep.is_asleep(number)
+                let is_hinged = || self.solver.depth.as_ref().is_some_and(|space| space.is_hinged(number));
+                (self.solver.bodies.is_dynamic(number) || is_hinged()) && !self.solver.sleep.is_asleep(number)
             };
             let Some(number) = self.body_of_saved_id(body).filter(may_sleep) else { continue };
-            self.bodies.put_to_rest(number, 1.0);
-            self.sleep.sleep_body(number, ring_member[first as usize], supported_acceleration);
+            self.solver.bodies.put_to_rest(number, 1.0);
+            self.solver.sleep.sleep_body(number, ring_member[first as usize], supported_acceleration);
             ring_member[first as usize] = Some(number);
-            self.sleep.newly_asleep.extend(is_newly_asleep.then_some(number as u32));
+            self.solver.sleep.newly_asleep.extend(is_newly_asleep.then_some(number as u32));
             // Forces may have been applied since the save.
-            self.sleep.record_force(number);
-            let may_hinge_stay = self.depth.as_ref().is_some_and(|space| space.may_hinge_stay_asleep(number));
+            self.solver.sleep.record_force(number);
+            let may_hinge_stay =
+                self.solver.depth.as_ref().is_some_and(|space| space.may_hinge_stay_asleep(number));
             if self.pose_of(number) != pose
                 || self.mass_and_gravity_of(number) != mass_and_gravity
                 || !(self.is_at_rest(body, objects) || may_hinge_stay)
             {
-                self.sleep.request_wake(number);
+                self.solver.sleep.request_wake(number);
                 self.restore_edited_velocity(number, body, objects);
             }
         }
         self.sleeping_joints.clone_from(&saved.joints);
-        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.sleep);
-        self.sleep.update_runs(&self.proxies);
+        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.solver.sleep);
+        self.solver.sleep.update_runs(&self.solver.proxies);
     }
 
     /// Restores all proxies. Returns the current index of each saved proxy (`None` if it no longer exists), and the indices of
@@ -238,24 +246,24 @@ impl Precise {
     ///
     /// A proxy whose body has changed its type counts as a new proxy.
     fn restore_proxies(&mut self, saved: &Saved, edits: EditPolicy) -> (Vec<Option<u32>>, Vec<u32>) {
-        let mut is_known = vec![false; self.proxies.all.len()];
+        let mut is_known = vec![false; self.solver.proxies.all.len()];
         let mut current_proxies = Vec::with_capacity(saved.proxies.len());
         let mut edited = Vec::new();
         for proxy in &saved.proxies {
             let proxy_index = self
                 .proxy_of(proxy.geom, proxy.piece)
-                .filter(|&place| self.proxies.all[place as usize].body_type == proxy.body_type)
+                .filter(|&place| self.solver.proxies.all[place as usize].body_type == proxy.body_type)
                 .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
             if let Some(place) = proxy_index {
                 edited.extend(self.restore_proxy(place, proxy, edits).then_some(place));
             }
             current_proxies.push(proxy_index);
         }
-        for at in (0..self.proxies.all.len()).filter(|&at| !is_known[at]) {
-            if !self.proxies.all[at].is_empty() {
-                self.fat_aabbs().insert(at as u32);
+        for at in (0..self.solver.proxies.all.len()).filter(|&at| !is_known[at]) {
+            if !self.solver.proxies.all[at].is_empty() {
+                self.solver.fat_aabbs().insert(at as u32);
                 // A new body may form an island for the direct solver.
-                self.direct_solver.timer.is_due = true;
+                self.solver.direct_solver.timer.is_due = true;
             }
         }
         (current_proxies, edited)
@@ -267,24 +275,24 @@ impl Precise {
         let (then, mut now) = (saved.imported, self.imported_state_of(proxy_index as usize));
         if edits == EditPolicy::Defer && then.filter != now.filter {
             let [filter @ .., responds] = then.filter;
-            let proxy = &mut self.proxies.all[proxy_index as usize];
+            let proxy = &mut self.solver.proxies.all[proxy_index as usize];
             (proxy.filter, proxy.responds) = (filter, responds != 0);
             self.edits.geoms.push(geom_of(proxy));
             now.filter = then.filter;
         }
-        self.proxies.travel[proxy_index as usize] = saved.travel;
-        self.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
+        self.solver.proxies.travel[proxy_index as usize] = saved.travel;
+        self.solver.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
         let has_moved = then.pose != now.pose;
         // The saved AABB and manifolds belong to the former shape.
         let is_reshaped = then.fingerprint != now.fingerprint;
         if has_moved {
-            self.bodies.clear_delta_pose(self.proxies.all[proxy_index as usize].body as usize);
+            self.solver.bodies.clear_delta_pose(self.solver.proxies.all[proxy_index as usize].body as usize);
         }
         if has_moved || is_reshaped {
-            self.fat_aabbs().teleport(proxy_index);
+            self.solver.fat_aabbs().teleport(proxy_index);
         }
         if saved.is_refitted || has_moved || is_reshaped || then.filter != now.filter {
-            self.proxies.refitted.push(proxy_index);
+            self.solver.proxies.refitted.push(proxy_index);
         }
         has_moved
             || is_reshaped
@@ -298,11 +306,11 @@ impl Precise {
     ///
     /// A pair that responds now and did not before, or the reverse, is updated in the next step.
     fn restore_pair(&mut self, proxies: [u32; 2], saved: &SavedPair) -> Option<(usize, SavedConstraint)> {
-        if self.pairs.contains(proxies) {
+        if self.solver.pairs.contains(proxies) {
             return None;
         }
-        let pair = self.narrow_phase().add_pair(proxies);
-        let responds = self.pairs.all[pair].responds;
+        let pair = self.solver.narrow_phase().add_pair(proxies);
+        let responds = self.solver.pairs.all[pair].responds;
         let SavedManifold {
             rotations,
             relative_pose,
@@ -314,7 +322,7 @@ impl Precise {
             arm_lead_angle,
             depth,
         } = saved.manifold;
-        self.pairs.manifolds[pair] = CachedManifold {
+        self.solver.pairs.manifolds[pair] = CachedManifold {
             rotations,
             relative_pose,
             normal,
@@ -325,23 +333,23 @@ impl Precise {
             arm_lead_angle,
             depth,
         };
-        let trigger = &mut self.pairs.triggers[pair];
+        let trigger = &mut self.solver.pairs.triggers[pair];
         (trigger.motion_at_check, trigger.motion_tolerance) = (saved.motion_at_check, saved.motion_tolerance);
-        self.pairs.all[pair].is_vetoed = saved.is_vetoed;
-        self.pairs.all[pair].was_vetoed = saved.was_vetoed;
-        if self.pairs.all[pair].one_way_state != OneWayState::Closed
+        self.solver.pairs.all[pair].is_vetoed = saved.is_vetoed;
+        self.solver.pairs.all[pair].was_vetoed = saved.was_vetoed;
+        if self.solver.pairs.all[pair].one_way_state != OneWayState::Closed
             && saved.one_way_state != OneWayState::Closed
         {
-            self.pairs.all[pair].one_way_state = saved.one_way_state;
+            self.solver.pairs.all[pair].one_way_state = saved.one_way_state;
         }
-        self.pairs.set_touching(pair, saved.is_touching);
+        self.solver.pairs.set_touching(pair, saved.is_touching);
         let constraint = saved.constraint.filter(|_| responds);
         // A disabled pair is updated in the next step in any case.
         let has_constraint = constraint.is_some() || saved.is_vetoed;
         if saved.motion_tolerance == UPDATED_BY_SOLVER
-            && !(has_constraint && self.narrow_phase().is_circle_pair(pair))
+            && !(has_constraint && self.solver.narrow_phase().is_circle_pair(pair))
         {
-            self.pairs.triggers[pair].motion_tolerance = 0;
+            self.solver.pairs.triggers[pair].motion_tolerance = 0;
         }
         constraint.map(|row| (pair, row))
     }

@@ -24,43 +24,47 @@ impl Precise {
         if let Some(loaded) = &self.loaded {
             return loaded.clone();
         }
-        let mut has_escaped = vec![false; self.proxies.all.len()];
-        self.proxies.refitted.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
-        let mut saved_indices = Vec::with_capacity(self.proxies.all.len());
+        let mut has_escaped = vec![false; self.solver.proxies.all.len()];
+        self.solver.proxies.refitted.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
+        let mut saved_indices = Vec::with_capacity(self.solver.proxies.all.len());
         let mut count = 0;
-        for proxy in &self.proxies.all {
+        for proxy in &self.solver.proxies.all {
             saved_indices.push(count);
             count += u32::from(!proxy.is_empty());
         }
-        let listed = self.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
+        let listed = self.solver.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
         let proxies = listed.map(|(at, proxy)| SavedProxy {
             geom: geom_of(proxy),
             number: proxy.creation_number,
             piece: proxy.piece,
             body_type: proxy.body_type,
-            fat_aabb: self.proxies.fat_aabbs[at],
-            depth_interval: self.depth.as_ref().map_or(DepthInterval::default(), |space| space.interval(at)),
-            travel: self.proxies.travel[at],
+            fat_aabb: self.solver.proxies.fat_aabbs[at],
+            depth_interval: self
+                .solver
+                .depth
+                .as_ref()
+                .map_or(DepthInterval::default(), |space| space.interval(at)),
+            travel: self.solver.proxies.travel[at],
             is_refitted: has_escaped[at],
             imported: self.imported_state_of(at),
         });
         Saved {
-            tuning: self.parameters,
-            h: self.impulse_substep,
-            dt: self.dt,
-            has_handled: self.has_handler_changes,
-            friction: self.friction,
-            most_contacts: self.max_contacts,
+            tuning: self.solver.parameters,
+            h: self.solver.impulse_substep,
+            dt: self.solver.dt,
+            has_handled: self.solver.has_handler_changes,
+            friction: self.solver.friction,
+            most_contacts: self.solver.max_contacts,
             proxies: proxies.collect(),
-            pairs: (0..self.pairs.len()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
-            awake_pair_count: self.pairs.awake_count as u32,
-            gravity: self.sleep.gravity,
+            pairs: (0..self.solver.pairs.len()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
+            awake_pair_count: self.solver.pairs.awake_count as u32,
+            gravity: self.solver.sleep.gravity,
             rest_times: self.save_rest_times().collect(),
             sleeping_bodies: self.save_sleeping_bodies(),
             joints: self.sleeping_joints.clone(),
             solver_history: self.save_solver_history().collect(),
-            reselection_timer: self.direct_solver.timer,
-            is_in_space: self.depth.is_some(),
+            reselection_timer: self.solver.direct_solver.timer,
+            is_in_space: self.solver.depth.is_some(),
             delta_poses: self.save_delta_poses().collect(),
             woken: self.edits.wake_requests.clone(),
             touch_events: self.save_touch_events(),
@@ -70,7 +74,7 @@ impl Precise {
     /// Returns the touch events in the order of creation numbers. The order of the events in memory depends on how pairs were
     /// removed.
     fn save_touch_events(&self) -> Vec<SavedTouchEvent> {
-        let mut changes = self.touch_events.clone();
+        let mut changes = self.solver.touch_events.clone();
         sort_by_number(&mut changes, TouchEvent::sort_key);
         changes.iter().map(SavedTouchEvent::of).collect()
     }
@@ -79,10 +83,10 @@ impl Precise {
     /// rotation (radians), z (length units). Bodies without geoms are left out, since an edit of such a body's pose would not
     /// be detected.
     fn save_delta_poses(&self) -> impl Iterator<Item = (BodyId, [f32; 4])> + '_ {
-        let count = if self.proxies.one_way_count > 0 { self.bodies.last_movable } else { 0 };
-        let delta_poses = (1..=count).map(|number| (number, self.bodies.delta_pose[number]));
+        let count = if self.solver.proxies.one_way_count > 0 { self.solver.bodies.last_movable } else { 0 };
+        let delta_poses = (1..=count).map(|number| (number, self.solver.bodies.delta_pose[number]));
         let ways = delta_poses.filter(|&(number, delta_pose)| {
-            delta_pose != [0.0; 4] && self.proxies.proxies_of(number).next().is_some()
+            delta_pose != [0.0; 4] && self.solver.proxies.proxies_of(number).next().is_some()
         });
         ways.filter_map(|(number, way)| Some((self.ids.bodies[number]?, way)))
     }
@@ -90,35 +94,38 @@ impl Precise {
     /// Returns the times for which awake bodies have been at rest, in seconds; zeros are left out.
     fn save_rest_times(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
         let at_rest = self
+            .solver
             .sleep
-            .awake_bodies(self.bodies.last_movable)
-            .filter(|&number| self.sleep.rest_time[number] > 0.0);
-        at_rest.filter_map(|number| Some((self.saved_body_id(number)?, self.sleep.rest_time[number])))
+            .awake_bodies(self.solver.bodies.last_movable)
+            .filter(|&number| self.solver.sleep.rest_time[number] > 0.0);
+        at_rest.filter_map(|number| Some((self.saved_body_id(number)?, self.solver.sleep.rest_time[number])))
     }
 
     /// Returns the histories of the solver selection that differ from the default, by body.
     fn save_solver_history(&self) -> impl Iterator<Item = (BodyId, IslandHistory)> + '_ {
-        let histories =
-            (1..=self.bodies.last_movable).map(|number| (number, self.direct_solver.history[number]));
+        let histories = (1..=self.solver.bodies.last_movable)
+            .map(|number| (number, self.solver.direct_solver.history[number]));
         let worn = histories.filter(|&(_, history)| history != IslandHistory::default());
         worn.filter_map(|(number, wear)| Some((self.ids.bodies[number]?, wear)))
     }
 
     /// Returns all sleeping bodies, in the order of their indices.
     fn save_sleeping_bodies(&self) -> Vec<SavedSleepingBody> {
-        let mut sleepers = Vec::with_capacity(self.sleep.count);
-        let mut places = vec![0; self.bodies.last_movable + 1];
-        let mut are_fresh = vec![false; self.bodies.last_movable + 1];
-        self.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body as usize] = true);
-        for number in (1..=self.bodies.last_movable).filter(|&number| self.sleep.is_asleep(number)) {
+        let mut sleepers = Vec::with_capacity(self.solver.sleep.count);
+        let mut places = vec![0; self.solver.bodies.last_movable + 1];
+        let mut are_fresh = vec![false; self.solver.bodies.last_movable + 1];
+        self.solver.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body as usize] = true);
+        for number in
+            (1..=self.solver.bodies.last_movable).filter(|&number| self.solver.sleep.is_asleep(number))
+        {
             let Some(body) = self.saved_body_id(number) else { continue };
             places[number] = sleepers.len() as u32;
-            let first = places[self.sleep.first_of_ring(number)];
+            let first = places[self.solver.sleep.first_of_ring(number)];
             sleepers.push(SavedSleepingBody {
                 body,
                 first,
                 pose: self.pose_of(number),
-                supported_acceleration: self.sleep.supported_acceleration[number],
+                supported_acceleration: self.solver.sleep.supported_acceleration[number],
                 mass_and_gravity: self.mass_and_gravity_of(number),
                 is_newly_asleep: are_fresh[number],
             });
@@ -129,14 +136,14 @@ impl Precise {
     /// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, and
     /// its gravity scale (dimensionless).
     pub(super) fn mass_and_gravity_of(&self, number: usize) -> [f32; 3] {
-        let [mass, inertia] = self.bodies.inverse_mass_inertia[number];
-        [mass, inertia, self.bodies.gravity_scales[number]]
+        let [mass, inertia] = self.solver.bodies.inverse_mass_inertia[number];
+        [mass, inertia, self.solver.bodies.gravity_scales[number]]
     }
 
     /// Returns the pose of a body in the world frame: x, y (length units), rotation (radians), z (length units).
     pub(super) fn pose_of(&self, number: usize) -> [f32; 4] {
-        let ([x, y, ..], rotation) = (self.bodies.poses[number], self.bodies.rotations[number]);
-        [x, y, rotation, self.depth.as_ref().map_or(0.0, |space| space.z_positions[number])]
+        let ([x, y, ..], rotation) = (self.solver.bodies.poses[number], self.solver.bodies.rotations[number]);
+        [x, y, rotation, self.solver.depth.as_ref().map_or(0.0, |space| space.z_positions[number])]
     }
 
     /// Returns the properties of a proxy and its body by which a later edit is detected.
@@ -151,9 +158,9 @@ impl Precise {
             one_way,
             fingerprint,
             ..
-        } = self.proxies.all[proxy];
+        } = self.solver.proxies.all[proxy];
         let ([mass, inertia], [vx, vy, spin, vz]) =
-            (self.bodies.inverse_mass_inertia[body as usize], surface_velocity);
+            (self.solver.bodies.inverse_mass_inertia[body as usize], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
         ImportedState {
             pose: self.pose_of(body as usize),
@@ -166,7 +173,7 @@ impl Precise {
 
     /// Returns the saved form of a pair. `saved_indices`: index of each proxy into `Saved::proxies`.
     fn save_pair(&self, pair: usize, saved_indices: &[u32]) -> SavedPair {
-        let (watch, state) = (self.pairs.triggers[pair], self.pairs.all[pair]);
+        let (watch, state) = (self.solver.pairs.triggers[pair], self.solver.pairs.all[pair]);
         let CachedManifold {
             rotations,
             relative_pose,
@@ -177,7 +184,7 @@ impl Precise {
             features,
             arm_lead_angle,
             depth,
-        } = self.pairs.manifolds[pair];
+        } = self.solver.pairs.manifolds[pair];
         SavedPair {
             proxies: watch.proxies.map(|proxy| saved_indices[proxy as usize]),
             motion_at_check: watch.motion_at_check,
@@ -212,9 +219,9 @@ impl Precise {
     ) -> SavedConstraint {
         let ContactConstraint {
             tangent_impulse, points, friction, restitution, tangent_speed, depth, ..
-        } = self.constraints.get(kind, handle);
+        } = self.solver.constraints.get(kind, handle);
         let (sleeping, parked) =
-            (self.constraints.sleeping_constraint(handle), self.constraints.parked(handle));
+            (self.solver.constraints.sleeping_constraint(handle), self.solver.constraints.parked(handle));
         let surface = is_set.then_some([friction, restitution, tangent_speed]);
         SavedConstraint {
             colour: parked.map_or(handle.color, |row| row.color),

@@ -1,46 +1,40 @@
-//! The step of the precise engine: its stages, in their order, as the simulator calls them. The stages that read and write the
-//! bodies of the game are in [`body_io`](super::body_io).
+//! The step of the precise engine: its stages, in their order, as the adapter calls them. The adapter reads the bodies of the game before
+//! the solver, and writes them after it.
 //!
 //! Islands in the direct solver and free articulations have solvers of their own. All other constraints are solved by the
-//! [iterative solver](super::solver::contact_solver::iterative_solver) in substeps. If it has no constraint at all, all bodies move in
+//! [iterative solver](super::contact_solver::iterative_solver) in substeps. If it has no constraint at all, all bodies move in
 //! free flight without substeps ([`integrate_free_flight`]).
 
-use super::Precise;
-use super::solver::broad_phase::fat_aabbs::FatAabbs;
-use super::solver::broad_phase::pair_finder::PairFinder;
-use super::solver::continuous_collision::{end_paths, find_impacts, list_fast_bodies, toi_of_carried};
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::hinged_box::{brace_at_stops, finish_hinges, list_hinged_boxes};
-use super::solver::depth::step::restitution_threshold_3d;
-use super::solver::direct_solver::island_solver::IslandSolver;
-use super::solver::integration::integrate_free_flight;
-use super::solver::narrow_phase::NarrowPhaseStats;
-use super::solver::scaled_parameters::LoadAdaptation;
-pub(crate) use super::solver::scaled_parameters::StepContext;
-use crate::math::Vector2;
-use crate::precise::solver::contact_solver::iterative_solver::IterativeSolver;
+use super::Solver;
+use super::broad_phase::fat_aabbs::FatAabbs;
+use super::broad_phase::pair_finder::PairFinder;
+use super::contact_solver::iterative_solver::IterativeSolver;
+use super::continuous_collision::{end_paths, find_impacts, list_fast_bodies, toi_of_carried};
+use super::depth::feature_gate::FeatureGate;
+use super::depth::hinged_box::{brace_at_stops, finish_hinges, list_hinged_boxes};
+use super::depth::step::restitution_threshold_3d;
+use super::direct_solver::island_solver::IslandSolver;
+use super::integration::integrate_free_flight;
+use super::narrow_phase::NarrowPhaseStats;
+use super::scaled_parameters::LoadAdaptation;
+use super::scaled_parameters::StepContext;
+use crate::math::plane::Vector;
+use crate::surface::FrictionType;
 
-impl Precise {
+impl Solver {
     /// Returns the length of the last step, seconds, >= 0; 0 before the first step.
     pub(crate) fn last_dt(&self) -> f32 {
         self.dt
     }
 
-    /// Begins a step: stores its length `dt` (seconds, > 0), `gravity` (length units/s^2) and whether bodies `may_sleep`.
-    /// Returns the parameters of the step for the solvers.
-    pub(crate) fn begin_step(
-        &mut self,
-        dt: f32,
-        substeps: u32,
-        gravity: Vector2,
-        may_sleep: bool,
-    ) -> StepContext {
-        self.set_sleep(may_sleep, gravity);
+    /// Begins a step: stores its length `dt` (seconds, > 0) and `gravity` (x, y in length units/s^2). Returns the parameters of
+    /// the step for the solvers.
+    pub(crate) fn begin_step(&mut self, dt: f32, substeps: u32, gravity: Vector) -> StepContext {
         self.depth.iter_mut().for_each(|space| space.newly_asleep.clear());
-        (self.dt, self.gravity_delta) = (dt, [gravity.x * dt, gravity.y * dt]);
+        (self.dt, self.gravity_delta) = (dt, gravity.map(|part| part * dt));
         if let Some(space) = &mut self.depth {
             space.begin_world_boxes(&mut self.bodies, dt);
-            let Precise { bodies, proxies, grid, depth, parameters, .. } = self;
+            let Solver { bodies, proxies, grid, depth, parameters, .. } = self;
             let depth = depth.as_mut().map(FeatureGate::by_mut);
             FatAabbs { bodies, proxies, grid, depth, parameters, dt }.pair_sweeping_boxes(&mut self.pairs);
         }
@@ -71,14 +65,14 @@ impl Precise {
 
     /// Finds the new pairs of these proxies, and stores them in `new_pairs`. Returns their number.
     fn find_new_pairs(&mut self, refitted: &[u32]) -> usize {
-        let Precise { proxies, pairs, grid, depth, proxy_flags, new_pairs, .. } = self;
+        let Solver { proxies, pairs, grid, depth, proxy_flags, new_pairs, .. } = self;
         let depth = depth.as_ref().map(FeatureGate::by_ref);
         PairFinder { proxies, pairs, grid, depth }.find(refitted, proxy_flags, new_pairs)
     }
 
-    /// Third stage of a step, the narrow phase: updates manifolds and contact constraints of the pairs that have moved beyond
-    /// their tolerance. `max_contacts`: most contact points per pair, 0..=2. Returns the number of updated pairs.
-    pub(crate) fn find_contacts(&mut self, friction: crate::FrictionType, max_contacts: u32) -> usize {
+    /// Begins the third stage of a step, the narrow phase. `max_contacts`: most contact points per pair, 0..=2. Returns whether
+    /// `friction` or `max_contacts` differ from those of the last step; then all bodies have to wake, and all pairs change.
+    pub(crate) fn begin_contacts(&mut self, friction: FrictionType, max_contacts: u32) -> bool {
         self.narrow_phase_stats = NarrowPhaseStats::default();
         self.rolling_contacts.clear();
         if self.proxies.one_way_count > 0 {
@@ -86,10 +80,12 @@ impl Precise {
         }
         let has_friction_changed = std::mem::replace(&mut self.friction, friction) != friction;
         let has_limit_changed = std::mem::replace(&mut self.max_contacts, max_contacts) != max_contacts;
-        if has_friction_changed || has_limit_changed {
-            self.wake_all();
-            (0..self.pairs.len()).for_each(|pair| self.pairs.invalidate(pair));
-        }
+        has_friction_changed || has_limit_changed
+    }
+
+    /// Third stage of a step, the narrow phase: updates manifolds and contact constraints of the pairs that have moved beyond
+    /// their tolerance. Returns the number of updated pairs.
+    pub(crate) fn find_contacts(&mut self) -> usize {
         if std::mem::take(&mut self.has_handler_changes) {
             self.has_handler_changes |= self.narrow_phase().clear_handler_overrides();
         }
@@ -106,7 +102,7 @@ impl Precise {
 
     /// Stores the penetrations of ended contacts with static bodies.
     fn store_ended_contacts(&mut self) {
-        let Precise { depth, ended_static_contacts: ended, sleep, .. } = self;
+        let Solver { depth, ended_static_contacts: ended, sleep, .. } = self;
         if let Some(space) = depth.as_mut().filter(|_| !ended.is_empty()) {
             space.store_residual_penetrations(ended, sleep);
         }
@@ -176,7 +172,7 @@ impl Precise {
             .count_islands(&mut census, &|body| self.bodies.states[body as usize].velocity);
         self.direct_solver.census = census;
         self.direct_solver.choose_members(selects, &self.sleep, self.bodies.last_movable);
-        let Precise { direct_solver, pairs, proxies, joints, springs, .. } = self;
+        let Solver { direct_solver, pairs, proxies, joints, springs, .. } = self;
         direct_solver.plan_islands(selects, pairs, proxies, (joints, springs));
         if selects {
             self.move_constraints(learning);
@@ -191,7 +187,7 @@ impl Precise {
     /// Moves contact constraints between the graph colours and the direct solver, as selected; `learning` is as in
     /// [`select_solvers`](Self::select_solvers).
     fn move_constraints(&mut self, learning: &LoadAdaptation) {
-        let Precise { direct_solver, pairs, proxies, constraints, impulse_substep, .. } = self;
+        let Solver { direct_solver, pairs, proxies, constraints, impulse_substep, .. } = self;
         direct_solver.move_constraints(pairs, proxies, constraints, learning, *impulse_substep);
     }
 
@@ -300,7 +296,7 @@ impl Precise {
     /// End of the sixth stage of a step: computes a new fat AABB for each proxy whose tight AABB has left its fat AABB. The
     /// broad phase of the next step searches the pairs of these proxies.
     pub(crate) fn refit_aabbs(&mut self) {
-        let Precise { bodies, proxies, grid, depth, parameters, dt, .. } = self;
+        let Solver { bodies, proxies, grid, depth, parameters, dt, .. } = self;
         let depth = depth.as_mut().map(FeatureGate::by_mut);
         FatAabbs { bodies, proxies, grid, depth, parameters, dt: *dt }.refit(&self.sleep, &self.pairs);
     }
