@@ -253,10 +253,12 @@ impl SleepState {
         runs(proxies.first_fixed, |at| is_awake(proxies.all[at].body), awake_proxy_runs);
     }
 
-    /// Removes woken bodies from `loaded_bodies`, and computes the index ranges of awake bodies anew.
+    /// Removes woken bodies from `loaded_bodies` and `newly_asleep`, and computes the index ranges of awake bodies anew.
     pub(in crate::precise) fn drop_woken(&mut self, proxies: &Proxies) {
-        let SleepState { loaded_bodies, next_in_ring, .. } = self;
-        loaded_bodies.retain(|&body| is_asleep(next_in_ring, body as usize));
+        let SleepState { loaded_bodies, newly_asleep, next_in_ring, .. } = self;
+        for list in [loaded_bodies, newly_asleep] {
+            list.retain(|&body| is_asleep(next_in_ring, body as usize));
+        }
         self.update_runs(proxies);
     }
 
