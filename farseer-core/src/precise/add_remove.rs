@@ -82,10 +82,8 @@ impl Precise {
         }
         self.solver.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
         for &proxy in removed_proxies {
-            let (geom, body) = (
-                geom_of(&self.solver.proxies.all[proxy as usize]),
-                self.solver.proxies.all[proxy as usize].body as usize,
-            );
+            let removed = &self.solver.proxies.all[proxy as usize];
+            let (geom, body) = (geom_of(removed), removed.body as usize);
             self.solver.grid.remove(proxy);
             self.solver.proxies.remove(proxy);
             self.ids.remove_geom(geom);

@@ -1,4 +1,4 @@
-//! The bodies of the game before and after a step: velocities and forces in, poses, velocities and events out.
+//! Adapter: the bodies of the game before and after a step: velocities and forces in, poses, velocities and events out.
 
 use super::solver::Solver;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! New pairs of the broad phase, which the simulator filters one by one, and sensors that a fast body crossed, by their geoms.
+//! Adapter: new pairs of the broad phase, which the simulator filters one by one, and sensors that a fast body crossed, by their geoms.
 
 use super::Precise;
 use super::ids::geom_of;
@@ -47,13 +47,5 @@ impl Precise {
         } else {
             (geom_of(b), geom_of(a))
         }
-    }
-}
-
-#[cfg(test)]
-impl Precise {
-    /// Returns the number of proxies that got a new fat AABB at the end of the step.
-    pub(crate) fn bounds_renewed(&self) -> usize {
-        self.solver.proxies.refitted.len()
     }
 }

@@ -1,4 +1,4 @@
-//! Contact events and contacts as the API shows them, and changes that handlers make to contacts.
+//! Adapter: contact events and contacts as the API shows them, and changes that handlers make to contacts.
 //!
 //! The module translates between geoms and pairs: touch events and [arbiters](ArbiterRef) out, changes by handlers in. Handlers
 //! may disable a contact, remove points or override surface properties for one step.
@@ -39,11 +39,12 @@ impl Precise {
     /// Returns the arbiter of a pair: the touching geoms with their contacts. `None` if the pair does not touch, and in three
     /// axes.
     pub(crate) fn arbiter_of_pair(&self, pair: usize) -> Option<ArbiterRef<'static>> {
-        self.solver.pairs.all.get(pair).filter(|state| state.is_touching && self.solver.depth.is_none())?;
-        let contact = self.solver.contact_reader().planar_contact(pair);
-        let numbers = self.solver.pairs.triggers[pair]
+        let solver = &self.solver;
+        solver.pairs.all.get(pair).filter(|state| state.is_touching && solver.depth.is_none())?;
+        let contact = solver.contact_reader().planar_contact(pair);
+        let numbers = solver.pairs.triggers[pair]
             .proxies
-            .map(|proxy| self.solver.proxies.all[proxy as usize].creation_number);
+            .map(|proxy| solver.proxies.all[proxy as usize].creation_number);
         let contacts = ContactSource::Copied(contacts_of(&contact, numbers), contact.count);
         let friction = contact.friction;
         Some(ArbiterRef { handle: pair as u32, geoms: self.geoms_of(pair), friction, contacts })
@@ -72,24 +73,23 @@ impl Precise {
 
     /// Returns the indices of the pairs between the convex pieces of two geoms.
     pub(super) fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
+        let solver = &self.solver;
         // A chain may have thousands of pieces, and a floor thousands of pairs, so the pieces of the smaller geom are searched.
-        let is_movable = |at: u32| self.solver.proxies.all[at as usize].body_type == BodyType::Dynamic;
+        let is_movable = |at: u32| solver.proxies.all[at as usize].body_type == BodyType::Dynamic;
         let is_small = self.proxy_of(other, 1).is_none() && self.proxy_of(other, 0).is_some_and(is_movable);
         let (one, other) = if is_small { (one, other) } else { (other, one) };
         let proxies = [self.single_proxy(one), self.single_proxy(other)];
         let (pair, first) = match proxies {
-            [Some(one), Some(other)] => (self.solver.pairs.find([one, other]), u32::MAX),
+            [Some(one), Some(other)] => (solver.pairs.find([one, other]), u32::MAX),
             _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
         };
-        let is_piece = move |at: &u32| {
-            self.solver.proxies.all.get(*at as usize).is_some_and(|proxy| geom_of(proxy) == other)
-        };
+        let is_piece =
+            move |at: &u32| solver.proxies.all.get(*at as usize).is_some_and(|proxy| geom_of(proxy) == other);
         let is_with_one = move |pair: &usize| {
-            let proxies = self.solver.pairs.triggers[*pair].proxies;
-            proxies.iter().any(|&proxy| geom_of(&self.solver.proxies.all[proxy as usize]) == one)
+            let proxies = solver.pairs.triggers[*pair].proxies;
+            proxies.iter().any(|&proxy| geom_of(&solver.proxies.all[proxy as usize]) == one)
         };
-        let of_pieces =
-            (first..u32::MAX).take_while(is_piece).flat_map(|piece| self.solver.pairs.pairs_of(piece));
+        let of_pieces = (first..u32::MAX).take_while(is_piece).flat_map(|piece| solver.pairs.pairs_of(piece));
         pair.into_iter().chain(of_pieces.filter(is_with_one))
     }
 

@@ -1,4 +1,4 @@
-//! Contacts of the solver as the API shows them.
+//! Adapter: contacts of the solver as the API shows them.
 
 use super::solver::narrow_phase::contact_reader::{PlanarContact, PlanarContactPoint};
 use crate::contacts::contact::{Contact, ContactId};

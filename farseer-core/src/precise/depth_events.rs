@@ -62,15 +62,16 @@ impl Precise {
     /// Iterates over the geoms that form a broad-phase pair with a body, touching or not. Pairs with a sensor or a vetoed
     /// contact are left out. A geom occurs once for each pair of convex pieces.
     pub(crate) fn depth_neighbours_of(&self, body_index: usize) -> impl Iterator<Item = GeomId> + '_ {
-        let others = self.solver.proxies.proxies_of(body_index).flat_map(move |proxy| {
-            self.solver.pairs.pairs_of(proxy).filter(|&pair| self.solver.pairs.all[pair].has_response()).map(
+        let solver = &self.solver;
+        let others = solver.proxies.proxies_of(body_index).flat_map(move |proxy| {
+            solver.pairs.pairs_of(proxy).filter(|&pair| solver.pairs.all[pair].has_response()).map(
                 move |pair| {
-                    let [a, b] = self.solver.pairs.triggers[pair].proxies;
+                    let [a, b] = solver.pairs.triggers[pair].proxies;
                     if a == proxy { b } else { a }
                 },
             )
         });
-        let others = others.map(|other| &self.solver.proxies.all[other as usize]);
+        let others = others.map(|other| &solver.proxies.all[other as usize]);
         others.filter(|proxy| !proxy.is_world).map(geom_of)
     }
 
@@ -80,15 +81,13 @@ impl Precise {
         &self,
         body_index: usize,
     ) -> impl Iterator<Item = (GeomId, DepthContactTarget)> + '_ {
-        let refused = self
-            .solver
+        let solver = &self.solver;
+        let refused = solver
             .pairs
-            .pairs_of_body(&self.solver.proxies, body_index)
-            .filter(|&pair| self.solver.pairs.all[pair].is_vetoed);
+            .pairs_of_body(&solver.proxies, body_index)
+            .filter(|&pair| solver.pairs.all[pair].is_vetoed);
         refused.map(move |pair| {
-            let [a, b] = self.solver.pairs.triggers[pair]
-                .proxies
-                .map(|proxy| &self.solver.proxies.all[proxy as usize]);
+            let [a, b] = solver.pairs.triggers[pair].proxies.map(|proxy| &solver.proxies.all[proxy as usize]);
             let (this, other) = if a.body as usize == body_index { (a, b) } else { (b, a) };
             (geom_of(this), contact_target_of(geom_of(other)))
         })
@@ -117,10 +116,10 @@ impl Precise {
 
     /// Iterates over touching pairs with an event listener. Each item is the index of the pair and its contact manifold.
     pub(crate) fn depth_contacts_with_listener(&self) -> impl Iterator<Item = (usize, DepthContact)> + '_ {
-        let count = if self.solver.pairs.reported_count > 0 { self.solver.pairs.len() } else { 0 };
-        let is_heard = |pair: &usize| {
-            self.solver.pairs.all[*pair].is_touching && self.solver.pairs.all[*pair].is_reported
-        };
+        let solver = &self.solver;
+        let count = if solver.pairs.reported_count > 0 { solver.pairs.len() } else { 0 };
+        let is_heard =
+            |pair: &usize| solver.pairs.all[*pair].is_touching && solver.pairs.all[*pair].is_reported;
         (0..count).filter(is_heard).filter_map(|pair| Some((pair, self.depth_contact(pair)?)))
     }
 
@@ -128,11 +127,12 @@ impl Precise {
     /// callback vetoed the pair. The manifold is reported for the younger geom, or for the only geom if the target is a world
     /// box or the ground.
     pub(crate) fn depth_contact(&self, pair: usize) -> Option<DepthContact> {
-        let state = self.solver.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
-        let space = self.solver.depth.as_ref()?;
-        let contact = self.solver.contact_reader().spatial_contact(pair)?;
-        let proxies = self.solver.pairs.triggers[pair].proxies;
-        let [a, b] = proxies.map(|proxy| &self.solver.proxies.all[proxy as usize]);
+        let solver = &self.solver;
+        let state = solver.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
+        let space = solver.depth.as_ref()?;
+        let contact = solver.contact_reader().spatial_contact(pair)?;
+        let proxies = solver.pairs.triggers[pair].proxies;
+        let [a, b] = proxies.map(|proxy| &solver.proxies.all[proxy as usize]);
         // Normals point from A to B.
         let is_b = a.is_world || a.creation_number < b.creation_number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };

@@ -129,7 +129,7 @@ impl Precise {
                 self.solver.proxies.refitted.push(at as u32);
             }
             if update.contacts || update.moved {
-                self.invalidate_pairs(at as u32);
+                self.solver.invalidate_pairs(at as u32);
             }
             if update.callbacks {
                 update_callbacks(&mut self.solver.pairs, &self.solver.proxies, at as u32);
@@ -138,17 +138,6 @@ impl Precise {
                 reset_one_way_states(&mut self.solver.pairs, &self.solver.proxies, at as u32);
             }
         }
-    }
-
-    /// Invalidates the pairs of a proxy: the next step updates their contacts in full, wakes sleeping partners and may select
-    /// solvers anew.
-    pub(super) fn invalidate_pairs(&mut self, proxy: u32) {
-        self.solver.direct_solver.timer.may_be_due = true;
-        let Solver { pairs, proxies, sleep, .. } = &mut self.solver;
-        pairs.for_each_index_of(proxy, |pairs, pair| {
-            pairs.invalidate(pair);
-            sleep.support_of_pair_removed(pairs.bodies_of(proxies, pair));
-        });
     }
 
     /// First stage of a step: applies edits, additions and removals of bodies and geoms to the lists.

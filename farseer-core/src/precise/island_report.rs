@@ -61,11 +61,12 @@ impl Precise {
     /// Returns the islands: the awake ones first, then the sleeping ones. Both are sorted by the smallest body index of each
     /// island.
     pub(crate) fn islands(&self, objects: &Objects) -> Vec<Island> {
+        let solver = &self.solver;
         let mut awake = self.awake_islands(objects);
-        let mut all: Vec<(bool, usize, usize)> = (1..=self.solver.bodies.last_movable)
-            .filter(|&number| self.solver.bodies.is_dynamic(number))
-            .map(|number| match self.solver.sleep.is_asleep(number) {
-                true => (true, self.solver.sleep.first_of_ring(number), number),
+        let mut all: Vec<(bool, usize, usize)> = (1..=solver.bodies.last_movable)
+            .filter(|&number| solver.bodies.is_dynamic(number))
+            .map(|number| match solver.sleep.is_asleep(number) {
+                true => (true, solver.sleep.first_of_ring(number), number),
                 false => (false, awake.find(number as u32) as usize, number),
             })
             .collect();
@@ -90,87 +91,83 @@ impl Precise {
 
     /// Returns the islands of the awake bodies.
     fn awake_islands(&self, objects: &Objects) -> UnionFind {
+        let solver = &self.solver;
         let mut islands = UnionFind::default();
-        let links = self.solver.joints.body_pairs().chain(spring_body_pairs(&self.ids, objects));
-        unite_islands(&mut islands, &self.solver.bodies, &self.solver.proxies, &self.solver.pairs, links);
+        let links = solver.joints.body_pairs().chain(spring_body_pairs(&self.ids, objects));
+        unite_islands(&mut islands, &solver.bodies, &solver.proxies, &solver.pairs, links);
         islands
     }
 
     /// Returns the reason why a dynamic body is awake; `None` if it sleeps, or is not dynamic.
     pub(crate) fn why_awake(&self, body: BodyId, objects: &Objects) -> Option<AwakeReason> {
-        let number = self.ids.body_index(body).filter(|&number| self.solver.bodies.is_dynamic(number))?;
-        if self.solver.sleep.is_asleep(number) {
+        let solver = &self.solver;
+        let number = self.ids.body_index(body).filter(|&number| solver.bodies.is_dynamic(number))?;
+        if solver.sleep.is_asleep(number) {
             return None;
         }
         let mut islands = self.awake_islands(objects);
         let island = islands.find(number as u32);
-        let mut members = self
-            .solver
+        let mut members = solver
             .sleep
-            .awake_bodies(self.solver.bodies.last_movable)
+            .awake_bodies(solver.bodies.last_movable)
             .filter(|&other| islands.find(other as u32) == island);
-        let restless = members.find(|&other| self.solver.sleep.rest_time[other] == 0.0);
-        let limit = self.solver.sleep.sleep_speed(self.solver.parameters.length_unit);
+        let restless = members.find(|&other| solver.sleep.rest_time[other] == 0.0);
+        let limit = solver.sleep.sleep_speed(solver.parameters.length_unit);
         Some(match restless {
-            _ if self.solver.sleep.rest_time[number] == 0.0 => AwakeReason::Moves { limit },
+            _ if solver.sleep.rest_time[number] == 0.0 => AwakeReason::Moves { limit },
             Some(other) => match self.ids.bodies[other] {
                 Some(with) => AwakeReason::HangsTogether { with },
                 // A hinged platform has no body id. It moves the bodies that it leans on.
                 None => AwakeReason::Moves { limit },
             },
-            None => AwakeReason::RestsSince {
-                seconds: self.solver.sleep.rest_time[number],
-                needed: TIME_TO_SLEEP,
-            },
+            None => {
+                AwakeReason::RestsSince { seconds: solver.sleep.rest_time[number], needed: TIME_TO_SLEEP }
+            }
         })
     }
 
     /// Returns the report of each body, in the order of body indices.
     fn body_reports(&self) -> Vec<BodyReport> {
+        let solver = &self.solver;
         let mut census = IslandCensus::default();
-        self.solver
+        solver
             .solver_selection()
-            .count_islands(&mut census, &|body| self.solver.bodies.initial_velocity[body as usize]);
-        let substeps = if self.solver.impulse_substep > 0.0 {
-            (self.solver.dt / self.solver.impulse_substep).round() as u32
+            .count_islands(&mut census, &|body| solver.bodies.initial_velocity[body as usize]);
+        let substeps = if solver.impulse_substep > 0.0 {
+            (solver.dt / solver.impulse_substep).round() as u32
         } else {
             0
         };
-        let rows =
-            rows_by_body(&self.solver.bodies, &self.solver.proxies, &self.solver.pairs, &self.solver.sleep);
-        let mut reports: Vec<BodyReport> = (0..self.solver.bodies.states.len())
+        let rows = rows_by_body(&solver.bodies, &solver.proxies, &solver.pairs, &solver.sleep);
+        let mut reports: Vec<BodyReport> = (0..solver.bodies.states.len())
             .map(|body| {
                 let stats = census.stats_of(body as u32);
-                if self.solver.sleep.is_asleep(body) {
+                if solver.sleep.is_asleep(body) {
                     BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
-                } else if self.solver.direct_solver.is_direct(body) {
-                    let is_chosen = self.solver.direct_solver.choice() == SolverChoice::Direct;
+                } else if solver.direct_solver.is_direct(body) {
+                    let is_chosen = solver.direct_solver.choice() == SolverChoice::Direct;
                     let why = if is_chosen { SolverReason::Chosen } else { SolverReason::Pays };
                     BodyReport::new(IslandSolver::Direct, why, 1)
-                } else if stats.has_contacts() || self.solver.joints.has_joint(body) {
-                    let why = stats.iterative_reason(self.solver.direct_solver.choice());
+                } else if stats.has_contacts() || solver.joints.has_joint(body) {
+                    let why = stats.iterative_reason(solver.direct_solver.choice());
                     BodyReport::new(IslandSolver::Iterative, why, substeps)
                 } else {
                     BodyReport::new(IslandSolver::Ballistic, SolverReason::NothingTouches, 1)
                 }
             })
             .collect();
-        for (body, parts) in self
-            .solver
-            .joints
-            .free_articulations(substeps)
-            .filter(|&(body, _)| !self.solver.sleep.is_asleep(body))
+        for (body, parts) in
+            solver.joints.free_articulations(substeps).filter(|&(body, _)| !solver.sleep.is_asleep(body))
         {
             reports[body] = BodyReport::new(IslandSolver::Articulated, SolverReason::NothingTouches, parts);
         }
         reports.iter_mut().zip(rows).for_each(|(told, rows)| told.cost.rows = rows);
-        for ties in self.solver.joints.body_pairs() {
-            let holder = ties
-                .into_iter()
-                .find(|&body| body > 0 && is_awake(&self.solver.bodies, &self.solver.sleep, body));
+        for ties in solver.joints.body_pairs() {
+            let holder =
+                ties.into_iter().find(|&body| body > 0 && is_awake(&solver.bodies, &solver.sleep, body));
             holder.into_iter().for_each(|body| reports[body].cost.joints += 1);
         }
-        self.solver
+        solver
             .direct_solver
             .newton_steps_of_islands()
             .for_each(|(body, steps)| reports[body].cost.newton_steps = steps);
@@ -180,20 +177,21 @@ impl Precise {
     /// Returns the largest errors of the contacts and joints of these bodies. Stale ids and bodies that are not dynamic
     /// contribute nothing.
     pub(crate) fn residual(&self, bodies: &[BodyId], objects: &Objects) -> IslandResidual {
+        let solver = &self.solver;
         let mut residual = IslandResidual::default();
         let contacts = ContactErrors {
-            bodies: &self.solver.bodies,
+            bodies: &solver.bodies,
             ids: &self.ids,
-            proxies: &self.solver.proxies,
-            pairs: &self.solver.pairs,
-            speculative_distance: self.solver.parameters.speculative_distance,
-            dt: self.solver.dt,
+            proxies: &solver.proxies,
+            pairs: &solver.pairs,
+            speculative_distance: solver.parameters.speculative_distance,
+            dt: solver.dt,
             objects,
         };
         let numbers = bodies.iter().filter_map(|&body| self.ids.body_index(body));
-        for body in numbers.filter(|&body| self.solver.bodies.is_dynamic(body)) {
-            let pairs = self.solver.pairs.pairs_of_body(&self.solver.proxies, body);
-            for pair in pairs.filter(|&pair| self.solver.pairs.all[pair].constraint.is_some()) {
+        for body in numbers.filter(|&body| solver.bodies.is_dynamic(body)) {
+            let pairs = solver.pairs.pairs_of_body(&solver.proxies, body);
+            for pair in pairs.filter(|&pair| solver.pairs.all[pair].constraint.is_some()) {
                 let [overlap, approach] = contacts.of_pair(pair);
                 (residual.overlap, residual.approach) =
                     (residual.overlap.max(overlap), residual.approach.max(approach));

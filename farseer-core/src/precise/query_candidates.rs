@@ -19,6 +19,7 @@ impl Precise {
     /// Returns the geoms that may overlap an AABB, and perhaps others, in the order of the list of geoms. `None`: the proxies
     /// are older than the list of geoms, there is a depth axis, or the AABB is out of range. The caller then tests all geoms.
     pub(crate) fn geoms_near(&self, aabb: &Aabb, objects: &Objects) -> Option<Vec<GeomId>> {
+        let solver = &self.solver;
         let Aabb { min, max } = *aabb;
         let coordinate_sum =
             [min.x, min.y, max.x, max.y].iter().fold(0.0, |max_coordinate: f32, x| max_coordinate + x.abs());
@@ -27,7 +28,7 @@ impl Precise {
         let is_outdated =
             self.edits.needs_rebuild || self.edits.has_membership_changes || self.loaded.is_some();
         if is_outdated
-            || self.solver.depth.is_some()
+            || solver.depth.is_some()
             || objects.has_new_structure
             || objects.has_new_members
             || !is_in_range
@@ -37,16 +38,15 @@ impl Precise {
         let tolerance = QUERY_ROUNDING_RATIO * coordinate_sum;
         let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
         let mut list_indices: Vec<u32> = self.always_tested.iter().map(|tested| tested.list_index).collect();
-        self.solver.grid.for_each_overlap(&bounds, |proxy| {
-            list_indices.push(self.solver.proxies.all[proxy as usize].list_index)
+        solver.grid.for_each_overlap(&bounds, |proxy| {
+            list_indices.push(solver.proxies.all[proxy as usize].list_index)
         });
         let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
         for &geom in
             edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms)
         {
-            list_indices.extend(
-                self.proxy_of(geom, 0).map(|proxy| self.solver.proxies.all[proxy as usize].list_index),
-            );
+            list_indices
+                .extend(self.proxy_of(geom, 0).map(|proxy| solver.proxies.all[proxy as usize].list_index));
         }
         list_indices.sort_unstable();
         list_indices.dedup();

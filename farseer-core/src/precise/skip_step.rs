@@ -1,4 +1,4 @@
-//! Early out for updates in which every body sleeps and no stage of the step has work.
+//! Adapter: early out for updates in which every body sleeps and no stage of the step has work.
 //!
 //! Without it each stage would find out by itself that it has no work, from memory that is no longer in the cache.
 
@@ -43,14 +43,15 @@ impl Precise {
     /// Returns whether no stage of the step has work: no awake pairs, new fat AABBs, one-way geoms, events, handler changes,
     /// joints or islands in the direct solver.
     fn has_no_work(&self) -> bool {
-        self.solver.pairs.awake_count == 0
-            && self.solver.proxies.refitted.is_empty()
-            && self.solver.proxies.one_way_count == 0
-            && self.solver.enlarged_proxies.is_empty()
-            && self.solver.touch_events.is_empty()
-            && !self.solver.has_handler_changes
-            && self.solver.joints.is_empty()
+        let solver = &self.solver;
+        solver.pairs.awake_count == 0
+            && solver.proxies.refitted.is_empty()
+            && solver.proxies.one_way_count == 0
+            && solver.enlarged_proxies.is_empty()
+            && solver.touch_events.is_empty()
+            && !solver.has_handler_changes
+            && solver.joints.is_empty()
             && !self.may_break_joints()
-            && self.solver.direct_solver.is_idle()
+            && solver.direct_solver.is_idle()
     }
 }

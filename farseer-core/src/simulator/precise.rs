@@ -35,7 +35,7 @@ impl PhysicsSimulator {
         if self.try_skip_step(dt, substeps, handler) {
             return false;
         }
-        let steps = StepLengths { before: self.precise().solver.last_dt(), now: dt };
+        let steps = StepLengths { before: self.precise().solver.dt, now: dt };
         let step = self.precise().begin_step(dt, substeps, gravity, may_sleep);
         if let Some(precise) = &mut self.pipeline.precise {
             precise.begin_kinematic(&self.objects);
@@ -428,7 +428,7 @@ mod tests {
         for _ in 0..60 {
             simulator.update(1.0 / 60.0);
             let precise = simulator.pipeline.precise.as_ref().unwrap();
-            most = (most.0.max(precise.pair_count()), most.1.max(precise.bounds_renewed()));
+            most = (most.0.max(precise.pair_count()), most.1.max(precise.refitted_count()));
         }
         most
     }

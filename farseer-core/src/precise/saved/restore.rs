@@ -42,15 +42,7 @@ impl Precise {
     pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy) {
         self.solver.has_handler_changes =
             saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed || pair.was_vetoed);
-        self.solver.grid.reset(self.solver.proxies.all.len());
-        self.solver.pairs.reset(self.solver.proxies.all.len());
-        self.solver.constraints.clear();
-        self.solver
-            .color_usage
-            .reset(&self.solver.bodies.inverse_mass_inertia[..self.solver.bodies.states.len()]);
-        if let Some(space) = &self.solver.depth {
-            space.mark_hinged_boxes(&mut self.solver.color_usage);
-        }
+        self.solver.clear_pairs();
         self.restore_solver_history(saved);
         self.restore_delta_poses(saved);
         let (current_proxies, edited_proxies) = self.restore_proxies(saved, edits);
@@ -66,12 +58,8 @@ impl Precise {
         };
         let stays: Vec<_> = saved.pairs.iter().map(remaining).collect();
         self.restore_touch_events(saved, |at| stays[at].is_none());
-        for (pair, _) in saved
-            .pairs
-            .iter()
-            .zip(&stays)
-            .filter(|(pair, stays)| stays.is_none() && pair.constraint.is_some())
-        {
+        let lost = saved.pairs.iter().zip(&stays);
+        for (pair, _) in lost.filter(|(pair, stays)| stays.is_none() && pair.constraint.is_some()) {
             self.record_lost_constraint(pair, &current_proxies);
         }
         let mut constraints = Vec::new();
@@ -83,7 +71,7 @@ impl Precise {
             constraints.extend(row);
         }
         self.reset_changed_one_way(saved, &current_proxies);
-        edited_proxies.into_iter().for_each(|proxy| self.invalidate_pairs(proxy));
+        edited_proxies.into_iter().for_each(|proxy| self.solver.invalidate_pairs(proxy));
         self.restore_constraints(constraints);
         self.sleep_pairs();
         self.edits.wake_requests.clear();

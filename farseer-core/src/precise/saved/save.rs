@@ -21,50 +21,48 @@ use crate::storage::order::sort_by_number;
 impl Precise {
     /// Returns the state to save: the current state or, between loading and the next rebuild, the loaded one.
     pub(in crate::precise) fn save(&self) -> Saved {
+        let solver = &self.solver;
         if let Some(loaded) = &self.loaded {
             return loaded.clone();
         }
-        let mut has_escaped = vec![false; self.solver.proxies.all.len()];
-        self.solver.proxies.refitted.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
-        let mut saved_indices = Vec::with_capacity(self.solver.proxies.all.len());
+        let mut has_escaped = vec![false; solver.proxies.all.len()];
+        solver.proxies.refitted.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
+        let mut saved_indices = Vec::with_capacity(solver.proxies.all.len());
         let mut count = 0;
-        for proxy in &self.solver.proxies.all {
+        for proxy in &solver.proxies.all {
             saved_indices.push(count);
             count += u32::from(!proxy.is_empty());
         }
-        let listed = self.solver.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
+        let depth = solver.depth.as_ref();
+        let listed = solver.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
         let proxies = listed.map(|(at, proxy)| SavedProxy {
             geom: geom_of(proxy),
             number: proxy.creation_number,
             piece: proxy.piece,
             body_type: proxy.body_type,
-            fat_aabb: self.solver.proxies.fat_aabbs[at],
-            depth_interval: self
-                .solver
-                .depth
-                .as_ref()
-                .map_or(DepthInterval::default(), |space| space.interval(at)),
-            travel: self.solver.proxies.travel[at],
+            fat_aabb: solver.proxies.fat_aabbs[at],
+            depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
+            travel: solver.proxies.travel[at],
             is_refitted: has_escaped[at],
             imported: self.imported_state_of(at),
         });
         Saved {
-            tuning: self.solver.parameters,
-            h: self.solver.impulse_substep,
-            dt: self.solver.dt,
-            has_handled: self.solver.has_handler_changes,
-            friction: self.solver.friction,
-            most_contacts: self.solver.max_contacts,
+            tuning: solver.parameters,
+            h: solver.impulse_substep,
+            dt: solver.dt,
+            has_handled: solver.has_handler_changes,
+            friction: solver.friction,
+            most_contacts: solver.max_contacts,
             proxies: proxies.collect(),
-            pairs: (0..self.solver.pairs.len()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
-            awake_pair_count: self.solver.pairs.awake_count as u32,
-            gravity: self.solver.sleep.gravity,
+            pairs: (0..solver.pairs.len()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
+            awake_pair_count: solver.pairs.awake_count as u32,
+            gravity: solver.sleep.gravity,
             rest_times: self.save_rest_times().collect(),
             sleeping_bodies: self.save_sleeping_bodies(),
             joints: self.sleeping_joints.clone(),
             solver_history: self.save_solver_history().collect(),
-            reselection_timer: self.solver.direct_solver.timer,
-            is_in_space: self.solver.depth.is_some(),
+            reselection_timer: solver.direct_solver.timer,
+            is_in_space: solver.depth.is_some(),
             delta_poses: self.save_delta_poses().collect(),
             woken: self.edits.wake_requests.clone(),
             touch_events: self.save_touch_events(),
@@ -93,12 +91,12 @@ impl Precise {
 
     /// Returns the times for which awake bodies have been at rest, in seconds; zeros are left out.
     fn save_rest_times(&self) -> impl Iterator<Item = (BodyId, f32)> + '_ {
-        let at_rest = self
-            .solver
+        let solver = &self.solver;
+        let at_rest = solver
             .sleep
-            .awake_bodies(self.solver.bodies.last_movable)
-            .filter(|&number| self.solver.sleep.rest_time[number] > 0.0);
-        at_rest.filter_map(|number| Some((self.saved_body_id(number)?, self.solver.sleep.rest_time[number])))
+            .awake_bodies(solver.bodies.last_movable)
+            .filter(|&number| solver.sleep.rest_time[number] > 0.0);
+        at_rest.filter_map(|number| Some((self.saved_body_id(number)?, solver.sleep.rest_time[number])))
     }
 
     /// Returns the histories of the solver selection that differ from the default, by body.
@@ -111,21 +109,20 @@ impl Precise {
 
     /// Returns all sleeping bodies, in the order of their indices.
     fn save_sleeping_bodies(&self) -> Vec<SavedSleepingBody> {
-        let mut sleepers = Vec::with_capacity(self.solver.sleep.count);
-        let mut places = vec![0; self.solver.bodies.last_movable + 1];
-        let mut are_fresh = vec![false; self.solver.bodies.last_movable + 1];
-        self.solver.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body as usize] = true);
-        for number in
-            (1..=self.solver.bodies.last_movable).filter(|&number| self.solver.sleep.is_asleep(number))
-        {
+        let solver = &self.solver;
+        let mut sleepers = Vec::with_capacity(solver.sleep.count);
+        let mut places = vec![0; solver.bodies.last_movable + 1];
+        let mut are_fresh = vec![false; solver.bodies.last_movable + 1];
+        solver.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body as usize] = true);
+        for number in (1..=solver.bodies.last_movable).filter(|&number| solver.sleep.is_asleep(number)) {
             let Some(body) = self.saved_body_id(number) else { continue };
             places[number] = sleepers.len() as u32;
-            let first = places[self.solver.sleep.first_of_ring(number)];
+            let first = places[solver.sleep.first_of_ring(number)];
             sleepers.push(SavedSleepingBody {
                 body,
                 first,
                 pose: self.pose_of(number),
-                supported_acceleration: self.solver.sleep.supported_acceleration[number],
+                supported_acceleration: solver.sleep.supported_acceleration[number],
                 mass_and_gravity: self.mass_and_gravity_of(number),
                 is_newly_asleep: are_fresh[number],
             });

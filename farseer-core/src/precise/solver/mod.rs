@@ -53,8 +53,8 @@ pub(crate) struct Solver {
     /// Length of the substep in which the accumulated contact impulses last acted, seconds, >= 0. A step with another substep
     /// length scales the impulses.
     pub(in crate::precise) impulse_substep: f32,
-    /// Length of the last step, seconds, >= 0. Fat AABBs reach ahead by the motion of a few steps of this length.
-    pub(in crate::precise) dt: f32,
+    /// Length of the last step, seconds, >= 0; 0 before the first step. Fat AABBs reach ahead by the motion of a few steps of this length.
+    pub(crate) dt: f32,
     /// Parameters of the last step, which the next one keeps if it has the same length and number of substeps; `None` before
     /// the first step.
     pub(in crate::precise) step_context: Option<StepContext>,
@@ -248,6 +248,28 @@ impl Solver {
             dirty_pairs: &mut self.dirty_pairs,
             rolling_contacts: &mut self.rolling_contacts,
         }
+    }
+
+    /// Removes all pairs and their constraints, and adapts their lists to the present numbers of proxies and bodies.
+    pub(in crate::precise) fn clear_pairs(&mut self) {
+        self.grid.reset(self.proxies.all.len());
+        self.pairs.reset(self.proxies.all.len());
+        self.constraints.clear();
+        self.color_usage.reset(&self.bodies.inverse_mass_inertia[..self.bodies.states.len()]);
+        if let Some(space) = &self.depth {
+            space.mark_hinged_boxes(&mut self.color_usage);
+        }
+    }
+
+    /// Invalidates the pairs of a proxy: the next step updates their contacts in full, wakes sleeping partners and may select
+    /// solvers anew.
+    pub(in crate::precise) fn invalidate_pairs(&mut self, proxy: u32) {
+        self.direct_solver.timer.may_be_due = true;
+        let Solver { pairs, proxies, sleep, .. } = self;
+        pairs.for_each_index_of(proxy, |pairs, pair| {
+            pairs.invalidate(pair);
+            sleep.support_of_pair_removed(pairs.bodies_of(proxies, pair));
+        });
     }
 
     /// Returns the number of sleeping bodies, without hinged platforms.

@@ -22,11 +22,6 @@ use crate::math::plane::Vector;
 use crate::surface::FrictionType;
 
 impl Solver {
-    /// Returns the length of the last step, seconds, >= 0; 0 before the first step.
-    pub(crate) fn last_dt(&self) -> f32 {
-        self.dt
-    }
-
     /// Begins a step: stores its length `dt` (seconds, > 0) and `gravity` (x, y in length units/s^2). Returns the parameters of
     /// the step for the solvers.
     pub(crate) fn begin_step(&mut self, dt: f32, substeps: u32, gravity: Vector) -> StepContext {

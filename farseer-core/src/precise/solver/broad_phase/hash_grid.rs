@@ -335,11 +335,11 @@ impl HashGrid {
 
 #[cfg(test)]
 mod tests {
+    use super::HashGrid;
     use super::PackedAabb;
     use super::grid_level_of;
     use super::inverse_cell_size;
     use super::overlap;
-    use crate::precise::HashGrid;
 
     /// Returns AABBs with sides from almost 0 to 8e30 length units, near the origin and far from it.
     fn boxes() -> Vec<PackedAabb> {

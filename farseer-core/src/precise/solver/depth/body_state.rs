@@ -137,8 +137,9 @@ impl DepthState {
 
 /// Velocities before the solver, positions and velocities after it.
 impl DepthState {
-    /// Start of a step: stores the velocity of a body along z and its change per substep by forces and drag in component 3 of
-    /// the vectors of `read`, for a body that is not kinematic. A sphere also gets its angular velocity about x and y, after drag, in `ball_spins`.
+    /// Start of a step of a body that is not kinematic: stores its velocity along z and its change per substep by forces and
+    /// drag in component 3 of the vectors of `read`. A sphere also gets its angular velocity about x and y, after drag, in
+    /// `ball_spins`.
     pub(in crate::precise) fn begin_velocity(
         &mut self,
         (body_index, slot): (usize, usize),

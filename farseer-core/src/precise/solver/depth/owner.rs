@@ -5,9 +5,9 @@
 
 use super::interface::WorldBox;
 
-/// Slot of the ground. World boxes have the slots below it; geoms have the lower half of the range of `u32`.
+/// Slot of the ground, a number without a unit. World boxes have the slots below it; geoms have the lower half of the range of `u32`.
 const GROUND_SLOT: u32 = u32::MAX - 1;
-/// Slot of the world box with id 0. The box with id n has the slot n below.
+/// Slot of the world box with id 0, a number without a unit. The box with id n has the slot n below.
 const FIRST_WORLD_BOX_SLOT: u32 = u32::MAX - 2;
 /// Creation number of the ground, the greatest one. World boxes have the numbers below it, so that geoms come before boxes and
 /// ground wherever creation numbers order pairs.
