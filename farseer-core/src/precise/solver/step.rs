@@ -145,7 +145,7 @@ impl Solver {
         }
         if has_depth {
             self.direct_solver.check_listed_contacts(&self.constraints);
-        } else if self.direct_solver.count_friction_checks(self.sleep.awake_bodies(self.bodies.last_movable))
+        } else if self.direct_solver.count_friction_checks(&self.sleep)
             && self.solver_selection().has_slipping_contact()
         {
             self.direct_solver.timer.is_due = true;

@@ -21,21 +21,25 @@ pub(in crate::precise) mod time_of_impact;
 use super::bodies::BodySet;
 use super::island::sleep::SleepState;
 use super::joints::JointSystem;
+use crate::math::lanes::{columns, smaller};
 use crate::precise::solver::broad_phase::proxies::BodyType;
 use crate::precise::solver::parameters::narrow_phase::{CCD_MAX_COORDINATE, TOI_PENETRATION_RATIO};
 use crate::storage::order::{packed_key, sort_by_number};
 use fast_body::FastBody;
 use joined_impacts::{clamp_joined_bodies, scale_joined_velocity};
 use swept_motion::SweptMotion;
+use wide::f32x4;
 
-/// Returns whether a body moves in the step by more than `min_extent`, the least distance from its middle to its surface, and
-/// by less than [`CCD_MAX_COORDINATE`].
+/// Returns a mask of those among four bodies that move in the step by more than `min_extents` (least distances from their middles
+/// to their surfaces), and by less than [`CCD_MAX_COORDINATE`]. Bit i is for the body i.
 ///
-/// The array is the displacement of the body: x, y (length units), rotation (radians), z (length units). `max_extent` is the
-/// largest distance of its surface from its origin. Both extents are in length units.
-fn is_fast([x, y, turned, z]: [f32; 4], max_extent: f32, min_extent: f32) -> bool {
-    let distance = x.abs() + y.abs() + z.abs() + max_extent * turned.abs();
-    distance > min_extent && distance < CCD_MAX_COORDINATE
+/// The rows are the displacements of the bodies: x, y (length units), rotation (radians), z (length units). `max_extents` are the
+/// largest distances of their surfaces from their origins. All extents are in length units.
+#[inline(always)]
+fn fast_lanes(displacements: &[[f32; 4]; 4], max_extents: f32x4, min_extents: f32x4) -> u32 {
+    let [x, y, turned, z] = columns(displacements).map(f32x4::abs);
+    let distance = x + y + z + max_extents * turned;
+    (distance.simd_gt(min_extents) & distance.simd_lt(f32x4::splat(CCD_MAX_COORDINATE))).to_bitmask()
 }
 
 /// Lists the fast bodies of the step in `fast`: dynamic, awake, and moving by more than the least distance from their middle to
@@ -48,14 +52,18 @@ pub(in crate::precise) fn list_fast_bodies(
 ) {
     fast.clear();
     for run in &sleep.awake_body_runs {
-        let (displacements, max_extents) =
-            (&bodies.delta_pose[run.clone()], &bodies.max_extents[run.clone()]);
-        let of = run.clone().zip(displacements).zip(max_extents).zip(&bodies.min_extents[run.clone()]);
-        for (((number, &path), &reach), &core) in of {
-            let core = if core < max_threshold { core } else { max_threshold };
-            let is_body = || bodies.has_body[number] && !bodies.is_kinematic(number);
-            if is_fast(path, reach, core) && !sleep.is_asleep(number) && is_body() {
-                fast.push(FastBody::of(number as u32));
+        let (paths, _) = bodies.delta_pose[run.clone()].as_chunks::<4>();
+        let [reaches, cores] =
+            [&bodies.max_extents, &bodies.min_extents].map(|of| of[run.clone()].as_chunks::<4>().0);
+        for (block, ((paths, reaches), cores)) in paths.iter().zip(reaches).zip(cores).enumerate() {
+            let cores = smaller(f32x4::new(*cores), f32x4::splat(max_threshold));
+            let mut lanes = fast_lanes(paths, f32x4::new(*reaches), cores);
+            while lanes != 0 {
+                let number = run.start + 4 * block + lanes.trailing_zeros() as usize;
+                lanes &= lanes - 1;
+                if !sleep.is_asleep(number) && bodies.has_body[number] && !bodies.is_kinematic(number) {
+                    fast.push(FastBody::of(number as u32));
+                }
             }
         }
     }

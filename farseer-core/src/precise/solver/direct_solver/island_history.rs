@@ -55,6 +55,12 @@ impl IslandHistory {
         self.friction_checks == 1
     }
 
+    /// Returns whether updates until the next friction check are counted, or checks follow.
+    #[inline(always)]
+    pub(super) fn has_friction_check(&self) -> bool {
+        (self.friction_check_in | self.friction_checks) != 0
+    }
+
     /// Counts one update of the friction checks. Returns whether friction at the body is checked in this update. The time
     /// between two checks doubles from check to check, up to 2^[`FRICTION_CHECK_MAX_DOUBLINGS`] updates.
     pub(super) fn is_friction_check_due(&mut self) -> bool {

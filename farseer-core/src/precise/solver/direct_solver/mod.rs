@@ -46,6 +46,7 @@ pub(in crate::precise) mod mat3;
 pub(in crate::precise) mod selection;
 
 use crate::methods::SolverChoice;
+use crate::precise::solver::island::sleep::SleepState;
 use crate::precise::solver::parameters::direct::RESELECTION_PERIOD;
 use crate::storage::reusing_clone::reusing_clone;
 pub(in crate::precise) use island_history::{IslandHistory, ReselectionTimer};
@@ -171,15 +172,15 @@ impl DirectSolver {
         self.is_listed = true;
     }
 
-    /// Counts one update of the friction checks of all awake bodies, which are given by index. Returns whether one of them is
-    /// due.
-    pub(in crate::precise) fn count_friction_checks(
-        &mut self,
-        awake_bodies: impl Iterator<Item = usize>,
-    ) -> bool {
+    /// Counts one update of the friction checks of all awake bodies. Returns whether one of them is due.
+    pub(in crate::precise) fn count_friction_checks(&mut self, sleep: &SleepState) -> bool {
         let mut is_due = false;
-        for body in awake_bodies {
-            is_due |= self.history[body].is_friction_check_due();
+        for run in sleep.awake_body_runs.iter().cloned() {
+            for (body, history) in run.clone().zip(&mut self.history[run]) {
+                if history.has_friction_check() && sleep.is_awake(body) {
+                    is_due |= history.is_friction_check_due();
+                }
+            }
         }
         is_due
     }

@@ -92,6 +92,24 @@ impl SleepState {
         is_asleep(&self.next_in_ring, body)
     }
 
+    /// Returns whether `body` is the index of an awake body.
+    #[inline(always)]
+    pub(in crate::precise) fn is_awake(&self, body: usize) -> bool {
+        self.next_in_ring.get(body) == Some(&AWAKE)
+    }
+
+    /// Returns the states of the bodies in a range of indices, for [`is_asleep_state`](Self::is_asleep_state).
+    #[inline(always)]
+    pub(in crate::precise) fn states(&self, run: Range<usize>) -> &[u32] {
+        &self.next_in_ring[run]
+    }
+
+    /// Returns whether a body with this state is asleep. An absent body is not.
+    #[inline(always)]
+    pub(in crate::precise) fn is_asleep_state(state: u32) -> bool {
+        state < ABSENT
+    }
+
     /// Returns the indices of the awake bodies with indices up to `count`.
     #[inline(always)]
     pub(in crate::precise) fn awake_bodies(&self, count: usize) -> impl Iterator<Item = usize> + '_ {
