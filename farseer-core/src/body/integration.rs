@@ -102,10 +102,12 @@ impl Body {
 
     /// Stores the result of a step of the precise set: pose and velocities.
     #[inline]
-    pub(crate) fn end_step(&mut self, position: Vector2, turned_by: f32, velocity: Vector2, spin: f32) {
-        self.position = position;
+    pub(crate) fn end_step(&mut self, position: [f32; 2], turned_by: f32, velocity: [f32; 2], spin: f32) {
+        // As single numbers, which the compiler keeps in registers.
+        [self.position.x, self.position.y] = position;
         self.normalize_rotation(self.rotation + turned_by);
-        (self.linear_velocity, self.angular_velocity) = (velocity, spin);
+        [self.linear_velocity.x, self.linear_velocity.y] = velocity;
+        self.angular_velocity = spin;
         self.has_moved = true;
         if self.is_kinematic {
             self.finish_move();

@@ -6,8 +6,8 @@ use wide::f32x4;
 use super::solver::bodies::{BodySet, ListedBody, sin_cos_of_rotation};
 use super::solver::integration::BodyForces;
 use crate::body::Body;
+use crate::math::decay;
 use crate::math::plane::Pose;
-use crate::math::{Vector2, decay};
 
 /// Returns the pose of a body (x, y in length units, cosine and sine of the rotation) and its rotation (radians), world frame.
 pub(super) fn pose_of(body: &Body) -> (Pose, f32) {
@@ -67,7 +67,7 @@ pub(super) fn velocity_of(body: &Body) -> [f32; 4] {
 /// displacement would be too short, and the amplitude would grow. With the correction, applied forces move the body by the
 /// velocity after the step. That is the symplectic Euler method, as in the faithful set, which keeps the amplitude.
 #[inline(always)]
-pub(super) fn read_body(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> BodyForces {
+pub(super) fn read_body(body: &mut Body, gravity: f32x4, dt: f32, h: f32) -> BodyForces {
     if body.is_kinematic() {
         body.begin_kinematic_step(dt);
         return BodyForces {
@@ -80,8 +80,8 @@ pub(super) fn read_body(body: &mut Body, gravity: Vector2, dt: f32, h: f32) -> B
     let velocity = f32x4::new(velocity_of(body));
     let (force, turning) = body.take_accelerations();
     let applied = f32x4::new([force.x, force.y, turning, 0.0]);
-    let gravity = gravity * body.effective_gravity_scale();
-    let acceleration = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]) + applied;
+    let scale = body.effective_gravity_scale();
+    let acceleration = gravity * f32x4::new([scale, scale, 0.0, 0.0]) + applied;
     let velocity_change = match body.drag_rates() {
         // Without drag E = 1.
         (0.0, 0.0) => acceleration * f32x4::splat(dt),

@@ -1,16 +1,17 @@
 //! Adapter: the bodies of the game before and after a step: velocities and forces in, poses, velocities and events out.
 
 use super::solver::Solver;
-use std::ops::Range;
-
 use wide::f32x4;
 
 use super::Precise;
 use super::body_import::{pose_of, read_body};
+use super::ids::IdTable;
+use super::solver::bodies::BodySet;
 use super::solver::depth::body_state::BodyDrag;
 use super::solver::depth::feature_gate::FeatureGate;
 use super::solver::depth::state::DepthState;
 use super::solver::integration::{BodyForces, integrate_kinematic, integrate_poses};
+use super::solver::island::sleep::SleepState;
 use super::solver::non_finite::{are_motions_finite, restore_non_finite};
 use super::solver::scaled_parameters::StepContext;
 use crate::body::{Body, BodyId};
@@ -58,50 +59,20 @@ impl Precise {
         step: &StepContext,
         report: &mut Report,
     ) {
-        for at in 0..self.solver.sleep.awake_body_runs.len() {
-            let run = self.solver.sleep.awake_body_runs[at].clone();
-            self.read_run(run, objects, gravity, step, report);
-        }
+        let Precise { solver: Solver { bodies, sleep, depth, .. }, ids, edits, .. } = self;
+        let names = (&*ids, &*sleep);
+        edits.needs_rebuild |= match depth {
+            None => read_runs(bodies, names, objects, (gravity, step), report, |_, _, _, _| {}),
+            Some(space) => {
+                let begin_depth = |number: usize, id: BodyId, body: &Body, read: &mut BodyForces| {
+                    begin_depth_velocity(space, (number, id), body, read, step);
+                };
+                read_runs(bodies, names, objects, (gravity, step), report, begin_depth)
+            }
+        };
         if let Some(space) = &mut self.solver.depth {
             space.clear_fixed_rotation_velocities(&mut self.solver.bodies, &self.solver.sleep);
             space.begin_world_box_velocities(&mut self.solver.bodies);
-        }
-    }
-
-    /// Copies velocities and forces of the awake bodies in a range of body indices: see [`read_bodies`](Self::read_bodies).
-    fn read_run(
-        &mut self,
-        run: Range<usize>,
-        objects: &mut Objects,
-        gravity: Vector2,
-        step: &StepContext,
-        report: &mut Report,
-    ) {
-        let Precise { solver: Solver { bodies, sleep, depth, .. }, ids, edits, .. } = self;
-        let substeps = f32x4::splat(step.substeps as f32);
-        let (states, initial_velocities) =
-            (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
-        let (force_deltas, force_position_deltas) =
-            (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
-        let ids = run.clone().zip(&ids.bodies[run.clone()]);
-        for ((((state, initial_velocity), force_delta), force_position_delta), (number, id)) in
-            states.iter_mut().zip(initial_velocities).zip(force_deltas).zip(force_position_deltas).zip(ids)
-        {
-            let entry = id.filter(|_| !sleep.is_asleep(number)).and_then(|id| objects.bodies.get_mut(id));
-            let (Some(id), Some(entry)) = (*id, entry) else { continue };
-            let mut read = read_body(&mut entry.body, gravity, step.dt, step.h);
-            if let Some(space) = depth {
-                begin_depth_velocity(space, (number, id), &entry.body, &mut read, step);
-            }
-            let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
-            if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
-                read = BodyForces::default();
-                entry.body.set_enabled(false);
-                report.push(Event::NotFinite { body: id, disabled: true });
-                edits.needs_rebuild = true;
-            }
-            (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
-            (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
         }
     }
 
@@ -134,26 +105,14 @@ impl Precise {
     /// Writes the new poses and velocities of awake bodies to their objects, and adds an event for each moved body.
     fn write_moved_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
         let Precise { solver: Solver { bodies, sleep, depth, .. }, ids, .. } = self;
-        for run in &sleep.awake_body_runs {
-            let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
-            let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
-            let ids = run.clone().zip(&ids.bodies[run.clone()]);
-            for ((((state, rotation), pose), delta_pose), (number, id)) in
-                states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids)
-            {
-                let id = id.filter(|_| !sleep.is_asleep(number));
-                let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) else { continue };
-                let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *delta_pose);
-                let [vx, vy, spin, vz] = state.velocity;
-                entry.body.end_step(Vector2::new(x + dx, y + dy), turned, Vector2::new(vx, vy), spin);
-                *rotation = entry.body.rotation();
-                if let (Some(space), Some(id)) = (&mut *depth, id) {
-                    space.store_position(number, id.slot(), *delta_pose, vz);
-                }
-                if let Some(body) = id.filter(|_| *delta_pose != [0.0; 4]) {
-                    report.counters.bodies_moved += 1;
-                    report.push(Event::BodyUpdated { body });
-                }
+        let names = (&*ids, &*sleep);
+        match depth {
+            None => write_runs(bodies, names, objects, report, |_, _, _, _| {}),
+            Some(space) => {
+                let store_depth = |number: usize, id: BodyId, path: [f32; 4], speed: f32| {
+                    space.store_position(number, id.slot(), path, speed);
+                };
+                write_runs(bodies, names, objects, report, store_depth);
             }
         }
     }
@@ -198,4 +157,103 @@ fn begin_depth_velocity(
             .then(|| [body.quadratic_drag_coefficient(), body.inverse_mass()]),
     };
     space.begin_velocity((body_index, id.slot()), &drag, read, step);
+}
+
+/// Copies velocities and forces of the awake bodies to `bodies`: see [`read_bodies`](Precise::read_bodies). Returns whether a
+/// body was disabled.
+///
+/// `begin_depth` adds velocity and forces along the depth axis. Its arguments are the index of a body, its id, the body and
+/// what was read of it.
+#[inline(always)]
+fn read_runs(
+    bodies: &mut BodySet,
+    names: (&IdTable, &SleepState),
+    objects: &mut Objects,
+    (gravity, step): (Vector2, &StepContext),
+    report: &mut Report,
+    mut begin_depth: impl FnMut(usize, BodyId, &Body, &mut BodyForces),
+) -> bool {
+    let gravity = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]);
+    let (dt, h, substeps) = (step.dt, step.h, f32x4::splat(step.substeps as f32));
+    let mut has_disabled = false;
+    for run in names.1.awake_body_runs.iter().cloned() {
+        let (states, initial_velocities) =
+            (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
+        let (force_deltas, force_position_deltas) =
+            (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
+        let ids_and_sleep = names.0.bodies[run.clone()].iter().zip(names.1.states(run.clone()));
+        for (((((state, initial_velocity), force_delta), force_position_delta), (id, sleep)), number) in
+            states
+                .iter_mut()
+                .zip(initial_velocities)
+                .zip(force_deltas)
+                .zip(force_position_deltas)
+                .zip(ids_and_sleep)
+                .zip(run)
+        {
+            let Some(id) = *id else { continue };
+            if SleepState::is_asleep_state(*sleep) {
+                continue;
+            }
+            let Some(entry) = objects.bodies.get_mut(id) else { continue };
+            let mut read = read_body(&mut entry.body, gravity, dt, h);
+            begin_depth(number, id, &entry.body, &mut read);
+            let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
+            if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
+                read = disable_non_finite(&mut entry.body, id, report);
+                has_disabled = true;
+            }
+            (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
+            (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
+        }
+    }
+    has_disabled
+}
+
+/// Disables a body whose velocity would not be finite after the step, with an event. Returns what the step takes instead:
+/// velocity 0 and no forces.
+#[cold]
+fn disable_non_finite(body: &mut Body, id: BodyId, report: &mut Report) -> BodyForces {
+    body.set_enabled(false);
+    report.push(Event::NotFinite { body: id, disabled: true });
+    BodyForces::default()
+}
+
+/// Writes the new poses and velocities of awake bodies to their objects, and adds an event for each moved body.
+///
+/// `store_depth` stores position and velocity along the depth axis. Its arguments are the index of a body, its id, its
+/// displacement in the step and its velocity along the depth axis, in length units/s.
+#[inline(always)]
+fn write_runs(
+    bodies: &mut BodySet,
+    names: (&IdTable, &SleepState),
+    objects: &mut Objects,
+    report: &mut Report,
+    mut store_depth: impl FnMut(usize, BodyId, [f32; 4], f32),
+) {
+    let mut moved = 0;
+    for run in names.1.awake_body_runs.iter().cloned() {
+        let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
+        let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
+        let ids_and_sleep = names.0.bodies[run.clone()].iter().zip(names.1.states(run.clone()));
+        for (((((state, rotation), pose), delta_pose), (id, sleep)), number) in
+            states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids_and_sleep).zip(run)
+        {
+            let Some(id) = *id else { continue };
+            if SleepState::is_asleep_state(*sleep) {
+                continue;
+            }
+            let Some(entry) = objects.bodies.get_mut(id) else { continue };
+            let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *delta_pose);
+            let [vx, vy, spin, speed_along_depth] = state.velocity;
+            entry.body.end_step([x + dx, y + dy], turned, [vx, vy], spin);
+            *rotation = entry.body.rotation();
+            store_depth(number, id, *delta_pose, speed_along_depth);
+            if *delta_pose != [0.0; 4] {
+                moved += 1;
+                report.push(Event::BodyUpdated { body: id });
+            }
+        }
+    }
+    report.counters.bodies_moved += moved;
 }
