@@ -124,7 +124,8 @@ impl Joint {
 
     /// Stores anchors for the queries of users: the arm of the first anchor from its body, and for joints that keep a
     /// distance arms and world positions of both.
-    pub(crate) fn store_world_anchors(&mut self, arm: Vector2, both: impl FnOnce() -> [[Vector2; 2]; 2]) {
+    #[inline]
+    pub(crate) fn store_world_anchors(&mut self, arm: [f32; 2], both: impl FnOnce() -> [[Vector2; 2]; 2]) {
         match self.kind_mut() {
             JointKind::Revolute(joint) => joint.point.set_arm(arm),
             JointKind::Prismatic(joint) => joint.point.set_arm(arm),

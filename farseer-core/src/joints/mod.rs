@@ -151,22 +151,27 @@ impl Joint {
 
     /// Stores force and torque at the end of an update. If their mean over the update exceeds a maximum the joint is
     /// disabled, and the result is true.
-    pub(crate) fn store_load(&mut self, force: [f64; 3], mean: [f64; 3], along_depth: f32) -> bool {
+    #[inline]
+    pub(crate) fn store_load(
+        &mut self,
+        force: &mut [f64; 3],
+        mean: Option<[f64; 3]>,
+        along_depth: &mut f32,
+    ) -> bool {
         let finite = |number: f64| if number.abs() <= f64::from(f32::MAX) { number } else { 0.0 };
-        let mean = mean.map(finite);
+        let stored = force.map(finite);
+        let mean = mean.map_or(stored, |mean| mean.map(finite));
         let [x, y, torque] = mean.map(|number| number as f32);
-        self.force_along_depth = finite(along_depth.into()) as f32;
+        let along = if along_depth.abs() <= f32::MAX { *along_depth } else { 0.0 };
         let in_plane = length(Vector2::new(x, y));
-        let size = if self.force_along_depth == 0.0 {
-            in_plane
-        } else {
-            length(Vector2::new(in_plane, self.force_along_depth))
-        };
+        let size = if along == 0.0 { in_plane } else { length(Vector2::new(in_plane, along)) };
         let breaks = self.enabled && self.is_overloaded([size, torque]);
         if breaks {
             self.enabled = false;
         }
-        self.force = if breaks { mean } else { force.map(finite) };
+        let stored = if breaks { mean } else { stored };
+        (self.force, self.force_along_depth) = (stored, along);
+        (*force, *along_depth) = (stored, along);
         breaks
     }
 

@@ -97,8 +97,10 @@ impl SharedPoint {
         [self.local_anchor1, self.local_anchor2]
     }
 
-    pub(super) fn set_arm(&mut self, arm: Vector2) {
-        self.arm1 = arm;
+    #[inline]
+    pub(super) fn set_arm(&mut self, arm: [f32; 2]) {
+        // As single numbers, which the compiler keeps in registers.
+        [self.arm1.x, self.arm1.y] = arm;
     }
 
     pub(crate) fn forget_impulse(&mut self) {

@@ -280,14 +280,14 @@ impl<'a> JointImport<'a> {
     }
 
     /// Moves the joint constraints to the poses of this step, and prepares their solvers. `is_touched` returns whether contacts
-    /// or springs act on a body.
+    /// or springs act on a body; it is `None` if there are neither.
     pub(super) fn prepare_joints(
         self,
         JointTable { ids, .. }: &JointTable,
         joints: &mut JointSystem,
         objects: &Objects,
         step: &StepContext,
-        is_touched: impl Fn(usize) -> bool,
+        is_touched: Option<impl Fn(usize) -> bool>,
     ) {
         if self.depth.is_some() {
             for (constraint, ids) in joints.constraints_mut().iter_mut().zip(ids) {
@@ -304,12 +304,13 @@ impl<'a> JointImport<'a> {
                 constraint.drive = drive.map(joint_drive);
             }
         };
-        joints.prepare(self.bodies, &is_touched, read);
+        joints.prepare(self.bodies, is_touched.as_ref(), read);
         if let Some(space) = self.depth {
             let depth_of = |at: usize, side: usize| match (side, ids[at].bodies) {
                 (0, (None, _)) => 0.0,
                 (0, (Some(body), _)) | (_, (_, body)) => space.z_and_velocity(body.slot())[0],
             };
+            let is_touched = |body| is_touched.as_ref().is_some_and(|is_touched| is_touched(body));
             joints.prepare_spatial(self.bodies, step, is_touched, read, depth_of);
         }
     }
@@ -326,17 +327,13 @@ pub(super) fn export_joints(
     for (constraint, ids) in joints.constraints_mut().iter_mut().zip(&table.ids) {
         let Some(joint) = objects.joints.get_mut(ids.joint) else { continue };
         joint.set_error(constraint.error);
-        let [x, y] = constraint.first_arm;
-        joint.store_world_anchors(Vector2::new(x, y), || {
+        joint.store_world_anchors(constraint.first_arm.map(|component| component as f32), || {
             constraint.anchors.map(|anchor| [to_vector2(anchor.arm), to_vector2(anchor.anchor_position())])
         });
-        let mean = constraint.mean_force.take().unwrap_or(constraint.force);
-        if joint.store_load(constraint.force, mean, constraint.force_along_depth) {
+        let mean = constraint.mean_force.take();
+        if joint.store_load(&mut constraint.force, mean, &mut constraint.force_along_depth) {
             report.push(Event::JointBroke { joint: ids.joint });
             table.is_imported = false;
         }
-        // The joint replaces non-finite values; the constraint takes the same ones.
-        (constraint.force, constraint.force_along_depth) =
-            (joint.force_and_torque(), joint.force_along_depth());
     }
 }

@@ -58,8 +58,10 @@ impl Precise {
         let is_touched = |body: usize| {
             all_touched || !self.solver.color_usage.has_no_constraint(body) || springs.is_attached_to(body)
         };
+        // World boxes on a hinge count as touched.
+        let may_touch = !self.solver.constraints.has_none() || !springs.is_empty() || depth.is_some();
         let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
-        import.prepare_joints(joint_table, joints, objects, step, is_touched);
+        import.prepare_joints(joint_table, joints, objects, step, may_touch.then_some(is_touched));
     }
 
     /// Starts the springs of an update: clears the list of springs that are rows, and imports edited joints, by which

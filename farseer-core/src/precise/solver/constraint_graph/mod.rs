@@ -149,6 +149,11 @@ impl ConstraintGraph {
         self.used_colors() == 0
     }
 
+    /// Returns whether there is no contact constraint, neither of the iterative solver nor a parked one.
+    pub(in crate::precise) fn has_none(&self) -> bool {
+        self.is_empty() && self.sleeping.is_empty() && self.direct.is_empty()
+    }
+
     /// Returns the mask of the colours that have constraints: bit i for colour i.
     fn used_colors(&self) -> u32 {
         let ConstraintGraph3 { prisms, balls, prisms_static, balls_static } = &self.depth;

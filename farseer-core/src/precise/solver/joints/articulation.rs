@@ -20,6 +20,8 @@ pub(super) struct Articulation {
     pub(super) joints: Vec<u32>,
     /// Whether joints without a range and without a greatest impulse close a loop.
     pub(super) has_loop: bool,
+    /// Whether some joint is compliant. It yields in every substep, so that it needs the solver's substeps.
+    pub(super) is_soft: bool,
     /// The bodies and joints of `links` as revolute links, if all joints are rigid revolute joints; else empty.
     pub(super) revolute_links: Vec<RevoluteLink>,
     /// Whether no contact, spring or compliant joint acts on a body of the articulation in this step.
@@ -30,7 +32,7 @@ pub(super) struct Articulation {
     pub(super) substeps: u32,
 }
 
-reusing_clone! { Articulation { links, bodies, joints, has_loop, revolute_links, is_contact_free, is_solved, substeps } }
+reusing_clone! { Articulation { links, bodies, joints, has_loop, is_soft, revolute_links, is_contact_free, is_solved, substeps } }
 
 impl Articulation {
     /// Returns the articulation of a plan, whose trees have the masses of `bodies` and the degrees of freedom of `constraints`.
@@ -43,11 +45,13 @@ impl Articulation {
             entries.iter().map(|seat| link_of(seat, constraints, bodies)).collect();
         let revolute_links = revolute_links(&links, constraints);
         let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at as usize].edge().is_bounded);
+        let is_soft = plan.joints.iter().any(|&at| constraints[at as usize].softness > 0.0);
         Articulation {
             links,
             bodies: dynamic_bodies,
             joints: plan.joints,
             has_loop,
+            is_soft,
             revolute_links,
             ..Articulation::default()
         }

@@ -129,7 +129,7 @@ pub(in crate::precise) struct JointConstraint {
     pub(in crate::precise) error: f32,
     /// Vector from the first body's centre of mass to the anchor when the step begins, in world coordinates, for the public
     /// API. Unit: length units.
-    pub(in crate::precise) first_arm: [f32; 2],
+    pub(in crate::precise) first_arm: Vec2,
     /// Degrees of freedom that the joint locks between both bodies.
     pub(in crate::precise) locked: LockedDofs,
     /// Both sides of the joint: first body, second body.
@@ -194,7 +194,7 @@ impl JointConstraint {
         read(self);
         self.has_moved = before != (self.anchors, self.angle, self.axis, self.drive);
         self.error = self.compute_error() as f32;
-        self.first_arm = self.anchors[0].arm.map(|component| component as f32);
+        self.first_arm = self.anchors[0].arm;
     }
 
     /// Turns the axis of a prismatic joint with its first body, whose rotation is `rotation` radians.

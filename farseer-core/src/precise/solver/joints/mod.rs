@@ -246,20 +246,20 @@ impl JointSystem {
     /// Updates the joints in the plane to the poses of the bodies at the start of a step, and determines which articulations
     /// are free.
     ///
-    /// `is_touched` returns whether contacts or springs act on a body. `read` sets angle, axis and motor of a joint, by its
-    /// index.
+    /// `is_touched` returns whether contacts or springs act on a body; it is `None` if there are neither. `read` sets angle,
+    /// axis and motor of a joint, by its index.
     pub(in crate::precise) fn prepare(
         &mut self,
         bodies: &BodySet,
-        is_touched: impl Fn(usize) -> bool,
+        is_touched: Option<impl Fn(usize) -> bool>,
         read: impl Fn(usize, &mut JointConstraint),
     ) {
         let JointSystem { articulation_list: articulations, constraints, .. } = self;
         for articulation in articulations {
-            // A compliant joint yields in every substep, so that it needs the solver's substeps.
-            let is_soft = articulation.joints.iter().any(|&at| constraints[at as usize].softness > 0.0);
-            articulation.is_contact_free =
-                !is_soft && !articulation.bodies.iter().any(|&body| is_touched(body as usize));
+            articulation.is_contact_free = !articulation.is_soft
+                && is_touched.as_ref().is_none_or(|is_touched| {
+                    !articulation.bodies.iter().any(|&body| is_touched(body as usize))
+                });
             articulation.is_solved = false;
             if !articulation.is_free_revolute_tree() {
                 for at in articulation.joints.iter().map(|&at| at as usize) {
@@ -436,7 +436,7 @@ impl JointSystem {
         for group in self.articulation_list.iter_mut().filter(|group| group.is_free()) {
             if group.is_free_revolute_tree() {
                 group.substeps = revolute_tree::step_revolute_tree(
-                    &mut group.revolute_links,
+                    (&mut group.revolute_links, group.bodies.len() as u32),
                     &mut self.constraints,
                     bodies,
                     step,

@@ -27,26 +27,12 @@ use super::joint_constraint::JointConstraint;
 
 /// A link: a body in a tree of revolute joints. Parents come before their children in the list of links; a root is its own
 /// parent.
+///
+/// The alignment and the order of the fields allow the processor to read pairs of numbers in place: a vector of three components
+/// and a number fill two pairs.
 #[derive(Debug, Clone, Copy, Default)]
+#[repr(C, align(16))]
 pub(super) struct RevoluteLink {
-    /// Index of the body into the arrays of `BodySet`; 0 for the world.
-    body: u32,
-    /// Index of the parent in the list of links.
-    parent: u32,
-    /// Index of the joint with the parent into `JointSystem::constraints`.
-    joint: u32,
-    /// `Point` for a body with a revolute joint to its parent; roots are `Free` or `Fixed`.
-    locked: LockedDofs,
-    /// Whether this body is the first body of the joint, and the parent the second.
-    is_first: bool,
-    /// Sign of the joint force on this body: 1 for the second body of the joint, -1 for the first. Dimensionless.
-    sign: f64,
-    /// Mass of the body. Unit: mass units.
-    mass: f64,
-    /// Moment of inertia about the centre of mass. Unit: mass units * length units^2.
-    inertia: f64,
-    /// Largest geometric stiffness of the body that is stable in a substep. Unit: mass units * length units^2.
-    stable_stiffness: f64,
     /// Anchor of the joint in local coordinates of the body, relative to its centre of mass. Unit: length units.
     anchor: Vec2,
     /// Anchor of the joint in local coordinates of the parent, relative to the parent's centre of mass. Unit: length units.
@@ -57,52 +43,75 @@ pub(super) struct RevoluteLink {
     parent_arm: Vec2,
     /// Position of the centre of mass in the world. Unit: length units.
     position: Vec2,
-    /// Velocity of the centre of mass before joint impulses, and angular velocity: x and y in length units/s, angular in
-    /// radians/s.
-    velocity: [f64; 3],
-    /// Predicted angular velocity in this substep, about which the joint errors are linearised. Unit: radians/s.
-    predicted_spin: f64,
-    /// Change of the angular velocity by joints in the previous substep. It predicts the change in this one. Unit: radians/s.
-    joint_spin_change: f64,
-    /// Velocity change by applied forces in a substep: x and y in length units/s, angular in radians/s.
-    force_delta: [f64; 3],
     /// A rotation as [cosine, sine]. Dimensionless.
     ///
     /// When the step begins it is the rotation of the body in the world. While a substep is solved it is the [nonlinear
     /// part](nonlinear_rotation) of the substep's rotation: [cosine, sine minus the angle]. When bodies move it is the whole
     /// rotation in the substep.
     rotation: Vec2,
-    /// Geometric stiffness of the body against rotation, due to the joint forces, times the square of the substep. Unit: mass
-    /// units * length units^2.
-    geometric_stiffness: f64,
-    /// Excess of the geometric stiffness over the stable limit, added to the moment of inertia. Unit: mass units * length
-    /// units^2, >= 0.
-    added_stiffness: f64,
-    /// Amount of `added_stiffness` that [carries momentum](momentum_conserving_stiffness). Unit: mass units * length
-    /// units^2, >= 0.
-    momentum_stiffness: f64,
     /// Articulated inertia [A c; c^T d] of the link and its subtree about the joint with the parent. After the backward pass
     /// its `mass` is A - c c^T / d: rotation is eliminated.
     articulated_inertia: ArticulatedInertia,
+    /// Target velocity of the body relative to its parent at the joint, along x and y. Unit: length units/s.
+    target_velocity: Vec2,
+    /// Impulse of the joint on the body in this substep, along x and y. Unit: mass units * length units/s.
+    impulse: Vec2,
+    /// Sum of `impulse` over the substeps since the step began. Unit: mass units * length units/s.
+    total_impulse: Vec2,
     /// Momentum of the link and its subtree about the joint with the parent. After the backward pass rotation is eliminated
     /// from its `linear` momentum.
     momentum: ArticulatedMomentum,
     /// 1 / d of the articulated inertia [A c; c^T d]: reciprocal of the rotational inertia of the link and its subtree about
     /// the joint. Unit: 1/(mass units * length units^2).
     inverse_rotational: f64,
-    /// Target velocity of the body relative to its parent at the joint, along x and y. Unit: length units/s.
-    target_velocity: Vec2,
     /// Solved velocity of the body at the joint with the parent, and angular velocity: x and y in length units/s, angular in
     /// radians/s.
     joint_velocity: [f64; 3],
-    /// Impulse of the joint on the body in this substep, along x and y. Unit: mass units * length units/s.
-    impulse: Vec2,
+    /// Predicted angular velocity in this substep, about which the joint errors are linearised. Unit: radians/s.
+    predicted_spin: f64,
+    /// Velocity of the centre of mass before joint impulses, and angular velocity: x and y in length units/s, angular in
+    /// radians/s.
+    velocity: [f64; 3],
+    /// Change of the angular velocity by joints in the previous substep. It predicts the change in this one. Unit: radians/s.
+    joint_spin_change: f64,
+    /// Velocity change by applied forces in a substep: x and y in length units/s, angular in radians/s.
+    force_delta: [f64; 3],
+    /// Geometric stiffness of the body against rotation, due to the joint forces, times the square of the substep. Unit: mass
+    /// units * length units^2.
+    geometric_stiffness: f64,
     /// Displacement since the step began: x and y in length units, rotation in radians.
     delta_pose: [f64; 3],
-    /// Sum of `impulse` over the substeps since the step began. Unit: mass units * length units/s.
-    total_impulse: Vec2,
     /// Distance between the two anchors of the joint when the step begins. Unit: length units, >= 0.
     initial_error: f64,
+    /// Largest geometric stiffness of the body that is stable in a substep; infinite for a fixed root. Unit: mass units * length
+    /// units^2.
+    stable_stiffness: f64,
+    /// Excess of the geometric stiffness over the stable limit, added to the moment of inertia. Unit: mass units * length
+    /// units^2, >= 0.
+    added_stiffness: f64,
+    /// Least geometric stiffness that counts as a [jump](Self::stiffness_jumped). Unit: mass units * length units^2.
+    jump_stiffness: f64,
+    /// Amount of `added_stiffness` that [carries momentum](momentum_conserving_stiffness). Unit: mass units * length
+    /// units^2, >= 0.
+    momentum_stiffness: f64,
+    /// Mass of the body. Unit: mass units.
+    mass: f64,
+    /// Moment of inertia about the centre of mass. Unit: mass units * length units^2.
+    inertia: f64,
+    /// Sign of the joint force on this body: 1 for the second body of the joint, -1 for the first. Dimensionless.
+    sign: f64,
+    /// Sum of both arms and the radius of gyration: joint errors are compared with it. Unit: length units.
+    reach: f64,
+    /// Index of the body into the arrays of `BodySet`; 0 for the world.
+    body: u32,
+    /// Index of the parent in the list of links.
+    parent: u32,
+    /// Index of the joint with the parent into `JointSystem::constraints`.
+    joint: u32,
+    /// `Point` for a body with a revolute joint to its parent; roots are `Free` or `Fixed`.
+    locked: LockedDofs,
+    /// Whether this body is the first body of the joint, and the parent the second.
+    is_first: bool,
 }
 
 impl TreeNode for RevoluteLink {
@@ -145,9 +154,7 @@ impl BalancedLink for RevoluteLink {
     }
 
     fn has_joint_error_above(&self, error: f64) -> bool {
-        let [arm, parent_arm] = [self.anchor, self.parent_anchor].map(|anchor| dot(anchor, anchor).sqrt());
-        let length = arm + parent_arm + (self.inertia / self.mass).sqrt();
-        self.initial_error > error * length
+        self.initial_error > error * self.reach
     }
 
     fn is_moving_fixed_root(&self) -> bool {
@@ -183,7 +190,9 @@ pub(super) fn revolute_links(
         *max_arm_squared = max_arm_squared.max(dot(link.parent_anchor, link.parent_anchor));
     }
     for (link, max_arm_squared) in revolute_links.iter_mut().zip(max_arms_squared) {
-        link.stable_stiffness = stable_stiffness(link.inertia, link.mass, max_arm_squared);
+        let is_fixed = link.locked == LockedDofs::Fixed;
+        link.stable_stiffness =
+            if is_fixed { f64::INFINITY } else { stable_stiffness(link.inertia, link.mass, max_arm_squared) };
     }
     revolute_links
 }
@@ -196,6 +205,7 @@ fn revolute_link(link: &ArticulatedLink, constraints: &[JointConstraint]) -> Rev
     } else {
         [[0.0; 2]; 2]
     };
+    let [arm, parent_arm] = [anchor, parent_anchor].map(|anchor| dot(anchor, anchor).sqrt());
     RevoluteLink {
         body: link.body,
         parent: link.parent,
@@ -205,25 +215,27 @@ fn revolute_link(link: &ArticulatedLink, constraints: &[JointConstraint]) -> Rev
         sign: link.joint_sign(),
         mass: link.mass,
         inertia: link.inertia,
+        reach: arm + parent_arm + (link.inertia / link.mass).sqrt(),
         anchor,
         parent_anchor,
         ..RevoluteLink::default()
     }
 }
 
-/// Moves a free tree through all substeps of a step. Returns the number of substeps.
+/// Moves a free tree through all substeps of a step. `count` is the number of its dynamic bodies. Returns the number of
+/// substeps.
 ///
 /// Writes velocities and displacements of `bodies`, and errors and forces of `constraints`. Repeats the step with more substeps
 /// if its energy error is too large. `length_unit` is the length unit of the simulator.
 pub(super) fn step_revolute_tree(
-    links: &mut [RevoluteLink],
+    (links, count): (&mut [RevoluteLink], u32),
     constraints: &mut [JointConstraint],
     bodies: &mut BodySet,
     step: &StepContext,
     length_unit: f64,
 ) -> u32 {
     let dt = f64::from(step.dt);
-    let mut plan = begin_step(links, constraints, bodies, step);
+    let mut plan = begin_step((links, count), constraints, bodies, step);
     loop {
         let start = run_substeps(links, bodies, step, &plan, length_unit);
         let balance = plan.energy_balance(links, start, dt);
@@ -231,7 +243,7 @@ pub(super) fn step_revolute_tree(
             balance.inspect(|balance| balance.project_energy(links));
             break;
         };
-        begin_step(links, constraints, bodies, step);
+        begin_step((links, count), constraints, bodies, step);
         plan = refined;
     }
     let SubstepPlan { substeps, is_kick_drift, .. } = plan;
@@ -249,35 +261,37 @@ pub(super) fn step_revolute_tree(
     substeps
 }
 
-/// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps.
+/// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps. `count` is the
+/// number of dynamic bodies.
 fn begin_step(
-    links: &mut [RevoluteLink],
+    (links, count): (&mut [RevoluteLink], u32),
     constraints: &mut [JointConstraint],
     bodies: &BodySet,
     step: &StepContext,
 ) -> SubstepPlan {
-    let (dt, mut count) = (f64::from(step.dt), 0);
-    for_each_down(links, |link, parent| {
-        link.begin_step(parent, constraints, bodies, dt);
-        count += u32::from(link.body != 0);
-    });
+    let dt = f64::from(step.dt);
     let (mut spins, mut has_large_error) = ([0.0; 2], false);
-    for link in links.iter_mut() {
-        if link.body == 0 {
-            link.joint_spin_change = 0.0;
-            continue;
-        }
-        if SubstepPlan::is_energy_balanced(count) {
+    if SubstepPlan::is_energy_balanced(count) {
+        for_each_down(links, |link, parent| link.begin_step(parent, constraints, bodies, (dt, true)));
+        for link in links.iter_mut() {
+            if link.body == 0 {
+                link.joint_spin_change = 0.0;
+                continue;
+            }
             link.joint_spin_change *= dt / link.inertia;
             has_large_error |= link.has_joint_error_above(MAX_WHIP_JOINT_ERROR);
+            spins = max_spins(spins, link.velocity[2], link.joint_spin_change);
         }
-        spins = max_spins(spins, link.velocity[2], link.joint_spin_change);
+    } else {
+        for_each_down(links, |link, parent| {
+            link.begin_step(parent, constraints, bodies, (dt, false));
+            let spin = if link.body == 0 { 0.0 } else { link.velocity[2].abs() };
+            spins[0] = if spin > spins[0] { spin } else { spins[0] };
+        });
     }
     let plan = SubstepPlan::of(count, step, spins, |ratio| {
         let bears = IMPLICIT_STIFFNESS_RATIO * ratio;
-        links.iter().any(|link| {
-            link.geometric_stiffness > bears * link.stable_stiffness && link.locked != LockedDofs::Fixed
-        })
+        links.iter().any(|link| link.geometric_stiffness > bears * link.stable_stiffness)
     });
     SubstepPlan { predicts_spin: plan.predicts_spin && !has_large_error, ..plan }
 }
@@ -294,24 +308,23 @@ fn run_substeps(
     let SubstepPlan { substeps, is_kick_drift, max_prediction_error, predicts_spin, .. } = *plan;
     let dt = f64::from(step.dt);
     let h = dt / f64::from(substeps);
-    let first_share = if is_kick_drift { 1.0 } else { 0.5 };
     let times = (step.dt, substeps as f32, step.substeps as f32);
     let start = if is_kick_drift {
         solve_substep(links, (h, length_unit), max_prediction_error / h, |link| {
-            link.scale_to_substep(bodies, times);
-            link.apply_forces(first_share, predicts_spin);
+            link.scale_to_substep(bodies, times, false);
+            link.apply_forces(1.0, false);
         });
         None
     } else {
-        links.iter_mut().for_each(|link| link.scale_to_substep(bodies, times));
+        links.iter_mut().for_each(|link| link.scale_to_substep(bodies, times, true));
         let start = InitialEnergy::of(links);
         solve_substep(links, (h, length_unit), max_prediction_error / h, |link| {
-            link.apply_forces(first_share, predicts_spin)
+            link.apply_forces(0.5, predicts_spin)
         });
         Some(start)
     };
     for substep in 1..substeps {
-        let share = if substep == 1 { first_share } else { 1.0 };
+        let share = if substep == 1 && !is_kick_drift { 0.5 } else { 1.0 };
         for_each_down(links, |link, parent| {
             link.record_joint_spin_change(predicts_spin, share);
             link.integrate_position(parent, h);
@@ -336,7 +349,10 @@ fn project_velocities(links: &mut [RevoluteLink]) {
         link.init_own();
     }
     for_each_up(links, RevoluteLink::propagate_up);
-    for_each_down(links, |link, parent| link.propagate_down(parent.as_deref()));
+    for_each_down(links, |link, parent| match parent {
+        Some(parent) => link.propagate_down(parent),
+        None => link.solve_root(),
+    });
     links.iter_mut().for_each(RevoluteLink::apply_solution);
 }
 
@@ -363,11 +379,18 @@ fn solve_substep(
             link.propagate_up(parent);
         });
         let (mut is_mispredicted, mut may_have_jump) = (false, false);
-        for_each_down(links, |link, mut parent| {
-            link.propagate_down(parent.as_deref());
-            link.accumulate_stiffness(parent.as_deref_mut(), h);
+        for_each_down(links, |link, parent| {
+            if let Some(parent) = parent {
+                link.propagate_down(parent);
+                link.set_stiffness(h);
+                parent.geometric_stiffness -= h * dot(link.parent_arm, link.impulse);
+                may_have_jump |= parent.stiffness_jumped();
+            } else {
+                link.solve_root();
+                link.set_stiffness(h);
+            }
+            may_have_jump |= link.stiffness_jumped();
             is_mispredicted |= (link.joint_velocity[2] - link.predicted_spin).abs() > max_spin_error;
-            may_have_jump |= link.stiffness_jumped() | parent.is_some_and(|parent| parent.stiffness_jumped());
         });
         // The stiffness of a parent is complete after its last child.
         let has_jump = may_have_jump && links.iter().any(RevoluteLink::stiffness_jumped);
@@ -389,14 +412,15 @@ impl RevoluteLink {
     /// change of the angular velocity.
     ///
     /// Stiffness and change follow from the joint force of the last step; they are those of an undivided step of `dt` seconds.
-    /// The contributions of the parent's side are added to `parent`.
+    /// The contributions of the parent's side are added to `parent`. The change is computed if the articulation
+    /// [`is_balanced`](SubstepPlan::is_energy_balanced).
     #[inline(always)]
     fn begin_step(
         &mut self,
         parent: Option<&mut RevoluteLink>,
         constraints: &mut [JointConstraint],
         bodies: &BodySet,
-        dt: f64,
+        (dt, is_balanced): (f64, bool),
     ) {
         let body = self.body as usize;
         if body != 0 {
@@ -427,12 +451,14 @@ impl RevoluteLink {
         self.initial_error = dot(offset, offset).sqrt();
         constraint.error = self.initial_error as f32;
         let first_arm = if self.is_first { self.arm } else { self.parent_arm };
-        constraint.first_arm = first_arm.map(|component| component as f32);
+        constraint.first_arm = first_arm;
         let force = [constraint.force[0] * self.sign, constraint.force[1] * self.sign];
         self.geometric_stiffness = dt * dt * dot(self.arm, force);
         parent.geometric_stiffness -= dt * dt * dot(self.parent_arm, force);
-        self.joint_spin_change = cross(self.arm, force);
-        parent.joint_spin_change -= cross(self.parent_arm, force);
+        if is_balanced {
+            self.joint_spin_change = cross(self.arm, force);
+            parent.joint_spin_change -= cross(self.parent_arm, force);
+        }
     }
 
     /// Converts the quantities that refer to an undivided step or a solver substep, so that they refer to the articulation's
@@ -440,10 +466,18 @@ impl RevoluteLink {
     /// start of the step.
     ///
     /// `dt` is the step in seconds; `parts` and `substeps` are the numbers of substeps of the articulation and of the solver.
+    /// The predicted change is converted if the articulation [`is_balanced`](SubstepPlan::is_energy_balanced).
     #[inline(always)]
-    fn scale_to_substep(&mut self, bodies: &BodySet, (dt, parts, substeps): (f32, f32, f32)) {
+    fn scale_to_substep(
+        &mut self,
+        bodies: &BodySet,
+        (dt, parts, substeps): (f32, f32, f32),
+        is_balanced: bool,
+    ) {
         self.geometric_stiffness *= 1.0 / f64::from(parts * parts);
-        self.joint_spin_change *= 1.0 / f64::from(parts);
+        if is_balanced {
+            self.joint_spin_change *= 1.0 / f64::from(parts);
+        }
         self.set_added_stiffness(self.excess_stiffness());
         if self.body != 0 {
             let [force_delta, force_position_delta] = [&bodies.force_delta, &bodies.force_position_delta]
@@ -530,18 +564,21 @@ impl RevoluteLink {
         );
     }
 
-    /// Computes the velocity of the body at its joint, and the joint impulse, from the parent's velocity. A root (`parent` is
-    /// `None`) gets the velocity at its centre of mass. Forward pass of the articulated-body algorithm.
+    /// Computes the velocity of a root at its centre of mass from the momentum and inertia of its tree; a fixed root keeps its
+    /// velocity.
     #[inline(always)]
-    fn propagate_down(&mut self, parent: Option<&RevoluteLink>) {
-        let Some(parent) = parent else {
-            self.joint_velocity = if self.locked == LockedDofs::Free {
-                self.articulated_inertia.unconstrained_velocity(&self.momentum)
-            } else {
-                self.velocity
-            };
-            return;
+    fn solve_root(&mut self) {
+        self.joint_velocity = if self.locked == LockedDofs::Free {
+            self.articulated_inertia.unconstrained_velocity(&self.momentum)
+        } else {
+            self.velocity
         };
+    }
+
+    /// Computes the velocity of the body at its joint, and the joint impulse, from the parent's velocity. Forward pass of the
+    /// articulated-body algorithm.
+    #[inline(always)]
+    fn propagate_down(&mut self, parent: &RevoluteLink) {
         let [x, y, spin] = parent.joint_velocity;
         let lever = add_scaled(self.parent_arm, parent.arm, -1.0);
         let at_joint = add_scaled(add_scaled([x, y], perp(lever), spin), self.target_velocity, 1.0);
@@ -598,17 +635,14 @@ impl RevoluteLink {
         }
     }
 
-    /// Sets the geometric stiffness of the body to `h` * dot(`arm`, `impulse`), and subtracts `h` * dot(`parent_arm`,
-    /// `impulse`) from that of the parent. Unit: mass units * length units^2.
+    /// Sets the geometric stiffness of the body to `h` * dot(`arm`, `impulse`), without the part of its children. Unit: mass
+    /// units * length units^2.
     ///
-    /// `h` is the substep in seconds, `impulse` the joint impulse of the substep. The arms are the vectors from the centres of
-    /// mass to the anchors.
+    /// `h` is the substep in seconds, `impulse` the joint impulse of the substep, and `arm` the vector from the centre of mass
+    /// to the anchor. A child subtracts `h` * dot(`parent_arm`, `impulse`).
     #[inline(always)]
-    fn accumulate_stiffness(&mut self, parent: Option<&mut RevoluteLink>, h: f64) {
+    fn set_stiffness(&mut self, h: f64) {
         self.geometric_stiffness = h * dot(self.arm, self.impulse);
-        if let Some(parent) = parent {
-            parent.geometric_stiffness -= h * dot(self.parent_arm, self.impulse);
-        }
     }
 
     /// Stores velocity and displacement of the body in `bodies`, and the force of the joint in `constraints`.
@@ -640,6 +674,7 @@ impl RevoluteLink {
     /// units^2, >= 0.
     #[inline(always)]
     fn set_added_stiffness(&mut self, stiffness: f64) {
+        self.jump_stiffness = stiffness + 2.0 * self.stable_stiffness;
         (self.added_stiffness, self.momentum_stiffness) =
             (stiffness, momentum_conserving_stiffness(stiffness, self.stable_stiffness));
     }
@@ -649,15 +684,14 @@ impl RevoluteLink {
     #[inline(always)]
     fn excess_stiffness(&self) -> f64 {
         let excess = self.geometric_stiffness - self.stable_stiffness;
-        if excess > 0.0 && self.locked != LockedDofs::Fixed { excess } else { 0.0 }
+        if excess > 0.0 { excess } else { 0.0 }
     }
 
     /// Returns whether the geometric stiffness exceeds the added stiffness by more than twice the stable limit. This happens
     /// when a chain snaps taut.
     #[inline(always)]
     fn stiffness_jumped(&self) -> bool {
-        (self.geometric_stiffness > self.added_stiffness + 2.0 * self.stable_stiffness)
-            & (self.locked != LockedDofs::Fixed)
+        self.geometric_stiffness > self.jump_stiffness
     }
 
     /// Returns the vector from the parent's anchor to the body's, in world coordinates. Unit: length units.
