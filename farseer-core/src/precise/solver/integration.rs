@@ -130,11 +130,9 @@ pub(in crate::precise) fn apply_midpoint_correction(
     let max_change = MIDPOINT_MAX_VELOCITY_CHANGE * substeps;
     let max_change_squared = speculative_distance * speculative_distance / (minus_half_h * minus_half_h);
     let squared = |[x, y, _, z]: [f32; 4]| x * x + y * y + z * z;
-    let is_eligible = |&body: &usize| {
-        color_usage.has_at_most_one_constraint(body)
-            && !(joints.has_joint(body) || joints.has_iterative_joint(body))
-    };
-    for body in runs.iter().cloned().flatten().filter(is_eligible) {
+    let has_joints = joints.act_on_bodies();
+    let is_jointed = |body: usize| has_joints && (joints.has_joint(body) || joints.has_iterative_joint(body));
+    let mut correct = |body: usize| {
         let change = f32x4::new(bodies.states[body].velocity) - f32x4::new(bodies.initial_velocity[body]);
         let (size, force_delta) = (squared(change.to_array()), bodies.force_delta[body]);
         let is_uniform = || {
@@ -150,6 +148,13 @@ pub(in crate::precise) fn apply_midpoint_correction(
                 delta_pose += f32x4::new(bodies.force_position_delta[body]);
             }
             bodies.delta_pose[body] = delta_pose.to_array();
+        }
+    };
+    for run in runs.iter().cloned() {
+        for body in run {
+            if color_usage.has_at_most_one_constraint(body) && !is_jointed(body) {
+                correct(body);
+            }
         }
     }
 }

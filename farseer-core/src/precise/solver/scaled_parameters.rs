@@ -174,7 +174,11 @@ impl Softness {
     /// Returns the coefficients, each in four SIMD lanes: `bias_rate * mass_scale` (1/s), `mass_scale` and `impulse_scale`
     /// (dimensionless).
     pub(in crate::precise) fn splat(&self) -> [f32x4; 3] {
-        [self.bias_rate * self.mass_scale, self.mass_scale, self.impulse_scale].map(f32x4::splat)
+        [
+            f32x4::splat(self.bias_rate * self.mass_scale),
+            f32x4::splat(self.mass_scale),
+            f32x4::splat(self.impulse_scale),
+        ]
     }
 }
 

@@ -124,7 +124,15 @@ impl<R: SimdSlot> ColorSet<R> {
     /// Calls `act` with each block of four constraints, by ascending colour.
     #[inline(always)]
     pub(in crate::precise) fn for_each(&mut self, mut act: impl FnMut(&mut R)) {
-        iter_colors(self.used_colors).for_each(|colour| self.blocks[colour].iter_mut().for_each(&mut act));
+        // Plain loops, into which the compiler inlines `act`.
+        let mut set = self.used_colors;
+        while set != 0 {
+            let colour = set.trailing_zeros() as usize;
+            set &= set - 1;
+            for block in &mut self.blocks[colour] {
+                act(block);
+            }
+        }
     }
 
     /// Returns the number of constraints of all colours.

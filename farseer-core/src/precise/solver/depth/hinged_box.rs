@@ -293,6 +293,11 @@ impl DepthState {
 
 /// Hinged boxes in the substeps of the iterative solver.
 impl IterativeSolver<'_> {
+    /// Returns whether there is an awake hinged box.
+    pub(in crate::precise) fn has_hinges(&self) -> bool {
+        HingeFeature::ENABLED && self.depth.as_ref().is_some_and(|space| !space.hinged_boxes.is_empty())
+    }
+
     /// Warm start: adds the angular velocity by the accumulated impulse of damper and stops to `BodySet::warm_start` of each
     /// awake hinged box.
     pub(in crate::precise) fn warm_start_hinges(&mut self) {

@@ -162,6 +162,11 @@ impl JointSystem {
         self.tree_index_of.get(body).is_some_and(|&index| index != NO_TREE_INDEX)
     }
 
+    /// Returns whether joints, or springs of the iterative solver, act on any body in this update.
+    pub(super) fn act_on_bodies(&self) -> bool {
+        !(self.constraints.is_empty() && self.soft.is_empty())
+    }
+
     /// Returns the body indices of all free articulations (those without contacts), each with the number of substeps into which
     /// the articulation divides its step. `substeps` is the number of the solver's substeps.
     pub(in crate::precise) fn free_articulations(
