@@ -143,6 +143,7 @@ impl Body {
     }
 
     /// Sets the exact target pose at the end of the step that led to it.
+    #[cold]
     pub(crate) fn finish_move(&mut self) {
         let Some(target) = self.target.as_mut().filter(|target| target.progress == Progress::Moving) else {
             return;

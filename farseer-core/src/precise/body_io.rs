@@ -191,20 +191,20 @@ fn read_runs(
                 .zip(ids_and_sleep)
                 .zip(run)
         {
-            let Some(id) = *id else { continue };
-            if SleepState::is_asleep_state(*sleep) {
-                continue;
+            if let Some(id) = *id
+                && !SleepState::is_asleep_state(*sleep)
+                && let Some(entry) = objects.bodies.get_mut(id)
+            {
+                let mut read = read_body(&mut entry.body, gravity, dt, h);
+                begin_depth(number, id, &entry.body, &mut read);
+                let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
+                if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
+                    read = disable_non_finite(&mut entry.body, id, report);
+                    has_disabled = true;
+                }
+                (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
+                (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
             }
-            let Some(entry) = objects.bodies.get_mut(id) else { continue };
-            let mut read = read_body(&mut entry.body, gravity, dt, h);
-            begin_depth(number, id, &entry.body, &mut read);
-            let then = f32x4::new(read.velocity) + f32x4::new(read.force_delta) * substeps;
-            if !(then * f32x4::ZERO).simd_eq(f32x4::ZERO).all() {
-                read = disable_non_finite(&mut entry.body, id, report);
-                has_disabled = true;
-            }
-            (state.velocity, *initial_velocity) = (read.velocity, read.velocity);
-            (*force_delta, *force_position_delta) = (read.force_delta, read.force_position_delta);
         }
     }
     has_disabled
@@ -239,19 +239,19 @@ fn write_runs(
         for (((((state, rotation), pose), delta_pose), (id, sleep)), number) in
             states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids_and_sleep).zip(run)
         {
-            let Some(id) = *id else { continue };
-            if SleepState::is_asleep_state(*sleep) {
-                continue;
-            }
-            let Some(entry) = objects.bodies.get_mut(id) else { continue };
-            let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *delta_pose);
-            let [vx, vy, spin, speed_along_depth] = state.velocity;
-            entry.body.end_step([x + dx, y + dy], turned, [vx, vy], spin);
-            *rotation = entry.body.rotation();
-            store_depth(number, id, *delta_pose, speed_along_depth);
-            if *delta_pose != [0.0; 4] {
-                moved += 1;
-                report.push(Event::BodyUpdated { body: id });
+            if let Some(id) = *id
+                && !SleepState::is_asleep_state(*sleep)
+                && let Some(entry) = objects.bodies.get_mut(id)
+            {
+                let ([x, y, ..], [dx, dy, turned, _]) = (*pose, *delta_pose);
+                let [vx, vy, spin, speed_along_depth] = state.velocity;
+                entry.body.end_step([x + dx, y + dy], turned, [vx, vy], spin);
+                *rotation = entry.body.rotation();
+                store_depth(number, id, *delta_pose, speed_along_depth);
+                if *delta_pose != [0.0; 4] {
+                    moved += 1;
+                    report.push(Event::BodyUpdated { body: id });
+                }
             }
         }
     }

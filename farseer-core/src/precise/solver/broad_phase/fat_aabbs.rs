@@ -7,7 +7,7 @@ use wide::f32x4;
 use super::hash_grid::{HashGrid, PackedAabb};
 use super::pairs::Pairs;
 use super::proxies::{BodyType, Proxies, Proxy};
-use crate::math::lanes::{gather, select};
+use crate::math::lanes::{columns, gather, select};
 use crate::math::plane::length;
 use crate::math::scalar::nearest_finite;
 use crate::precise::solver::bodies::BodySet;
@@ -101,7 +101,10 @@ fn find_escaped_proxies(
         let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
         let [x, y, c, s] = gather(&bodies.poses, &places);
         let [dx, dy, turned, dz] = gather(&bodies.delta_pose, &places);
-        let [cx, cy, hx, hy] = gather(boxes, &std::array::from_fn(|lane| (four + lane) as u32));
+        let [Some(boxes), Some(bounds)] = [&*boxes, &*bounds].map(|of| of[four..].first_chunk::<4>()) else {
+            continue;
+        };
+        let [cx, cy, hx, hy] = columns(boxes);
         let radius = f32x4::new(std::array::from_fn(|lane| of[lane].shape.radius));
         let reach = f32x4::new(std::array::from_fn(|lane| of[lane].shape.max_extent));
         let (x, y) = (x + (c * cx - s * cy), y + (s * cx + c * cy));
@@ -110,8 +113,7 @@ fn find_escaped_proxies(
             ac * hx + as_ * hy + radius + speculative_distance,
             as_ * hx + ac * hy + radius + speculative_distance,
         );
-        let [low_x, low_y, high_x, high_y] =
-            gather(bounds, &std::array::from_fn(|lane| (four + lane) as u32));
+        let [low_x, low_y, high_x, high_y] = columns(bounds);
         let has_left = (x - ex).simd_lt(low_x)
             | (y - ey).simd_lt(low_y)
             | (x + ex).simd_gt(high_x)
