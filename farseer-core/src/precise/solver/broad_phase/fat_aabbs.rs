@@ -119,15 +119,21 @@ fn find_escaped_proxies(
             | (x + ex).simd_gt(high_x)
             | (y + ey).simd_gt(high_y);
         let travel = (dx.abs() + dy.abs() + dz.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
-        let most = f32x4::splat(1e9);
-        let way = select(travel.simd_lt(most), travel, most).to_array();
-        for (motion, way) in motion[four..four + 4].iter_mut().zip(way) {
-            *motion = motion.wrapping_add(way as u32);
-        }
+        add_travel(&mut motion[four..four + 4], travel);
         let left = has_left.to_bitmask();
         for lane in (0..4).filter(|lane| left >> lane & 1 == 1 && four + lane < *movable) {
             escaped.push((four + lane) as u32);
         }
+    }
+}
+
+/// Adds the motions `travel` of four proxies, at most 1e9 each, to their counters, wrapping. Unit: 2^-26 length units.
+#[inline(always)]
+fn add_travel(counters: &mut [u32], travel: f32x4) {
+    let most = f32x4::splat(1e9);
+    let way = select(travel.simd_lt(most), travel, most).to_array();
+    for (counter, way) in counters.iter_mut().zip(way) {
+        *counter = counter.wrapping_add(way as u32);
     }
 }
 

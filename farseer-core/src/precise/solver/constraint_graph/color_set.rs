@@ -125,10 +125,7 @@ impl<R: SimdSlot> ColorSet<R> {
     #[inline(always)]
     pub(in crate::precise) fn for_each(&mut self, mut act: impl FnMut(&mut R)) {
         // Plain loops, into which the compiler inlines `act`.
-        let mut set = self.used_colors;
-        while set != 0 {
-            let colour = set.trailing_zeros() as usize;
-            set &= set - 1;
+        for colour in iter_colors(self.used_colors) {
             for block in &mut self.blocks[colour] {
                 act(block);
             }

@@ -72,11 +72,8 @@ impl IterativeSolver<'_> {
         }
         let (has_rolling_contacts, has_joints) =
             (!self.rolling_contacts.is_empty(), self.joints.act_in_substeps());
-        let has_hinges = self.has_hinges();
         for substep in 0..step.substeps {
-            if has_hinges {
-                self.apply_hinge_springs(step.h, substep == 0);
-            }
+            self.apply_hinge_springs(step.h, substep == 0);
             if has_rolling_contacts {
                 let (mut rolling_solver, rolling) = self.rolling_solver();
                 rolling_solver.begin_substep(rolling, step, substep == 0);
@@ -86,9 +83,7 @@ impl IterativeSolver<'_> {
             if has_joints {
                 self.joints.solve_with_bias(self.bodies, step.h);
             }
-            if has_hinges {
-                self.solve_hinge_stops(step.h);
-            }
+            self.solve_hinge_stops(step.h);
             match self.depth {
                 None => solve_contacts_with_bias(
                     self.constraints,
@@ -99,17 +94,13 @@ impl IterativeSolver<'_> {
                 ),
                 Some(_) => self.solve_with_bias_3d(step, contact_substep),
             }
-            if has_hinges {
-                self.solve_hinge_stops(step.h);
-            }
+            self.solve_hinge_stops(step.h);
             if has_joints {
                 self.joints.equalize_z_velocity(self.bodies);
                 self.joints.limit_speeds(self.bodies, step.h);
             }
             integrate_positions(self.bodies, self.awake_body_runs, step.h, substep == 0);
-            if has_hinges {
-                self.update_hinge_angles();
-            }
+            self.update_hinge_angles();
             if has_rolling_contacts {
                 let (mut rolling_solver, rolling) = self.rolling_solver();
                 rolling_solver.set_relax_separations(rolling);
@@ -122,9 +113,7 @@ impl IterativeSolver<'_> {
                 None => relax_contacts(self.constraints, &mut self.bodies.states, contact_substep),
                 Some(_) => self.relax_3d(contact_substep),
             }
-            if has_hinges {
-                self.solve_hinge_stops(step.h);
-            }
+            self.solve_hinge_stops(step.h);
             if has_joints {
                 self.joints.equalize_z_velocity(self.bodies);
             }

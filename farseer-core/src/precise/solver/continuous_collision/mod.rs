@@ -57,10 +57,12 @@ pub(in crate::precise) fn list_fast_bodies(
             [&bodies.max_extents, &bodies.min_extents].map(|of| of[run.clone()].as_chunks::<4>().0);
         for (block, ((paths, reaches), cores)) in paths.iter().zip(reaches).zip(cores).enumerate() {
             let cores = smaller(f32x4::new(*cores), f32x4::splat(max_threshold));
-            let mut lanes = fast_lanes(paths, f32x4::new(*reaches), cores);
-            while lanes != 0 {
-                let number = run.start + 4 * block + lanes.trailing_zeros() as usize;
-                lanes &= lanes - 1;
+            let lanes = fast_lanes(paths, f32x4::new(*reaches), cores);
+            if lanes == 0 {
+                continue;
+            }
+            for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
+                let number = run.start + 4 * block + lane;
                 if !sleep.is_asleep(number) && bodies.has_body[number] && !bodies.is_kinematic(number) {
                     fast.push(FastBody::of(number as u32));
                 }

@@ -293,11 +293,6 @@ impl DepthState {
 
 /// Hinged boxes in the substeps of the iterative solver.
 impl IterativeSolver<'_> {
-    /// Returns whether there is an awake hinged box.
-    pub(in crate::precise) fn has_hinges(&self) -> bool {
-        HingeFeature::ENABLED && self.depth.as_ref().is_some_and(|space| !space.hinged_boxes.is_empty())
-    }
-
     /// Warm start: adds the angular velocity by the accumulated impulse of damper and stops to `BodySet::warm_start` of each
     /// awake hinged box.
     pub(in crate::precise) fn warm_start_hinges(&mut self) {
@@ -309,6 +304,7 @@ impl IterativeSolver<'_> {
 
     /// Start of a substep: sets the yaw of each awake hinged box and stores the velocity change by its spring torque in
     /// `BodySet::force_delta`. `h` is the substep in seconds.
+    #[inline(always)]
     pub(in crate::precise) fn apply_hinge_springs(&mut self, h: f32, is_first: bool) {
         self.for_each_hinged_box(|hinged_box, bodies| {
             let at = hinged_box.body as usize;
@@ -321,6 +317,7 @@ impl IterativeSolver<'_> {
 
     /// After position integration: sets the yaw of each awake hinged box to the yaw at the start of the step plus the rotation
     /// since then.
+    #[inline(always)]
     pub(in crate::precise) fn update_hinge_angles(&mut self) {
         self.for_each_hinged_box(|hinged_box, bodies| {
             hinged_box.angle = hinged_box.initial[0] + bodies.delta_pose[hinged_box.body as usize][2];
@@ -330,6 +327,7 @@ impl IterativeSolver<'_> {
 
     /// Solves the damper, the implicit part of the spring and the stops of all awake hinged boxes. `h` is the substep in
     /// seconds.
+    #[inline(always)]
     pub(in crate::precise) fn solve_hinge_stops(&mut self, h: f32) {
         self.for_each_hinged_box(|hinged_box, bodies| {
             hinged_box.solve_damping_and_stops(&mut bodies.states[hinged_box.body as usize].velocity[2], h);
@@ -337,6 +335,7 @@ impl IterativeSolver<'_> {
     }
 
     /// Calls `act` for each awake hinged box.
+    #[inline(always)]
     fn for_each_hinged_box(&mut self, mut act: impl FnMut(&mut HingedBoxState, &mut BodySet)) {
         let IterativeSolver { depth: Some(space), bodies, .. } = self else { return };
         for hinged_box in empty_if_disabled(&mut space.hinged_boxes) {

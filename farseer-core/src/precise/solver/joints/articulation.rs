@@ -45,7 +45,7 @@ impl Articulation {
             entries.iter().map(|seat| link_of(seat, constraints, bodies)).collect();
         let revolute_links = revolute_links(&links, constraints);
         let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at as usize].edge().is_bounded);
-        let is_soft = plan.joints.iter().any(|&at| constraints[at as usize].softness > 0.0);
+        let is_soft = plan.joints.iter().any(|&at| constraints[at as usize].is_compliant());
         Articulation {
             links,
             bodies: dynamic_bodies,

@@ -203,6 +203,11 @@ impl JointConstraint {
         self.axis = rotate([cosine, sine], self.local_axis);
     }
 
+    /// Returns whether the joint yields to a force.
+    pub(super) fn is_compliant(&self) -> bool {
+        self.softness > 0.0
+    }
+
     /// Returns the joint as an edge of the joint graph.
     pub(super) fn edge(&self) -> JointEdge {
         let [low, high] = self.range;

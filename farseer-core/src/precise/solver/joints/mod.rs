@@ -441,7 +441,7 @@ impl JointSystem {
         for group in self.articulation_list.iter_mut().filter(|group| group.is_free()) {
             if group.is_free_revolute_tree() {
                 group.substeps = revolute_tree::step_revolute_tree(
-                    (&mut group.revolute_links, group.bodies.len() as u32),
+                    (&mut group.revolute_links, u32::try_from(group.bodies.len()).unwrap_or(u32::MAX)),
                     &mut self.constraints,
                     bodies,
                     step,
