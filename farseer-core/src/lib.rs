@@ -547,7 +547,6 @@ mod report;
 mod simulator;
 mod springs;
 mod storage;
-mod surface;
 mod utilities;
 
 pub use body::{Body, BodyId};
@@ -585,12 +584,15 @@ pub use path::{
 #[doc(hidden)]
 pub use precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget};
 #[doc(hidden)]
+pub use precise::solver::depth::footprint_corners::FootprintCorners;
+#[doc(hidden)]
 pub use precise::solver::depth::interface::{
-    DepthBodyState, DepthShape, DepthTarget, HingeFeature, VerticalShape, WorldBox, WorldBoxHinge,
-    WorldBoxMotion,
+    DepthBodyState, DepthShape, DepthTarget, FilterNumbers, HingeFeature, VerticalShape, WorldBox,
+    WorldBoxHinge, WorldBoxMotion,
 };
 #[doc(hidden)]
 pub use precise::solver::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
+pub use precise::solver::surface::{FrictionType, SurfaceCoefficients};
 pub use precise::{AwakeReason, Island, IslandCost, IslandResidual, IslandSolver, SolverReason};
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
@@ -604,7 +606,6 @@ pub use springs::{
 #[doc(hidden)]
 pub use storage::order;
 pub use storage::rejected_arguments::{ArgumentNames, RejectedArguments};
-pub use surface::{FrictionType, SurfaceCoefficients};
 pub use utilities::{
     BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,
     FluidHandler, InterpolatedPose, MapId, MousePicker, ObjectHandler, SecondaryMap, SeparationHandler,

@@ -8,9 +8,9 @@ use crate::contacts::pair_table::GeomPairBitmap;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::math::scalar::nearest_finite;
+use crate::precise::solver::surface::{FrictionType, SurfaceOverride, mix_friction};
 use crate::storage::order::sort_by_number;
 use crate::storage::reusing_clone::reusing_clone;
-use crate::surface::{FrictionType, SurfaceOverride};
 
 /// Number of arbiters in the pool of a new simulator.
 const INITIAL_POOL_SIZE: u32 = 128;
@@ -294,7 +294,7 @@ impl ArbiterList {
             (geoms[a].geom.friction_coefficient, geoms[b].geom.friction_coefficient);
         let arbiter = &mut self.arbiters[handle as usize];
         arbiter.geoms = Some((a, b));
-        arbiter.friction = friction_type.mix(friction_a, friction_b);
+        arbiter.friction = mix_friction(friction_type, friction_a, friction_b);
         (a, b)
     }
 

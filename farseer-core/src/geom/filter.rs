@@ -7,6 +7,7 @@ use crate::body::entry::Bodies;
 use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, Geoms};
 use crate::methods::CollisionCategory;
+use crate::precise::solver::depth::interface::FilterNumbers;
 
 /// Filter settings of a [`Geom`](crate::Geom) in one value: which others it may collide with, and whether its contacts
 /// exert impulses. Engines on top use it also for objects that are not geoms of the core.
@@ -51,6 +52,22 @@ impl CollisionFilter {
     #[inline]
     pub(crate) fn meets_categories_of(&self, other: &CollisionFilter) -> bool {
         self.categories.intersects(other.collides_with) || other.categories.intersects(self.collides_with)
+    }
+}
+
+impl From<CollisionFilter> for FilterNumbers {
+    fn from(filter: CollisionFilter) -> Self {
+        let CollisionFilter { categories, collides_with, group, is_enabled, responds } = filter;
+        let (categories, collides_with) = (categories.bits(), collides_with.bits());
+        FilterNumbers { categories, collides_with, group, is_enabled, responds }
+    }
+}
+
+impl From<FilterNumbers> for CollisionFilter {
+    fn from(numbers: FilterNumbers) -> Self {
+        let FilterNumbers { categories, collides_with, group, is_enabled, responds } = numbers;
+        let [categories, collides_with] = [categories, collides_with].map(CollisionCategory::from_bits);
+        CollisionFilter { categories, collides_with, group, is_enabled, responds }
     }
 }
 

@@ -1,8 +1,6 @@
 //! Geoms: collision settings and shape (behaviour chapter 05, section 3).
 
-pub(crate) mod convex_parts;
 pub(crate) mod distance_grid;
-pub(crate) mod edge_adjacency;
 pub(crate) mod entry;
 pub(crate) mod filter;
 pub(crate) mod grid_cache;

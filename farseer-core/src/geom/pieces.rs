@@ -1,40 +1,18 @@
-//! The convex pieces of a geom, with which the precise set collides: circles, capsules, convex polygons and edges of
-//! chains.
+//! The convex pieces of a geom, with which the precise set collides.
 //!
 //! A circle of the circle factory with eight corners or more is a true circle; with fewer corners it is the polygon. A
 //! capsule of the capsule factory is a true capsule. A concave outline is cut into convex pieces once; the geom and its
-//! clones share them. Corners that do not turn are removed.
+//! clones share them.
 
 use std::sync::Arc;
 
 use super::outline::{Outline, capsule_half_axis};
-use crate::geom::convex_parts::convex_parts;
-use crate::geom::edge_adjacency::{Seam, edges_of_chain, seams_of_part};
 use crate::geom::entry::GeomEntry;
-use crate::math::plane::{Vector, cross, difference, dot, length};
-use crate::shape::Vertices;
-use crate::storage::order::{packed_key, sort_by_number, total_order_key};
+use crate::precise::solver::edge_adjacency::edges_of_chain;
+use crate::precise::solver::pieces::{Piece, pieces_of_outline};
 
 /// Minimum number of corners with which a circle of the circle factory is a true circle.
 const MIN_CIRCLE_CORNERS: usize = 8;
-/// Sine of the angle below which a corner counts as straight and is removed, dimensionless.
-const MIN_TURN_SINE: f32 = 1e-4;
-
-/// A convex piece of an outline, in coordinates relative to the geom's origin.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Piece {
-    /// A disc about a point.
-    Circle { centre: Vector, radius: f32 },
-    /// All points within a distance of a segment.
-    Capsule { ends: [Vector; 2], radius: f32 },
-    /// A polygon; corners in the order with a positive shoelace area.
-    Polygon(Vec<Vector>),
-    /// A convex part of a concave outline, with the adjacency of each edge.
-    Part { corners: Vec<Vector>, seams: Vec<Seam> },
-    /// An edge of a chain, with the normal on its free side and its adjacency.
-    Edge { ends: [Vector; 2], normal: Vector, seam: Seam },
-}
-
 /// The convex pieces of a geom.
 pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
     match geom.outline {
@@ -46,95 +24,6 @@ pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
             Arc::new([Piece::Capsule { ends: [[0.0, -half], [0.0, half]], radius: end_radius }])
         }
         Outline::Chain { is_closed } => edges_of_chain(&geom.local_vertices, is_closed).collect(),
-        _ => pieces_of(&geom.local_vertices),
-    }
-}
-
-fn pieces_of(outline: &Vertices) -> Arc<[Piece]> {
-    let corners = simplified(outline.iter().map(|v| [v.x, v.y]).collect());
-    if is_convex(&corners) {
-        return Arc::new([polygon_or_point(corners)]);
-    }
-    match convex_parts(&corners) {
-        Some(parts) => parts.iter().map(|part| part_with_adjacency(part, &corners)).collect(),
-        // The outline crosses itself, or has too many corners to be cut.
-        None => Arc::new([polygon_or_point(hull(corners))]),
-    }
-}
-
-/// A polygon, or a disc of radius 0 if it has shrunk to a point.
-fn polygon_or_point(corners: Vec<Vector>) -> Piece {
-    match corners[..] {
-        [centre] => Piece::Circle { centre, radius: 0.0 },
-        _ => Piece::Polygon(corners),
-    }
-}
-
-fn part_with_adjacency(part: &[usize], outline: &[Vector]) -> Piece {
-    let corners = part.iter().map(|&corner| outline[corner]).collect();
-    Piece::Part { seams: seams_of_part(part, outline), corners }
-}
-
-/// The corners in the order of positive area, without repeated and straight ones.
-pub(crate) fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
-    if area(&corners) < 0.0 {
-        corners.reverse();
-    }
-    let mut at = 0;
-    while at < corners.len() && corners.len() > 1 {
-        let last = corners.len() - 1;
-        let before = corners[if at == 0 { last } else { at - 1 }];
-        let after = corners[if at == last { 0 } else { at + 1 }];
-        let (a, b) = (difference(corners[at], before), difference(after, corners[at]));
-        let goes_straight_on = dot(a, b) >= 0.0 && cross(a, b).abs() <= MIN_TURN_SINE * length(a) * length(b);
-        if goes_straight_on {
-            corners.remove(at);
-            at = at.saturating_sub(1);
-        } else {
-            at += 1;
-        }
-    }
-    corners
-}
-
-fn area(corners: &[Vector]) -> f32 {
-    let following = corners.iter().cycle().skip(1);
-    corners.iter().zip(following).map(|(&corner, &next)| cross(corner, next)).sum()
-}
-
-/// Whether every corner turns to the same side, and all of them together one full turn.
-fn is_convex(corners: &[Vector]) -> bool {
-    let count = corners.len();
-    let edge = |i: usize| difference(corners[(i + 1) % count], corners[i % count]);
-    let turns_left = |i: usize| cross(edge(i), edge(i + 1)) >= 0.0;
-    let is_ahead = |i: usize| edge(i)[1] > 0.0 || (edge(i)[1] == 0.0 && edge(i)[0] > 0.0);
-    count <= 3
-        || ((0..count).all(turns_left)
-            && (0..count).filter(|&i| is_ahead(i) && !is_ahead(i + 1)).count() <= 1)
-}
-
-/// The convex hull, by Andrew's monotone chain.
-fn hull(mut corners: Vec<Vector>) -> Vec<Vector> {
-    sort_by_number(&mut corners, |corner| packed_key(corner.map(total_order_key)));
-    let half = |corners: &mut dyn Iterator<Item = &Vector>| {
-        let mut chain: Vec<Vector> = Vec::new();
-        for &corner in corners {
-            while let [.., a, b] = chain[..]
-                && cross(difference(b, a), difference(corner, b)) <= 0.0
-            {
-                chain.pop();
-            }
-            chain.push(corner);
-        }
-        chain.pop();
-        chain
-    };
-    let mut all = half(&mut corners.iter());
-    all.extend(half(&mut corners.iter().rev()));
-    if all.is_empty() {
-        corners.truncate(1);
-        corners
-    } else {
-        simplified(all)
+        _ => pieces_of_outline(geom.local_vertices.iter().map(|v| [v.x, v.y]).collect()),
     }
 }

@@ -1,5 +1,8 @@
 //! Vectors, rotations and poses of the plane as small arrays, for the computations of the precise set.
 
+/// Angle of a full turn, in radians.
+pub(crate) const TWO_PI: f32 = f32::from_bits(0x40C9_0FDB);
+
 /// A vector of the plane.
 pub(crate) type Vector = [f32; 2];
 

@@ -12,8 +12,8 @@ use crate::geom::GeomId;
 use crate::precise::ids::geom_of;
 use crate::precise::solver::broad_phase::pairs::Pairs;
 use crate::precise::solver::broad_phase::proxies::{BodyType, Proxies};
+use crate::precise::solver::surface::SurfaceOverride;
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
-use crate::surface::SurfaceOverride;
 
 impl Precise {
     /// Returns the number of pairs, touching or not.

@@ -195,7 +195,7 @@ impl Precise {
             DepthContactTarget::Ground => entry.geom.collision_enabled(),
             DepthContactTarget::WorldBox(id) => space
                 .world_box_by_id(id)
-                .is_some_and(|(_, world_box)| entry.geom.filter().may_meet(&world_box.filter)),
+                .is_some_and(|(_, world_box)| entry.geom.filter().may_meet(&world_box.filter.into())),
             DepthContactTarget::Geom(_) => false,
         };
         Some(is_enabled && meets && !objects.geoms.is_disposed(geom))

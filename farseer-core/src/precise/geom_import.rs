@@ -10,11 +10,10 @@ use super::solver::fingerprint::Fingerprint;
 use super::solver::shape::Shape;
 use crate::body::{Body, BodyId};
 use crate::geom::entry::GeomEntry;
-use crate::geom::filter::CollisionFilter;
-use crate::geom::pieces::Piece;
 use crate::geom::{Geom, GeomId};
 use crate::math::plane::Vector;
 use crate::objects::Objects;
+use crate::precise::solver::pieces::Piece;
 
 /// Parts from which the proxies of geoms follow, and the lists that get them.
 pub(super) struct ProxyImport<'a> {
@@ -97,6 +96,7 @@ impl ProxyImport<'_> {
 
     /// Adds the shape of a convex piece, in the frame of its body, to the vertex pool. Returns the shape.
     fn add_shape(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
+        let placement = ([geom.offset.x, geom.offset.y], geom.rotation_offset);
         match self.depth.map(|space| space.shape(id.slot())) {
             Some(DepthShape { vertical: Some(upright), .. }) => {
                 let ([x, y], half) = upright.front_box();
@@ -104,9 +104,9 @@ impl ProxyImport<'_> {
             }
             Some(DepthShape { is_sphere: true, half_depth, .. }) => {
                 let circle = Piece::Circle { centre: [0.0; 2], radius: half_depth };
-                self.proxies.vertices.add(&circle, geom)
+                self.proxies.vertices.add(&circle, placement)
             }
-            _ => self.proxies.vertices.add(&geom.pieces()[piece], geom),
+            _ => self.proxies.vertices.add(&geom.pieces()[piece], placement),
         }
     }
 
@@ -146,12 +146,6 @@ pub(super) fn geom_filter(entry: &GeomEntry) -> [i32; 5] {
         i32::from(geom.collision_enabled()),
         entry.ignore_changes,
     ]
-}
-
-/// Returns the collision filter of a world box in the form of [`Proxy::filter`].
-pub(super) fn world_box_filter(filter: &CollisionFilter) -> [i32; 5] {
-    let CollisionFilter { categories, collides_with, group, is_enabled, .. } = filter;
-    [categories.bits(), collides_with.bits(), *group, i32::from(*is_enabled), 0]
 }
 
 /// Returns the friction and the restitution coefficient of a geom, dimensionless.

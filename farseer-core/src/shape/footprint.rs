@@ -4,9 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::math::Vector2;
+use crate::precise::solver::depth::footprint_corners::{FootprintCorners, MAX_FOOTPRINT_CORNERS};
 
-/// Maximum number of corners of a footprint.
-const MAX_FOOTPRINT_CORNERS: usize = 8;
 /// Minimum sine of the angle by which a corner turns, dimensionless. Chosen; no range measured.
 const MIN_CORNER_SINE: f32 = 1e-3;
 
@@ -22,8 +21,7 @@ const MIN_CORNER_SINE: f32 = 1e-3;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<Vector2>", into = "Vec<Vector2>")]
 pub struct Footprint {
-    corners: [Vector2; MAX_FOOTPRINT_CORNERS],
-    count: usize,
+    polygon: FootprintCorners,
 }
 
 impl Footprint {
@@ -66,7 +64,7 @@ impl Footprint {
         if !(area.is_finite() && area > 0.0) {
             return refused("of a finite area that is not 0");
         }
-        Ok(Footprint { corners: kept, count })
+        Ok(Footprint { polygon: FootprintCorners::new(kept, count) })
     }
 
     /// A rectangle about the middle, with these extents along X and Z, in length units.
@@ -80,13 +78,12 @@ impl Footprint {
 
     /// The corners, X and Z, counterclockwise as seen from above with Z up.
     pub fn corners(&self) -> &[Vector2] {
-        &self.corners[..self.count]
+        self.polygon.corners()
     }
 
     /// The corners with the smallest and the greatest X and Z.
     pub fn bounds(&self) -> (Vector2, Vector2) {
-        let first = (self.corners[0], self.corners[0]);
-        self.corners().iter().fold(first, |(low, high), corner| (low.inf(corner), high.sup(corner)))
+        self.polygon.bounds()
     }
 }
 
@@ -94,6 +91,12 @@ impl TryFrom<Vec<Vector2>> for Footprint {
     type Error = Error;
     fn try_from(corners: Vec<Vector2>) -> Result<Self> {
         Footprint::new(&corners)
+    }
+}
+
+impl From<Footprint> for FootprintCorners {
+    fn from(footprint: Footprint) -> Self {
+        footprint.polygon
     }
 }
 

@@ -14,7 +14,6 @@ mod measures;
 mod polygon_creation_assistance;
 pub mod ray_helper;
 mod simplify;
-mod slanted_box;
 mod static_tools;
 mod texture_outline;
 mod texture_polygons;
@@ -23,13 +22,13 @@ mod triangulate;
 pub mod vertices;
 mod winding;
 
+#[doc(hidden)]
+pub use crate::precise::solver::slanted_box::{BoxTouch, Face, SlantedBox};
 pub use aabb::Aabb;
 pub use boolean::PolyUnionError;
 pub use edges::{CrossingEdgeInfo, Edge, EdgeAlignment, EdgeIntersectInfo};
 pub use feature::Feature;
 pub use footprint::Footprint;
 pub use polygon_creation_assistance::PolygonCreationAssistance;
-#[doc(hidden)]
-pub use slanted_box::{BoxTouch, Face, SlantedBox};
 pub use vertices::Vertices;
 pub use winding::WindingOrder;

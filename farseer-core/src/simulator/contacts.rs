@@ -3,7 +3,7 @@
 use super::PhysicsSimulator;
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::geom::GeomId;
-use crate::surface::mix_restitution;
+use crate::precise::solver::surface::{mix_friction, mix_restitution};
 
 /// Contacts.
 impl PhysicsSimulator {
@@ -106,6 +106,6 @@ impl PhysicsSimulator {
 
     /// Combines two friction coefficients by the [`friction_type`](Self::friction_type).
     pub fn mix_friction(&self, a: f32, b: f32) -> f32 {
-        self.settings.friction_type.mix(a, b)
+        mix_friction(self.settings.friction_type, a, b)
     }
 }

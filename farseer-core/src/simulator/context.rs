@@ -5,7 +5,7 @@ use std::ops::{Deref, DerefMut};
 use super::PhysicsSimulator;
 use crate::math::finite::{finite, zero_or_more};
 use crate::objects::Objects;
-use crate::surface::SurfaceOverride;
+use crate::precise::solver::surface::SurfaceOverride;
 use crate::{Error, Result};
 
 /// Access of a callback to the simulator that calls it: all that [`Objects`] offers, at once. Objects that a callback

@@ -32,9 +32,9 @@ use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider, SolverCho
 use crate::objects::{Objects, SavedObjects};
 use crate::pipeline::Pipeline;
 use crate::precise::Precise;
+use crate::precise::solver::surface::FrictionType;
 use crate::report::{Event, Report, StepCounters, StepTimes};
 use crate::storage::reusing_clone::reusing_clone;
-use crate::surface::FrictionType;
 use crate::{Error, Result};
 
 pub use context::Context;

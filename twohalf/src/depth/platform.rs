@@ -266,7 +266,7 @@ impl Platform {
             id: id.number(),
             shape: self.shape,
             rotation: self.rotation,
-            filter: self.filter,
+            filter: self.filter.into(),
             surface: self.surface,
             yaw: self.yaw,
             surface_velocity: self.surface_velocity(),

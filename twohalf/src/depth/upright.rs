@@ -16,7 +16,7 @@ impl DepthProfile {
                 Some(VerticalShape::Capsule { radius, half_height: 0.5 * height })
             }
             DepthProfile::Upright { footprint, height } => {
-                Some(VerticalShape::Prism { footprint, half_height: 0.5 * height })
+                Some(VerticalShape::Prism { footprint: footprint.into(), half_height: 0.5 * height })
             }
             DepthProfile::Prism { .. } | DepthProfile::Round { .. } => None,
         }

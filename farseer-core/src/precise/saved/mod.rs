@@ -29,7 +29,7 @@ use crate::precise::sleeping_joints::SleepingJoint;
 use crate::precise::solver::broad_phase::pairs::CachedManifoldZ;
 use crate::precise::solver::broad_phase::pairs::OneWayState;
 use crate::precise::solver::broad_phase::proxies::BodyType;
-use crate::surface::FrictionType;
+use crate::precise::solver::surface::FrictionType;
 
 /// Saved state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -20,8 +20,8 @@ use wide::f32x4;
 
 use super::shape::Shape;
 use crate::math::lanes::sin_cos;
-use crate::math::math_helper::TWO_PI;
 use crate::math::plane::Pose;
+use crate::math::plane::TWO_PI;
 use crate::math::scalar;
 use crate::storage::reusing_clone::reusing_clone;
 

@@ -9,7 +9,7 @@
 
 use super::depth::interface::{DepthShape, VerticalShape, WorldBox};
 use super::shape::ShapeRef;
-use crate::geom::edge_adjacency::Seam;
+use crate::precise::solver::edge_adjacency::Seam;
 
 /// Fingerprint of a shape while it is computed: hash of the 32-bit words added so far.
 #[derive(Debug, Clone, Copy, Default)]

@@ -6,8 +6,10 @@ pub(crate) mod broad_phase;
 pub(in crate::precise) mod constraint_graph;
 pub(in crate::precise) mod contact_solver;
 pub(in crate::precise) mod continuous_collision;
+mod convex_parts;
 pub(crate) mod depth;
 pub(in crate::precise) mod direct_solver;
+pub(crate) mod edge_adjacency;
 pub(in crate::precise) mod fingerprint;
 pub(in crate::precise) mod integration;
 pub(in crate::precise) mod island;
@@ -17,13 +19,17 @@ pub(in crate::precise) mod minimum_degree;
 pub(in crate::precise) mod narrow_phase;
 pub(in crate::precise) mod non_finite;
 pub(in crate::precise) mod parameters;
+pub(crate) mod pieces;
 pub(in crate::precise) mod scaled_parameters;
 pub(in crate::precise) mod shape;
+pub(crate) mod slanted_box;
+pub(crate) mod solver_choice;
 pub(in crate::precise) mod sparse_ordering;
 pub(in crate::precise) mod step;
+pub(crate) mod surface;
 
+use crate::precise::solver::surface::FrictionType;
 use crate::storage::reusing_clone::reusing_clone;
-use crate::surface::FrictionType;
 use bodies::BodySet;
 use broad_phase::fat_aabbs::FatAabbs;
 use broad_phase::hash_grid::HashGrid;
@@ -44,6 +50,7 @@ use narrow_phase::contact_reader::ContactReader;
 use narrow_phase::{NarrowPhase, NarrowPhaseStats, TouchEvent};
 use parameters::direct::IMMEDIATE_RESELECTION_BODIES;
 use scaled_parameters::{Parameters, StepContext};
+use solver_choice::SolverChoice;
 
 /// The solver: bodies, pairs, constraints and their solvers, by dense indices, between steps.
 #[derive(Debug)]
@@ -208,7 +215,7 @@ impl Solver {
     }
 
     /// Sets the user's choice of solvers, from this update on.
-    pub(crate) fn set_solver_choice(&mut self, choice: crate::SolverChoice) {
+    pub(crate) fn set_solver_choice(&mut self, choice: SolverChoice) {
         self.direct_solver.set_choice(choice);
     }
 

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 use wide::f32x4;
 
 /// Parameters of contacts, in the user's units: each is a constant of [`parameters`](super::parameters) times the length unit.
-/// The length unit is the `length_unit` of [`Methods::Precise`](crate::Methods), the size of things that a player looks at: 1
+/// The length unit is the `length_unit` of `Methods::Precise`, the size of things that a player looks at: 1
 /// in a game in metres, 32 in one in px.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename = "Tuning")]

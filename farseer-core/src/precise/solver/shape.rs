@@ -3,11 +3,10 @@
 //! A convex piece of a concave outline, or an edge of a chain, is a linked polygon: each edge knows the adjacent edges of the
 //! outline, for the ghost filter. Vertices and normals of all shapes are in one [`VertexPool`].
 
-use crate::geom::edge_adjacency::{self, Seam};
-use crate::geom::entry::GeomEntry;
-use crate::geom::pieces::{Piece, simplified};
 use crate::math::plane::{Vector, difference, dot, length, rotate, sum};
 use crate::math::scalar;
+use crate::precise::solver::edge_adjacency::{self, Seam};
+use crate::precise::solver::pieces::{Piece, simplified};
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Kind of a shape. It selects the collision routine.
@@ -135,9 +134,8 @@ impl VertexPool {
     }
 
     /// Adds a convex piece of a geom, and returns its shape in the frame of the geom's body.
-    pub(in crate::precise) fn add(&mut self, piece: &Piece, geom: &GeomEntry) -> Shape {
-        let (sine, cosine) = scalar::sin_cos(geom.rotation_offset);
-        let offset = [geom.offset.x, geom.offset.y];
+    pub(in crate::precise) fn add(&mut self, piece: &Piece, (offset, rotation): (Vector, f32)) -> Shape {
+        let (sine, cosine) = scalar::sin_cos(rotation);
         let to_body = |v: Vector| rotate([cosine, sine], sum(offset, v));
         match piece {
             &Piece::Circle { centre, radius } => {

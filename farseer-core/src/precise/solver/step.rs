@@ -19,7 +19,7 @@ use super::narrow_phase::NarrowPhaseStats;
 use super::scaled_parameters::LoadAdaptation;
 use super::scaled_parameters::StepContext;
 use crate::math::plane::Vector;
-use crate::surface::FrictionType;
+use crate::precise::solver::surface::FrictionType;
 
 impl Solver {
     /// Begins a step: stores its length `dt` (seconds, > 0) and `gravity` (x, y in length units/s^2). Returns the parameters of

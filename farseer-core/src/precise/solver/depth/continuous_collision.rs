@@ -16,7 +16,7 @@ use crate::math::plane::{length, rotate, rotation, sum};
 use crate::precise::solver::bodies::BodySet;
 use crate::precise::solver::broad_phase::proxies::{Proxies, Proxy};
 use crate::precise::solver::continuous_collision::time_of_impact::{SweptPair, SweptShape};
-use crate::shape::SlantedBox;
+use crate::precise::solver::slanted_box::SlantedBox;
 
 /// Shape with its pose at the start of the step and its displacement in the step.
 #[derive(Clone, Copy)]

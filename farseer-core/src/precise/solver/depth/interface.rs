@@ -5,9 +5,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::geom::filter::CollisionFilter;
-use crate::shape::{Footprint, SlantedBox};
-use crate::surface::SurfaceCoefficients;
+use super::footprint_corners::FootprintCorners;
+use crate::precise::solver::slanted_box::SlantedBox;
+use crate::precise::solver::surface::SurfaceCoefficients;
 
 /// State of a body along the depth axis: input of an update and output after the update.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -76,7 +76,7 @@ pub enum VerticalShape {
     /// The shape is a prism: a polygon in x and z, extruded along y.
     Prism {
         /// Vertices of the polygon in x and z, relative to the origin of the geom, in length units.
-        footprint: Footprint,
+        footprint: FootprintCorners,
         /// Half of the height in length units, >= 0.
         half_height: f32,
     },
@@ -97,6 +97,28 @@ impl VerticalShape {
     }
 }
 
+/// Collision filter of a box, as numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FilterNumbers {
+    /// Categories of the box, as bit flags.
+    pub categories: i32,
+    /// Categories that the box collides with, as bit flags.
+    pub collides_with: i32,
+    /// Group of the box, any number without a unit; 0 for none.
+    pub group: i32,
+    /// Whether the box collides at all.
+    pub is_enabled: bool,
+    /// Whether contacts of the box exert impulses.
+    pub responds: bool,
+}
+
+impl FilterNumbers {
+    /// Returns the filter in the form of [`Proxy::filter`](crate::precise::solver::broad_phase::proxies::Proxy::filter).
+    pub(super) fn of_proxy(&self) -> [i32; 5] {
+        [self.categories, self.collides_with, self.group, i32::from(self.is_enabled), 0]
+    }
+}
+
 /// Box without a geom: static, kinematic, or free to rotate about a vertical hinge. Contacts never displace it; they can only
 /// rotate a hinged box. It may be tilted in the plane, sheared, or rotated about y.
 #[derive(Debug, Clone)]
@@ -111,7 +133,7 @@ pub struct WorldBox {
     /// with a yaw is not tilted.
     pub yaw: Option<f32>,
     /// Collision filter: decides which geoms collide with the box.
-    pub filter: CollisionFilter,
+    pub filter: FilterNumbers,
     /// Friction and restitution coefficients of the box, dimensionless.
     pub surface: SurfaceCoefficients,
     /// Surface velocity of a conveyor belt along x, y and z, in length units/s, relative to the box. It adds to the velocity of

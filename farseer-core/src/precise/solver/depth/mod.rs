@@ -23,6 +23,7 @@ mod continuous_collision;
 pub(crate) mod feature_gate;
 mod fixed_rotation;
 mod footprint;
+pub(crate) mod footprint_corners;
 pub(in crate::precise) mod friction_3d;
 mod geom_shapes;
 pub(in crate::precise) mod hinged_box;

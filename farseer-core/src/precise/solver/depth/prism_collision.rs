@@ -24,7 +24,7 @@ use crate::precise::solver::parameters::depth::{
     PRISM_FACE_MIN_COSINE, RESTING_FLUSH_OVERLAP, RIM_SECANT_STEPS,
 };
 use crate::precise::solver::shape::{ShapeKind, ShapeRef};
-use crate::shape::SlantedBox;
+use crate::precise::solver::slanted_box::SlantedBox;
 
 /// Shape of a proxy with its pose, its displacement in the last step and the predicted one.
 #[derive(Clone, Copy)]

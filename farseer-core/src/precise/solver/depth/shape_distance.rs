@@ -9,10 +9,10 @@ use super::prism_collision::{PosedSolid, SolidKind};
 use super::vertical_dispatch;
 use super::vertical_shapes::VerticalSolid;
 use super::vertical_sheared_box::highest_top;
-use crate::geom::pieces::simplified;
 use crate::math::Vector3;
+use crate::precise::solver::pieces::simplified;
 use crate::precise::solver::shape::VertexPool;
-use crate::shape::SlantedBox;
+use crate::precise::solver::slanted_box::SlantedBox;
 
 /// Shape with its position in world coordinates x, y (down) and z, for a distance query. Lengths are in length units.
 #[derive(Debug, Clone, Copy)]

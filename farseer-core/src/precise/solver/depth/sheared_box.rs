@@ -9,7 +9,7 @@ use crate::math::Vector3;
 use crate::math::plane::{Vector, cross, difference, length, scaled};
 use crate::precise::solver::narrow_phase::manifold::Manifold;
 use crate::precise::solver::shape::{Shape, VertexPool};
-use crate::shape::SlantedBox;
+use crate::precise::solver::slanted_box::SlantedBox;
 use crate::storage::order::{packed_key, sort_by_number, total_order_key};
 
 /// Returns the outline of a sheared box between the world depths `near` and `far`: the convex hull of the cross sections at
@@ -93,7 +93,7 @@ pub(super) fn collide_sphere(
 mod tests {
     use super::{convex_hull, outline_between};
     use crate::math::Vector3;
-    use crate::shape::SlantedBox;
+    use crate::precise::solver::slanted_box::SlantedBox;
 
     #[test]
     fn convex_hull_has_only_extreme_vertices_in_winding_order() {

@@ -15,9 +15,9 @@ use crate::precise::solver::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::precise::solver::island::sleep::SleepState;
 use crate::precise::solver::scaled_parameters::{AabbMargin, Parameters};
 use crate::precise::solver::shape::ShapeRef;
-use crate::shape::SlantedBox;
+use crate::precise::solver::slanted_box::SlantedBox;
+use crate::precise::solver::surface::{FrictionType, mix_friction, mix_restitution};
 use crate::storage::reusing_clone::reusing_clone;
-use crate::surface::{FrictionType, mix_restitution};
 
 /// State of the depth axis: depth data of bodies, geoms, proxies and world boxes. "Body index" means the index into `BodySet`,
 /// "proxy index" the index into `Proxies::all`.
@@ -167,7 +167,7 @@ impl DepthState {
         };
         // The mean of huge coefficients overflows.
         let restitution = mix_restitution(restitution, b.restitution).clamp(f32::MIN, f32::MAX);
-        [mix.mix(friction, b.friction).min(f32::MAX), restitution]
+        [mix_friction(mix, friction, b.friction).min(f32::MAX), restitution]
     }
 
     /// Returns whether a proxy is in the hash grid. The ground is below all objects and gets its pairs without a search.

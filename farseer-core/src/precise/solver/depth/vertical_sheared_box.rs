@@ -18,7 +18,7 @@ use crate::precise::solver::narrow_phase::manifold::Manifold;
 use crate::precise::solver::parameters::depth::{
     RIDGE_MAX_HEIGHT_DIFFERENCE, RIDGE_MIN_UPHILL_COSINE, SLOPE_MIN_NORMAL_UP,
 };
-use crate::shape::{Face, SlantedBox};
+use crate::precise::solver::slanted_box::{Face, SlantedBox};
 
 /// Top or bottom face of a sheared box, projected along y.
 struct TopFace {

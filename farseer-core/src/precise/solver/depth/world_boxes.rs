@@ -13,7 +13,6 @@ use super::world_box_shape::{origin_of, pose_of, solver_velocity, vertical_of, y
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
 use crate::math::scalar;
-use crate::precise::geom_import::world_box_filter;
 use crate::precise::solver::bodies::{BodySet, MotionState};
 use crate::precise::solver::broad_phase::fat_aabbs::FatAabbs;
 use crate::precise::solver::broad_phase::pairs::Pairs;
@@ -23,8 +22,8 @@ use crate::precise::solver::island::sleep::SleepState;
 use crate::precise::solver::parameters::depth::WORLD_BOX_MAX_SWEEP;
 use crate::precise::solver::scaled_parameters::Parameters;
 use crate::precise::solver::shape::Shape;
-use crate::shape::SlantedBox;
-use crate::surface::SurfaceCoefficients;
+use crate::precise::solver::slanted_box::SlantedBox;
+use crate::precise::solver::surface::SurfaceCoefficients;
 
 /// `Proxy::list_index` of the ground: an index beyond all world boxes, because the ground is none.
 const NO_WORLD_BOX: u32 = u32::MAX;
@@ -232,7 +231,7 @@ impl DepthState {
                 friction,
                 restitution,
                 responds: filter.responds,
-                filter: world_box_filter(filter),
+                filter: filter.of_proxy(),
                 surface_velocity: [*vx, *vy, 0.0, *vz],
                 ..world_proxy(world_box_numbers(world_box), body_index as usize)
             });

@@ -12,13 +12,13 @@ use super::block_ldlt::BlockLdlt;
 use super::island_history::{IslandHistory, ReselectionTimer};
 use super::island_io::DirectIsland;
 use super::island_newton::SolveStats;
-use crate::methods::SolverChoice;
 use crate::precise::solver::parameters::direct::{
     BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, FACTOR_BLOCK_COST, FACTOR_PRODUCT_COST,
     FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST, ITERATIVE_ISLAND_COST,
     ITERATIVE_JOINT_COST, JOINTED_BUDGET, MASS_RATIO_BUDGET, NEWTON_BODY_COST, NEWTON_CONSTRAINT_COST,
     NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT, UPDATE_NEWTON_STEPS,
 };
+use crate::precise::solver::solver_choice::SolverChoice;
 
 /// Charges the modelled cost of an update to the budget of an island, and stores its new island history for all members.
 /// `histories` are indexed by body.

@@ -1,7 +1,7 @@
 //! History of the islands, by which solver selection and the budget decide, and the timer of solver selection.
 
-use crate::methods::SolverChoice;
 use crate::precise::solver::parameters::direct::FRICTION_CHECK_MAX_DOUBLINGS;
+use crate::precise::solver::solver_choice::SolverChoice;
 use serde::{Deserialize, Serialize};
 
 /// Island history of one body: solver, costs, pauses and friction checks of its island in past updates. Solver selection and

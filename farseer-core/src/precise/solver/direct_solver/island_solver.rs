@@ -8,7 +8,6 @@ use super::cost_model::update_budget;
 use super::island_history::{IslandHistory, ReselectionTimer};
 use super::island_io::{DirectIsland, RowReader, free_velocity};
 use super::island_newton::{SolveStats, Tolerances};
-use crate::methods::SolverChoice;
 use crate::precise::solver::bodies::BodySet;
 use crate::precise::solver::constraint_graph::ConstraintGraph;
 use crate::precise::solver::joints::JointSystem;
@@ -20,6 +19,7 @@ use crate::precise::solver::parameters::direct::{
     NEWTON_LIMIT_PER_BODY, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
 use crate::precise::solver::scaled_parameters::{Parameters, StepContext};
+use crate::precise::solver::solver_choice::SolverChoice;
 /// The parts of the engine that the direct solver reads and writes for its islands.
 pub(in crate::precise) struct IslandSolver<'a> {
     pub(in crate::precise) bodies: &'a BodySet,

@@ -1,11 +1,11 @@
 //! Facts about the islands of an update, and the reasons why the direct solver does not take an island.
 
-use crate::methods::SolverChoice;
 use crate::precise::solver::island::report::SolverReason;
 use crate::precise::solver::island::union_find::UnionFind;
 use crate::precise::solver::parameters::direct::{
     ACYCLIC_MOVING_ISLAND_BODIES, CYCLIC_DEPTH_ISLAND_BODIES, CYCLIC_ISLAND_BODIES, DIRECT_ISLAND_BODIES,
 };
+use crate::precise::solver::solver_choice::SolverChoice;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// The islands of awake bodies, with the facts about each.

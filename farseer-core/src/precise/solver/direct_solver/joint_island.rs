@@ -15,7 +15,6 @@ use super::island_newton::{IslandSystem, SolveStats, Tolerances};
 use super::island_solver::IslandSolver;
 use super::joint::JointRows;
 use super::mat3::Vec3;
-use crate::methods::SolverChoice;
 use crate::precise::solver::bodies::BodySet;
 use crate::precise::solver::constraint_graph::{ConstraintGraph, ContactConstraint};
 use crate::precise::solver::joints::JointSystem;
@@ -29,6 +28,7 @@ use crate::precise::solver::parameters::direct::{
     JOINT_ERROR_PROGRESS, JOINTED_PENETRATION_RATE, JOINTED_PENETRATION_SPEED, LATERAL_SLIP_MIN_SPEED,
     MOVING_VELOCITY_ERROR, POSITION_CORRECTIONS, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
+use crate::precise::solver::solver_choice::SolverChoice;
 
 impl IslandSolver<'_> {
     /// Solves an island with joints. `was_solved` is its [`has_accepted_solution`](super::IslandHistory::has_accepted_solution).

@@ -45,9 +45,9 @@ mod mass_ratio;
 pub(in crate::precise) mod mat3;
 pub(in crate::precise) mod selection;
 
-use crate::methods::SolverChoice;
 use crate::precise::solver::island::sleep::SleepState;
 use crate::precise::solver::parameters::direct::RESELECTION_PERIOD;
+use crate::precise::solver::solver_choice::SolverChoice;
 use crate::storage::reusing_clone::reusing_clone;
 pub(in crate::precise) use island_history::{IslandHistory, ReselectionTimer};
 use island_io::DirectIsland;

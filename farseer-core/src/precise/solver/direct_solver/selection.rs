@@ -8,7 +8,6 @@ use super::island_stats::{IslandCensus, IslandStats};
 use super::lateral_friction::blocks_planar_solution;
 use super::load::exceeds_mass_ratio;
 use crate::math::plane::Vector;
-use crate::methods::SolverChoice;
 use crate::precise::solver::bodies::BodySet;
 use crate::precise::solver::broad_phase::pairs::Pairs;
 use crate::precise::solver::broad_phase::proxies::{BodyType, Proxies};
@@ -24,6 +23,7 @@ use crate::precise::solver::parameters::direct::{
     STICKING_FRICTION_FRACTION,
 };
 use crate::precise::solver::scaled_parameters::Parameters;
+use crate::precise::solver::solver_choice::SolverChoice;
 
 /// The parts of the engine that solver selection reads.
 pub(in crate::precise) struct SolverSelection<'a> {

@@ -30,7 +30,7 @@ pub enum SolverReason {
     NothingTouches,
     /// Direct: the direct solver takes the island, because its solution is worth the cost.
     Pays,
-    /// Direct or iterative: the game has [chosen](crate::PhysicsSimulator::set_solver_choice) this solver for all islands.
+    /// Direct or iterative: the game has chosen this solver for all islands.
     Chosen,
     /// Iterative: the island is a single dynamic body, on static or kinematic bodies.
     OneBody,
@@ -82,7 +82,7 @@ pub struct IslandCost {
     pub newton_steps: usize,
 }
 
-/// Constraint errors of an island: see [`PhysicsSimulator::island_residual`](crate::PhysicsSimulator::island_residual).
+/// Constraint errors of an island: see `PhysicsSimulator::island_residual`.
 ///
 /// Lengths are in the user's unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

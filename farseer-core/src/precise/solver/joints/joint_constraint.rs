@@ -1,6 +1,6 @@
 //! A joint as a constraint of one step: locked degrees of freedom, anchors at the poses of the step, limits, motor and force.
 //!
-//! The [import of joints](crate::precise::joint_import) fills the constraints from the joints of the simulator. The solvers of
+//! The adapter fills the constraints from the joints of the simulator. The solvers of
 //! this folder and the direct solver read them and write their forces.
 
 use super::super::bodies::{BodySet, signed_angle};

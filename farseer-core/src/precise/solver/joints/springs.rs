@@ -11,7 +11,7 @@
 //! if other rows hold it, since these rows change its effective mass. A spring whose bodies have neither joints nor contacts
 //! stays an explicit force: implicit Euler would damp its oscillation.
 //!
-//! The [import of springs](crate::precise::spring_import) makes this choice for each spring when it acts. A spring that the
+//! The adapter makes this choice for each spring when it acts. A spring that the
 //! direct solver does not solve in this step is solved by the [iterative solver](super::soft_spring).
 //!
 //! | spring | rows of the direct solver |

@@ -13,7 +13,7 @@ use crate::precise::solver::constraint_graph::{
 };
 use crate::precise::solver::depth::interface::HingeFeature;
 use crate::precise::solver::depth::state::DepthState;
-use crate::surface::mix_restitution;
+use crate::precise::solver::surface::{mix_friction, mix_restitution};
 
 impl NarrowPhase<'_> {
     /// Returns the contact constraint of a pair, built from its cached manifold. All impulses of the constraint are 0.
@@ -58,7 +58,7 @@ impl NarrowPhase<'_> {
             inverse_masses: [mass_a, mass_b],
             inverse_inertias: [inertia_a, inertia_b],
             // The mixed coefficient of very large ones may overflow.
-            friction: self.friction.mix(two.a.friction, two.b.friction).min(f32::MAX),
+            friction: mix_friction(self.friction, two.a.friction, two.b.friction).min(f32::MAX),
             tangent_arms,
             tangent_mass: effective_mass(tangent_arms[0], tangent_arms[1]),
             tangent_impulse: 0.0,

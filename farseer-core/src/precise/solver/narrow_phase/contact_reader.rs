@@ -12,7 +12,7 @@ use crate::precise::solver::constraint_graph::{ConstraintGraph, ContactConstrain
 use crate::precise::solver::depth::contact_point::DepthContactPoint;
 use crate::precise::solver::depth::feature_gate::FeatureGate;
 use crate::precise::solver::depth::state::DepthState;
-use crate::surface::FrictionType;
+use crate::precise::solver::surface::{FrictionType, mix_friction};
 
 /// Contact of a pair in the plane, in the present poses.
 pub(in crate::precise) struct PlanarContact {
@@ -93,7 +93,7 @@ impl ContactReader<'_> {
                 }),
             };
         }
-        let friction = self.friction.mix(a.friction, b.friction);
+        let friction = mix_friction(self.friction, a.friction, b.friction);
         PlanarContact { normal, friction, count: manifold.count as usize, points }
     }
 

@@ -1,7 +1,7 @@
 //! Narrow phase: changes that collision handlers made to the contacts of one step, and their end.
 
 use super::NarrowPhase;
-use crate::surface::SurfaceOverride;
+use crate::precise::solver::surface::SurfaceOverride;
 
 impl NarrowPhase<'_> {
     /// Ends the vetoes and surface settings that collision handlers made for one step, and invalidates the vetoed awake pairs.

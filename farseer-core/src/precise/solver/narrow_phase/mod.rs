@@ -53,7 +53,7 @@ use crate::precise::solver::narrow_phase::flush_geoms::FlushFilter;
 use crate::precise::solver::narrow_phase::manifold::Manifold;
 use crate::precise::solver::narrow_phase::shape_dispatch::collide;
 use crate::precise::solver::parameters::broad_phase::SEPARATED_PAIR_MAX_SLACK;
-use crate::surface::FrictionType;
+use crate::precise::solver::surface::FrictionType;
 use build_constraint::transfer_friction_impulse;
 use kinematic_sweep::ApproachDistances;
 pub(in crate::precise) use touch_state::TouchEvent;

@@ -48,7 +48,7 @@ pub(in super::super) struct SpatialJointGroup {
     pub(super) velocity_errors: Vec<f64>,
     /// Whether a joint of the group closes a loop.
     pub(super) has_loops: bool,
-    /// Length unit of the simulator with [`Methods::Precise`](crate::Methods), > 0, in the user's unit.
+    /// Length unit of the simulator with `Methods::Precise`, > 0, in the user's unit.
     pub(super) length_unit: f64,
     /// Whether no body of the group has a contact. The group then moves through the whole step by itself, with divided
     /// substeps.

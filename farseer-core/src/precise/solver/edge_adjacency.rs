@@ -4,7 +4,7 @@
 //! inside of an outline makes no contact, and every other edge stores the normals of the edges before and after it
 //! along the outline.
 
-use crate::geom::pieces::Piece;
+use super::pieces::Piece;
 use crate::math::Vector2;
 use crate::math::plane::{Rot, Vector, rotate};
 

@@ -10,7 +10,7 @@
 
 use crate::math::plane::Vector;
 
-/// Maximum number of corners of an outline that is cut, as documented at [`Methods::Precise`](crate::Methods::Precise).
+/// Maximum number of corners of an outline that is cut.
 /// The time grows with the square of the number of corners.
 const MAX_CORNERS: usize = 1000;
 

@@ -12,12 +12,12 @@ pub enum FrictionType {
     Minimum,
 }
 
-impl FrictionType {
-    pub(crate) fn mix(self, a: f32, b: f32) -> f32 {
-        match self {
-            FrictionType::Average => (a + b) / 2.0,
-            FrictionType::Minimum => crate::math::scalar::min(a, b),
-        }
+/// Combines the friction coefficients of two geoms.
+#[inline]
+pub(crate) fn mix_friction(rule: FrictionType, a: f32, b: f32) -> f32 {
+    match rule {
+        FrictionType::Average => (a + b) / 2.0,
+        FrictionType::Minimum => crate::math::scalar::min(a, b),
     }
 }
 
@@ -33,8 +33,11 @@ pub struct SurfaceCoefficients {
 /// Surface coefficients that a handler has set for two touching geoms, for one update.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct SurfaceOverride {
+    /// Friction coefficient, dimensionless; `None` for that of the geoms.
     pub(crate) friction: Option<f32>,
+    /// Restitution coefficient, dimensionless; `None` for that of the geoms.
     pub(crate) restitution: Option<f32>,
+    /// Speed of the surface along the contact's tangent, length units/s; `None` for that of the geoms.
     pub(crate) tangent_speed: Option<f32>,
 }
 
