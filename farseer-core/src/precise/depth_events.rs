@@ -100,7 +100,8 @@ impl Precise {
         let Some(space) = &self.solver.depth else { return };
         let (bounds, depths) = ([low[0], low[1], high[0], high[1]], DepthInterval::new(low[2], high[2]));
         self.solver.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
-            let (at, proxy) = (at as usize, &self.solver.proxies.all[at as usize]);
+            let at = at as usize;
+            let proxy = &self.solver.proxies.all[at];
             let is_near =
                 overlap(&bounds, &self.solver.proxies.fat_aabbs[at]) && space.interval(at).overlaps(depths);
             if is_near && !proxy.is_world {

@@ -257,7 +257,8 @@ impl Proxies {
 
     /// Removes a proxy, which must have no pairs. Its position becomes free.
     pub(in crate::precise) fn remove(&mut self, proxy: u32) {
-        let (at, body) = (proxy as usize, self.all[proxy as usize].body as usize);
+        let at = proxy as usize;
+        let body = self.all[at].body as usize;
         let next = std::mem::replace(&mut self.next[at], NO_PROXY);
         let before = self.proxies_of(body).find(|&before| self.next[before as usize] == proxy);
         match before {

@@ -350,7 +350,8 @@ impl ConstraintGraph {
         kind: ConstraintKind,
         handle: ConstraintHandle,
     ) -> ContactConstraint {
-        let (block, lane) = (handle.slot as usize / 4, handle.slot as usize % 4);
+        let slot = handle.slot as usize;
+        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list(handle) {
             return list[handle.slot as usize].constraint;
         }
@@ -365,7 +366,8 @@ impl ConstraintGraph {
         handle: ConstraintHandle,
         constraint: &ContactConstraint,
     ) {
-        let (block, lane) = (handle.slot as usize / 4, handle.slot as usize % 4);
+        let slot = handle.slot as usize;
+        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list_mut(handle) {
             list[handle.slot as usize].constraint = *constraint;
             self.has_direct_change = true;
@@ -376,7 +378,8 @@ impl ConstraintGraph {
 
     /// Overwrites the pair index of a constraint, parked or in a colour.
     pub(in crate::precise) fn set_pair(&mut self, kind: ConstraintKind, handle: ConstraintHandle, pair: u32) {
-        let (block, lane) = (handle.slot as usize / 4, handle.slot as usize % 4);
+        let slot = handle.slot as usize;
+        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list_mut(handle) {
             list[handle.slot as usize].constraint.pair = pair;
             return;
@@ -392,7 +395,8 @@ impl ConstraintGraph {
         handle: ConstraintHandle,
         separations: [f32; 2],
     ) {
-        let (block, lane) = (handle.slot as usize / 4, handle.slot as usize % 4);
+        let slot = handle.slot as usize;
+        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list_mut(handle) {
             let points = &mut list[handle.slot as usize].constraint.points;
             points.iter_mut().zip(separations).for_each(|(point, separation)| point.separation = separation);
