@@ -37,8 +37,7 @@ pub(in crate::precise) struct IslandHistory {
     /// [slip](super::island_stats::IslandStats::slips).
     #[serde(rename = "look_in")]
     pub(in crate::precise) friction_check_in: u8,
-    /// Number of friction checks of the body so far plus one; 0 for a body that is not checked. In the direct solver the bodies
-    /// in their [cold start](super::island_stats::IslandStats::is_cold_start) are checked, and no others.
+    /// Number of friction checks of the body so far plus one; 0 for a body that is not checked.
     #[serde(rename = "watch")]
     pub(in crate::precise) friction_checks: u8,
 }
@@ -48,11 +47,6 @@ impl IslandHistory {
     /// selection leaves a small island with contact cycles to the iterative solver.
     pub(super) fn begin_friction_checks(&mut self) {
         (self.friction_check_in, self.friction_checks) = (1, 1);
-    }
-
-    /// Returns whether the friction checks of the body have begun in this update.
-    pub(super) fn is_first_friction_check(&self) -> bool {
-        self.friction_checks == 1
     }
 
     /// Returns whether updates until the next friction check are counted, or checks follow.

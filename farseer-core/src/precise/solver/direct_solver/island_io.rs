@@ -39,8 +39,8 @@ pub(super) struct DirectIsland {
     /// island was not solved. A solution uses the memory of the sums. In an island with joints at rest it tells only that no
     /// contact constraint has changed.
     pub(super) has_impulse_sum: bool,
-    /// Whether the island moves without friction (`moves_without_friction` of the island solver), as found in this update.
-    pub(super) needs_friction: bool,
+    /// Whether the island is [on trial](super::island_stats::IslandStats::is_on_trial) in this update.
+    pub(super) is_on_trial: bool,
     /// Number of Newton steps for the island in the last update.
     pub(super) newton_steps: usize,
     /// Whether the island has no acceptable solution and goes to the iterative solver in this update. Contact cycles with a
@@ -71,7 +71,7 @@ pub(super) struct DirectIsland {
 
 reusing_clone! {
     DirectIsland {
-        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, needs_friction, newton_steps, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
+        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, is_on_trial, newton_steps, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
         spring_bodies, interval_joints, joint_impulses, total_displacements
     }
 }
@@ -117,7 +117,27 @@ pub(super) struct RowReader<'a> {
     pub(super) velocity_tolerance: f64,
 }
 
-impl RowReader<'_> {
+impl<'a> RowReader<'a> {
+    /// Returns the reader for a `step`. `slop` is the penetration that remains, length units; `velocity_tolerance` the velocity
+    /// residual at which stored impulses are kept, length units/s.
+    pub(super) fn new(
+        bodies: &'a BodySet,
+        step: &'a StepContext,
+        slop: f64,
+        velocity_tolerance: f64,
+    ) -> Self {
+        let dt = f64::from(step.dt);
+        RowReader {
+            bodies,
+            step,
+            dt,
+            inverse_dt: dt.recip(),
+            substeps: f64::from(step.substeps),
+            penetration_slop: slop,
+            velocity_tolerance,
+        }
+    }
+
     /// Returns the factor from the stored impulses of the contact constraint `row` to impulses over the whole step,
     /// dimensionless: length of the step / length of the substep in which the impulses were stored.
     #[inline(always)]

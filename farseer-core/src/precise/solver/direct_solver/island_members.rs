@@ -61,12 +61,12 @@ impl DirectSolver {
                 history.pause = RESELECTION_PERIOD;
                 timer.has_paused = true;
             }
-            let is_watched = (!is_wanted || stats.is_cold_start())
+            let is_watched = (!is_wanted || stats.is_on_trial(timer.choice))
                 && stats.is_small_cycle()
                 && !(stats.moves || stats.formed_by_motion);
             if !is_watched {
                 history.friction_checks = 0;
-            } else if history.friction_checks == 0 || is_wanted {
+            } else if history.friction_checks == 0 {
                 history.begin_friction_checks();
             }
         }
@@ -109,6 +109,7 @@ impl DirectSolver {
             }
             let (island, stats) = (&mut islands[*count], &mut census.stats[members[0].0 as usize]);
             island.begin(members);
+            island.is_on_trial = selects && stats.is_on_trial(timer.choice);
             list_contact_edges(members, pairs, proxies, edges, sort_keys);
             let mut max_products = FACTOR_PRODUCTS_PER_BODY;
             if stats.joints > 0 {

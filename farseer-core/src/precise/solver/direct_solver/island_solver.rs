@@ -45,11 +45,15 @@ impl DirectSolver {
         let DirectSolver { islands, count, history, timer, .. } = self;
         for island in &mut islands[..*count] {
             island.has_impulse_sum &= !has_changed;
-            let stats = solver.solve_island(island, history[island.system.members[0].index()]);
-            if std::mem::take(&mut island.needs_friction) {
+            if std::mem::take(&mut island.is_on_trial) {
+                if !solver.stands_by_friction(island) {
+                    (island.is_released, island.newton_steps) = (true, 0);
+                    continue;
+                }
                 let members = &island.system.members;
                 members.iter().for_each(|member| history[member.index()].friction_checks = 0);
             }
+            let stats = solver.solve_island(island, history[island.system.members[0].index()]);
             record_stats(history, timer, island, stats, solver.has_depth);
             island.newton_steps = stats.newton_steps;
         }
@@ -96,6 +100,26 @@ impl IslandSolver<'_> {
         SolveStats { newton_steps: steps + stats.newton_steps, ..stats }
     }
 
+    /// Returns whether an island of contacts stands by friction: with all friction coefficients 0 a body would gain speed in this
+    /// step.
+    fn stands_by_friction(&self, island: &mut DirectIsland) -> bool {
+        let (bodies, unit) = (self.bodies, self.length_unit());
+        let slop = island.load_bodies(bodies, f64::from(self.step.substeps), unit);
+        let reader = RowReader::new(bodies, self.step, slop, unit * RESTING_VELOCITY_ERROR);
+        island.make_contacts(self.constraints, &reader, false);
+        let system = &mut island.system;
+        system.contacts.iter_mut().for_each(|contact| contact.friction = 0.0);
+        let residual = system.begin_solve(reader.dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
+        system.solve(&contact_tolerances(residual, unit));
+        let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+        system.members.iter().any(|member| {
+            let [x0, y0, ..] = bodies.states[member.index()].velocity.map(f64::from);
+            let [x, y, ..] = free_velocity(bodies, member.index(), reader.substeps);
+            let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
+            speed([member.velocity[0], member.velocity[1]]) > most + reader.velocity_tolerance
+        })
+    }
+
     /// Solves an island of contacts, without joints and springs. `history` is that of its members. Returns Newton steps,
     /// residual and acceptance of the solution.
     fn solve_contact_island(&mut self, island: &mut DirectIsland, history: IslandHistory) -> SolveStats {
@@ -106,19 +130,7 @@ impl IslandSolver<'_> {
         let velocity_tolerance =
             unit * if history.was_iterated { MOVING_VELOCITY_ERROR } else { RESTING_VELOCITY_ERROR };
         island.is_released = false;
-        let reader = RowReader {
-            bodies,
-            step,
-            dt,
-            inverse_dt: dt.recip(),
-            substeps,
-            penetration_slop: slop,
-            velocity_tolerance,
-        };
-        if history.is_first_friction_check() {
-            island.needs_friction = moves_without_friction(island, rows, &reader, unit);
-            island.load_bodies(bodies, substeps, unit);
-        }
+        let reader = RowReader::new(bodies, step, slop, velocity_tolerance);
         island.apply_warm_start(rows, &reader);
         if !*has_depth {
             let [residual, deepest] = island.residual(rows, &reader);
@@ -160,31 +172,6 @@ impl IslandSolver<'_> {
         island.store_solution(rows, substeps, step.h);
         stats
     }
-}
-
-/// Returns whether a body of the island would gain speed in the step if all friction coefficients were 0: the island then stands
-/// by friction. `unit` is the length unit. The members must have been [loaded](DirectIsland::load_bodies), and must be loaded
-/// again afterwards.
-fn moves_without_friction(
-    island: &mut DirectIsland,
-    rows: &ConstraintGraph,
-    reader: &RowReader<'_>,
-    unit: f64,
-) -> bool {
-    island.make_contacts(rows, reader, false);
-    let system = &mut island.system;
-    system.contacts.iter_mut().for_each(|contact| contact.friction = 0.0);
-    let slop_and_slip = [reader.penetration_slop, LATERAL_SLIP_MIN_SPEED * unit];
-    let residual = system.begin_solve(reader.dt, slop_and_slip);
-    system.solve(&contact_tolerances(residual, unit));
-    let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
-    system.members.iter().any(|member| {
-        let at = member.index();
-        let [x0, y0, ..] = reader.bodies.states[at].velocity.map(f64::from);
-        let [x, y, ..] = free_velocity(reader.bodies, at, reader.substeps);
-        let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
-        speed([member.velocity[0], member.velocity[1]]) > most + RESTING_VELOCITY_ERROR * unit
-    })
 }
 
 /// Returns the tolerances of an island of contacts. `residual` is its velocity residual before the solution, length units/s,

@@ -34,7 +34,7 @@ pub(in crate::precise) struct IslandStats {
     pub(super) bodies: u32,
     /// Number of contact constraints of the island.
     pub(super) contacts: u32,
-    /// Number of bodies of the island whose last solver is the direct solver, other than for a [cold start](Self::is_cold_start).
+    /// Number of bodies of the island whose last solver is the direct solver.
     pub(super) direct_bodies: u32,
     /// Number of further updates for which the iterative solver keeps the island; 0 without a pause.
     pub(super) pause: u8,
@@ -111,13 +111,22 @@ impl IslandStats {
         self.has_contact_cycles() && self.bodies < CYCLIC_ISLAND_BODIES && self.joints == 0 && !self.has_depth
     }
 
-    /// Returns whether no contact of the island has an impulse yet, so that no solver can start warm.
+    /// Returns whether the direct solver gets this island on trial under the user's `choice`: it finds out whether the island
+    /// stands [by friction](super::island_solver::IslandSolver::stands_by_friction), and gives it to the iterative solver in the same update if not.
     ///
-    /// A [small island with contact cycles](Self::is_small_cycle) that is built in place then has one update in the direct
-    /// solver, and hands its exact loads to the iterative solver. Without them friction slips in the iterative solver for some
-    /// updates. In long steps a card house of 4 storeys creeps so far in one of them that it topples.
-    pub(super) fn is_cold_start(&self) -> bool {
-        !self.has_load
+    /// This holds for a [small island with contact cycles](Self::is_small_cycle) that is built in place, before its first
+    /// solution. In the iterative solver friction would slip during the first updates, since the contacts have no impulses yet.
+    /// In long steps a card house of 4 storeys creeps so far in a single one that it topples.
+    pub(super) fn is_on_trial(&self, choice: SolverChoice) -> bool {
+        choice == SolverChoice::Auto
+            && self.is_small_cycle()
+            && !(self.is_loaded() || self.moves || self.formed_by_motion)
+            && !(self.has_load || self.slips || self.was_direct())
+    }
+
+    /// Returns whether the direct solver had most bodies of the island in the last update.
+    fn was_direct(&self) -> bool {
+        2 * self.direct_bodies > self.bodies
     }
 
     /// Returns the reason why the iterative solver has this island, for the island report.
@@ -131,9 +140,9 @@ impl IslandStats {
     /// Returns the reason why a direct solution of the island is not worth its cost; `None` if it is. Each condition is a row
     /// of the table at the head of the module.
     fn cost_objection(&self) -> Option<SolverReason> {
-        let IslandStats { bodies, direct_bodies, .. } = *self;
+        let bodies = self.bodies;
         let (has_cycles, is_built) = (self.has_contact_cycles(), !(self.moves || self.formed_by_motion));
-        let was_direct = 2 * direct_bodies > bodies;
+        let was_direct = self.was_direct();
         let pause = (self.pause > 0, SolverReason::Rests { updates: self.pause });
         first_reason(&if self.joints > 0 {
             let has_failed = self.was_paused && !was_direct && self.has_joint_gap;
@@ -151,8 +160,7 @@ impl IslandStats {
             [
                 pause,
                 (
-                    self.is_small_cycle()
-                        && !(is_built && (was_direct || self.slips || self.is_cold_start())),
+                    self.is_small_cycle() && !(is_built && (was_direct || self.slips || !self.has_load)),
                     SolverReason::TooSmall,
                 ),
                 (has_cycles && !is_built && !was_direct, SolverReason::Moves),

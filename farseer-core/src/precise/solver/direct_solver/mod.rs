@@ -12,7 +12,7 @@
 //! | 2D, [large mass ratio](mass_ratio) | always |
 //! | 2D, no contact cycles | if its bodies were calm when they came together, or from 16 bodies on |
 //! | 2D, contact cycles, from 40 bodies on | if its bodies were calm when they came together |
-//! | 2D, contact cycles, up to 39 bodies | if calm as above: in the first update, then if friction [slips](island_stats::IslandStats::slips) |
+//! | 2D, contact cycles, up to 39 bodies | if calm as above and [standing by friction](island_stats::IslandStats::is_on_trial), or if friction [slips](island_stats::IslandStats::slips) |
 //! | 2.5D | if a heavy body lies on a light one, all contacts are [planar](lateral_friction), and up to 24 bodies have cycles |
 //!
 //! An island that costs too much goes to the iterative solver for a pause: islands with joints or contact cycles by a

@@ -75,17 +75,14 @@ impl SolverSelection<'_> {
                     || self.has_unsolved_load()))
     }
 
-    /// Returns whether a body that was due for a friction check in this update, in an island built in place, needs another
-    /// solver.
-    ///
-    /// Either it is calm and friction [slips](IslandStats::slips) in the iterative solver, or its [cold
-    /// start](IslandStats::is_cold_start) in the direct solver is over.
+    /// Returns whether friction [slips](IslandStats::slips) in the iterative solver at a calm body that was due for a friction
+    /// check in this update, in an island built in place.
     pub(in crate::precise) fn has_slipping_contact(&self) -> bool {
         (0..self.pairs.awake_count).any(|pair| self.is_slipping(pair))
     }
 
-    /// Returns whether the contact with index `pair` slips in the iterative solver, or had a cold start in the direct solver. The
-    /// result is false unless its body B was due for a friction check in this update and belongs to an island built in place.
+    /// Returns whether the contact with index `pair` slips in the iterative solver. The result is false unless its body B is
+    /// calm, was due for a friction check in this update, and belongs to an island built in place.
     fn is_slipping(&self, pair: usize) -> bool {
         let body = self.pairs.bodies_of(self.proxies, pair)[1].0;
         let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } = self.history[body];
@@ -93,12 +90,11 @@ impl SolverSelection<'_> {
             && friction_check_in == 1 << (friction_checks - 1).min(FRICTION_CHECK_MAX_DOUBLINGS);
         let velocity = |body: u32| self.bodies.states[body as usize].velocity;
         let is_calm = || !self.exceeds_calm_speed(velocity(body as u32));
-        let constraint = self.pairs.constraint(pair).filter(|_| was_checked && !formed_by_motion);
+        let constraint = self.pairs.constraint(pair).filter(|(_, handle)| {
+            was_checked && !formed_by_motion && !handle.is_in_direct_solver() && is_calm()
+        });
         let limit = SLIP_SPEED * self.parameters.length_unit;
-        constraint.is_some_and(|(kind, handle)| {
-            handle.is_in_direct_solver()
-                || (is_calm() && slips(&self.constraints.get(kind, handle), &velocity, limit))
-        })
+        constraint.is_some_and(|(kind, handle)| slips(&self.constraints.get(kind, handle), &velocity, limit))
     }
 
     /// Returns whether the linear velocity `x`, `y` (length units/s) of a body is faster than [`CALM_ISLAND_MAX_SPEED`].
@@ -122,7 +118,7 @@ impl SolverSelection<'_> {
         {
             let (stats, history) = (census.stats_of(body as u32), self.history[body]);
             stats.bodies += 1;
-            stats.direct_bodies += u32::from(history.is_direct && history.friction_checks == 0);
+            stats.direct_bodies += u32::from(history.is_direct);
             stats.has_unsupported_joint |= self.has_depth && self.joints.has_joint(body);
             stats.was_paused |= history.back_off > 0;
             stats.pause = stats.pause.max(history.pause);
