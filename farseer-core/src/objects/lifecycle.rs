@@ -138,13 +138,15 @@ impl Objects {
 
     /// Moves added objects into their lists. Returns the geoms among them.
     pub(crate) fn process_added(&mut self, mut report: impl FnMut(ObjectId)) -> Vec<GeomId> {
+        self.has_new_structure |= self.geoms.renumber_if_exhausted();
+        self.bodies.renumber_if_exhausted();
         let entered = self.geoms.process_added();
         for &geom in &entered {
             self.geoms[geom].in_simulation = true;
             report(geom.into());
         }
         let bodies = self.bodies.process_added();
-        self.has_new_members |= !entered.is_empty() || !bodies.is_empty();
+        self.note_new_members(&bodies, &entered);
         bodies.into_iter().for_each(|body| report(body.into()));
         self.controllers.process_added().into_iter().for_each(|controller| report(controller.into()));
         let joints = self.joints.process_added();
@@ -162,7 +164,7 @@ impl Objects {
             report(geom.into());
         }
         let bodies = self.bodies.process_removed();
-        self.has_new_members |= !left.is_empty() || !bodies.is_empty();
+        self.note_new_members(&bodies, &left);
         bodies.into_iter().for_each(|body| report(body.into()));
         self.controllers.process_removed().into_iter().for_each(|controller| report(controller.into()));
         let joints = self.joints.process_removed();
@@ -170,6 +172,13 @@ impl Objects {
         joints.into_iter().for_each(|joint| report(joint.into()));
         self.springs.process_removed().into_iter().for_each(|spring| report(spring.into()));
         left
+    }
+
+    /// Notes bodies and geoms that have entered or left their lists.
+    fn note_new_members(&mut self, bodies: &[BodyId], geoms: &[GeomId]) {
+        self.has_new_members |= !(geoms.is_empty() && bodies.is_empty());
+        self.new_members.bodies.extend_from_slice(bodies);
+        self.new_members.geoms.extend_from_slice(geoms);
     }
 
     /// Whether an object was added, removed or disposed since the last update.
@@ -190,7 +199,7 @@ impl Objects {
         let left = self.geoms.process_disposed();
         left.iter().for_each(|&geom| report(geom.into()));
         let bodies = self.bodies.process_disposed();
-        self.has_new_members |= !left.is_empty() || !bodies.is_empty();
+        self.note_new_members(&bodies, &left);
         bodies.into_iter().for_each(|body| report(body.into()));
         self.controllers.process_disposed().into_iter().for_each(|controller| report(controller.into()));
         self.springs.process_disposed().into_iter().for_each(|spring| report(spring.into()));
@@ -237,6 +246,7 @@ impl Objects {
         self.touched_bodies.clear();
         self.touched_geoms.clear();
         self.pending.clear();
+        self.new_members.clear();
         self.grids = Default::default();
     }
 }

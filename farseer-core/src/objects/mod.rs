@@ -25,8 +25,9 @@ use crate::limits::Limits;
 use crate::methods::Methods;
 use crate::report::PendingEvent;
 use crate::springs::{Spring, SpringId};
-use crate::storage::arena::stale;
+use crate::storage::arena::{Id as _, stale};
 use crate::storage::collection::Collection;
+use crate::storage::order::sort_by_number;
 use crate::storage::reusing_clone::reusing_clone;
 
 pub use creating::GeomPlacement;
@@ -94,6 +95,8 @@ pub struct Objects {
     /// Whether bodies or geoms have entered or left their lists; `has_new_structure`: whether others have changed
     /// without being borrowed.
     pub(crate) has_new_members: bool,
+    /// The bodies and geoms that have entered or left their lists since `has_new_members` was last cleared. Not saved.
+    pub(crate) new_members: NewMembers,
     pub(crate) has_new_structure: bool,
     /// Whether the game has borrowed joints mutably since this flag was last cleared.
     pub(crate) has_edited_joints: bool,
@@ -107,7 +110,47 @@ pub struct Objects {
 reusing_clone! {
     Objects {
         bodies, geoms, controllers, joints, springs, next_geom_number, touched_bodies,
-        touched_geoms, pending, methods, has_new_members, has_new_structure, has_edited_joints, has_edited_drives, limits, grids
+        touched_geoms, pending, methods, has_new_members, new_members, has_new_structure, has_edited_joints, has_edited_drives, limits, grids
+    }
+}
+
+/// Bodies and geoms that have entered or left their lists, in the order in which they did, perhaps more than once.
+#[derive(Debug, Default)]
+pub(crate) struct NewMembers {
+    pub(crate) bodies: Vec<BodyId>,
+    pub(crate) geoms: Vec<GeomId>,
+}
+
+reusing_clone! { NewMembers { bodies, geoms } }
+
+impl NewMembers {
+    /// Sorts the bodies and geoms by their slots, and drops repetitions.
+    pub(crate) fn sort(&mut self) {
+        sort_by_number(&mut self.bodies, |body| body.rank());
+        sort_by_number(&mut self.geoms, |geom| geom.rank());
+        self.bodies.dedup();
+        self.geoms.dedup();
+    }
+
+    /// Returns whether the list of entered and left bodies has this body. The list is sorted.
+    pub(crate) fn has_body(&self, body: BodyId) -> bool {
+        self.bodies.binary_search_by_key(&body.rank(), |other| other.rank()).is_ok()
+    }
+
+    /// Returns whether the list of entered and left geoms has this geom. The list is sorted.
+    pub(crate) fn has_geom(&self, geom: GeomId) -> bool {
+        self.geoms.binary_search_by_key(&geom.rank(), |other| other.rank()).is_ok()
+    }
+
+    /// Forgets all.
+    pub(crate) fn clear(&mut self) {
+        self.bodies.clear();
+        self.geoms.clear();
+    }
+
+    /// Returns whether nothing has entered or left.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.bodies.is_empty() && self.geoms.is_empty()
     }
 }
 
@@ -126,6 +169,7 @@ impl Objects {
             pending: Vec::new(),
             methods: Methods::default(),
             has_new_members: false,
+            new_members: NewMembers::default(),
             has_new_structure: false,
             has_edited_joints: false,
             has_edited_drives: false,

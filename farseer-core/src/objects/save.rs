@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Objects;
 use super::creating::MAX_GEOM_NUMBERS;
+use super::{NewMembers, Objects};
 use crate::body::entry::{Bodies, BodyEntry};
 use crate::body::missing_body::check_bodies;
 use crate::body::{BodyId, Pose};
@@ -34,6 +34,9 @@ pub(crate) struct SavedObjects {
     pending: Vec<PendingEvent>,
     methods: Methods,
     has_new_members: bool,
+    /// Not saved: the precise set lists all bodies of a loaded simulator anew.
+    #[serde(skip)]
+    new_members: NewMembers,
     has_new_structure: bool,
     /// Not saved: a loaded simulator reads all joints.
     #[serde(skip)]

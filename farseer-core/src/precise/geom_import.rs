@@ -37,18 +37,18 @@ impl ProxyImport<'_> {
             }
             self.ids.add_geom(id, self.proxies.all.len());
             for piece in 0..geom.pieces().len() {
-                if let Some(proxy) = self.proxy(at, piece) {
+                if let Some(proxy) = self.proxy(id, piece) {
                     self.proxies.push(proxy);
                 }
             }
         }
     }
 
-    /// Adds the proxies of the geom at the position `at` of the simulator's list, where the lists have room.
-    pub(super) fn add(&mut self, at: usize) {
-        let Some((id, geom)) = self.objects.geoms.at(at) else { return };
+    /// Adds the proxies of a geom, where the lists have room.
+    pub(super) fn add(&mut self, id: GeomId) {
+        let Some(geom) = self.objects.geoms.get(id) else { return };
         for piece in 0..geom.pieces().len() {
-            let Some(proxy) = self.proxy(at, piece).and_then(|proxy| self.proxies.add(proxy)) else {
+            let Some(proxy) = self.proxy(id, piece).and_then(|proxy| self.proxies.add(proxy)) else {
                 continue;
             };
             if piece == 0 {
@@ -57,10 +57,10 @@ impl ProxyImport<'_> {
         }
     }
 
-    /// Returns the proxy of one convex piece of a geom in its current state; `None` if its body is not listed. `at`: position
-    /// of the geom in the simulator's list. Its shape is added to the vertex pool.
-    fn proxy(&mut self, at: usize, piece: usize) -> Option<Proxy> {
-        let (id, geom) = self.objects.geoms.at(at)?;
+    /// Returns the proxy of one convex piece of a geom in its current state; `None` if its body is not listed. Its
+    /// shape is added to the vertex pool.
+    fn proxy(&mut self, id: GeomId, piece: usize) -> Option<Proxy> {
+        let geom = self.objects.geoms.get(id)?;
         let body = self.ids.body_index(geom.body)?;
         let body_type = match body < self.bodies.first_static() {
             false => BodyType::Fixed,
@@ -78,7 +78,7 @@ impl ProxyImport<'_> {
             owner: owner_of(id),
             is_world: false,
             piece: piece as u32,
-            list_index: at as u32,
+            list_key: self.objects.geoms.list_key(id),
             creation_number: geom.number,
             body: body as u32,
             body_type,

@@ -28,8 +28,8 @@ reusing_clone! { IdTable { bodies, body_indices, first_proxies } }
 /// A geom that every AABB query of the game tests, because no fat AABB of the grid is known to cover it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlwaysTested {
-    /// Index of the geom in the simulator's list of geoms.
-    pub(super) list_index: u32,
+    /// Number by which geoms are sorted as in the simulator's list.
+    pub(super) list_key: u32,
     pub(super) geom: GeomId,
 }
 

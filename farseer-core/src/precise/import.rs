@@ -24,7 +24,7 @@ use super::solver::narrow_phase::pair_lifetime::initial_one_way_state;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::filter::{is_valid_pair, may_keep_touching};
-use crate::objects::Objects;
+use crate::objects::{NewMembers, Objects};
 
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.
@@ -159,14 +159,19 @@ impl Precise {
     fn apply_edits(&mut self, objects: &Objects) {
         let (mut bodies, mut geoms) =
             (std::mem::take(&mut self.edits.bodies), std::mem::take(&mut self.edits.geoms));
-        self.edits.needs_rebuild =
-            self.edits.needs_rebuild || self.must_rebuild_for(&bodies, &geoms, objects);
+        self.edits.needs_rebuild = self.edits.needs_rebuild
+            || geoms.iter().any(|&geom| self.listed(objects).has_changed_filter(geom));
+        if !self.edits.needs_rebuild {
+            self.list_changed_types(&bodies, objects);
+        }
         let has_new_members = std::mem::take(&mut self.edits.has_membership_changes);
+        let mut new_members = std::mem::take(&mut self.edits.new_members);
         let had_one_way = self.solver.proxies.one_way_count > 0;
         let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
         if has_new_members {
-            self.edits.needs_rebuild =
-                self.edits.needs_rebuild || self.loaded.is_some() || !self.apply_add_remove(objects);
+            self.edits.needs_rebuild = self.edits.needs_rebuild
+                || self.loaded.is_some()
+                || !self.apply_add_remove(&new_members, objects);
         }
         debug_assert!(
             self.edits.needs_rebuild || !self.has_unmarked_change(objects),
@@ -189,7 +194,8 @@ impl Precise {
         }
         bodies.clear();
         geoms.clear();
-        (self.edits.bodies, self.edits.geoms) = (bodies, geoms);
+        new_members.clear();
+        (self.edits.bodies, self.edits.geoms, self.edits.new_members) = (bodies, geoms, new_members);
         self.wake_for_changed_joints(objects);
         self.wake_up();
         debug_assert!(
@@ -203,13 +209,22 @@ impl Precise {
         Listed { ids: &self.ids, bodies: &self.solver.bodies, proxies: &self.solver.proxies, objects }
     }
 
-    /// Returns whether one of the edited `bodies` has changed its type, or one of the edited `geoms` its filter. Added bodies
-    /// are handled by `apply_add_remove`.
-    fn must_rebuild_for(&self, bodies: &[BodyId], geoms: &[GeomId], objects: &Objects) -> bool {
-        let listed = self.listed(objects);
-        let is_new = |id: BodyId| !self.edits.has_membership_changes && is_simulated(id, objects);
-        let has_changed_type = |&id: &BodyId| listed.has_changed_type(id).unwrap_or_else(|| is_new(id));
-        bodies.iter().any(has_changed_type) || geoms.iter().any(|&geom| listed.has_changed_filter(geom))
+    /// Adds to the new members those of the edited `bodies` that have changed their type, or are simulated now and were not
+    /// before. They come with all of their geoms, as if they had left the simulator's lists and entered them again.
+    fn list_changed_types(&mut self, bodies: &[BodyId], objects: &Objects) {
+        let mut changed = NewMembers::default();
+        let (listed, members) = (self.listed(objects), &self.edits.new_members);
+        let is_new = |id: BodyId| is_simulated(id, objects) && !has_entered(id, members, objects);
+        for &id in bodies.iter().filter(|&&id| listed.has_changed_type(id).unwrap_or_else(|| is_new(id))) {
+            let Some(entry) = objects.bodies.get(id) else { continue };
+            changed.bodies.push(id);
+            let is_listed =
+                |&geom: &GeomId| objects.geoms.lifecycle_state(geom).is_some_and(|life| life.is_listed);
+            changed.geoms.extend(entry.geoms.iter().copied().filter(is_listed));
+        }
+        if !changed.bodies.is_empty() {
+            self.edits.mark_membership_changed(&mut changed);
+        }
     }
 
     /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.
@@ -230,6 +245,7 @@ impl Precise {
     /// `edits`: when edits made since that state take effect.
     pub(super) fn rebuild(&mut self, objects: &Objects, saved: &Saved, edits: EditPolicy) {
         (self.edits.needs_rebuild, self.edits.has_membership_changes) = (false, false);
+        self.edits.new_members.clear();
         // Indices of proxies change here, also if a handler has caused the rebuild in the middle of an update.
         self.solver.rolling_contacts.clear();
         self.invalidate_joints();
@@ -319,7 +335,7 @@ impl Precise {
         let Solver { depth, proxies, has_restitution, .. } = &mut self.solver;
         *has_restitution |= depth.as_mut().is_some_and(|space| space.add_moving_box_proxies(proxies));
         self.proxy_import(objects).push_all(|body| body < first_fixed);
-        self.solver.proxies.add_spare_positions();
+        self.solver.proxies.add_spare_positions(objects.geoms.list().len());
         self.proxy_import(objects).push_all(|body| body >= first_fixed);
         let Solver { depth, proxies, has_restitution, bodies, .. } = &mut self.solver;
         *has_restitution |= depth
@@ -346,6 +362,15 @@ impl Precise {
         let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
         piece_at(&self.solver.proxies, first? + piece as usize, (geom, piece))
     }
+}
+
+/// Returns whether a simulated body, if it is dynamic or kinematic, and all of its geoms are among the `members` that have
+/// entered the simulator's lists.
+fn has_entered(id: BodyId, members: &NewMembers, objects: &Objects) -> bool {
+    let Some(entry) = objects.bodies.get(id) else { return false };
+    let is_listed = |&&geom: &&GeomId| objects.geoms.lifecycle_state(geom).is_some_and(|life| life.is_listed);
+    (!entry.body.is_integrated() || members.has_body(id))
+        && entry.geoms.iter().filter(is_listed).all(|&geom| members.has_geom(geom))
 }
 
 /// Sets the greatest extent of a dynamic body without geoms to its radius of gyration, length units.

@@ -2,6 +2,7 @@
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
+use crate::objects::NewMembers;
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Edits of the game since the last import, and what that import has to know of earlier ones.
@@ -11,6 +12,8 @@ pub(crate) struct PendingEdits {
     pub(super) needs_rebuild: bool,
     /// Whether bodies or geoms were added or removed since the last import.
     pub(super) has_membership_changes: bool,
+    /// Ids of the bodies and geoms that were added or removed since the last import, in the order of their slots.
+    pub(super) new_members: NewMembers,
     /// Ids of bodies that the game borrowed for editing since the last import; the next import copies their properties.
     pub(super) bodies: Vec<BodyId>,
     /// Ids of geoms that the game borrowed for editing since the last import; the next import copies their properties.
@@ -21,7 +24,7 @@ pub(crate) struct PendingEdits {
     pub(super) disabled_bodies: Vec<BodyId>,
 }
 
-reusing_clone! { PendingEdits { needs_rebuild, has_membership_changes, bodies, geoms, wake_requests, disabled_bodies } }
+reusing_clone! { PendingEdits { needs_rebuild, has_membership_changes, new_members, bodies, geoms, wake_requests, disabled_bodies } }
 
 impl PendingEdits {
     /// Returns the edits of an empty engine, whose first import lists everything.
@@ -34,10 +37,14 @@ impl PendingEdits {
         self.needs_rebuild = true;
     }
 
-    /// Requests that the next import compares the engine's lists of bodies and geoms with those of the simulator, because some
-    /// were added or removed.
-    pub(crate) fn mark_membership_changed(&mut self) {
+    /// Requests that the next import adds the `new_members` to the engine's lists of bodies and geoms, or removes them. It lists
+    /// everything anew if `new_members` is empty, as after loading.
+    pub(crate) fn mark_membership_changed(&mut self, new_members: &mut NewMembers) {
         self.has_membership_changes = true;
+        self.needs_rebuild |= new_members.is_empty();
+        self.new_members.bodies.append(&mut new_members.bodies);
+        self.new_members.geoms.append(&mut new_members.geoms);
+        self.new_members.sort();
     }
 
     /// Adds a body whose properties the next import copies, as they are then.

@@ -9,7 +9,7 @@ use crate::geom::entry::{GeomEntry, GeomPose};
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::Precise;
-use crate::precise::ids::AlwaysTested;
+use crate::precise::ids::{AlwaysTested, geom_of};
 use crate::precise::solver::parameters::broad_phase::{
     PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
 };
@@ -37,22 +37,23 @@ impl Precise {
         }
         let tolerance = QUERY_ROUNDING_RATIO * coordinate_sum;
         let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
-        let mut list_indices: Vec<u32> = self.always_tested.iter().map(|tested| tested.list_index).collect();
-        solver.grid.for_each_overlap(&bounds, |proxy| {
-            list_indices.push(solver.proxies.all[proxy as usize].list_index)
-        });
+        // Each geom after the key by which the list is sorted.
+        let of_proxy = |proxy: u32| {
+            let proxy = &solver.proxies.all[proxy as usize];
+            (proxy.list_key, geom_of(proxy))
+        };
+        let mut found: Vec<(u32, GeomId)> =
+            self.always_tested.iter().map(|tested| (tested.list_key, tested.geom)).collect();
+        solver.grid.for_each_overlap(&bounds, |proxy| found.push(of_proxy(proxy)));
         let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
         for &geom in
             edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms)
         {
-            list_indices
-                .extend(self.proxy_of(geom, 0).map(|proxy| solver.proxies.all[proxy as usize].list_index));
+            found.extend(self.proxy_of(geom, 0).map(of_proxy));
         }
-        list_indices.sort_unstable();
-        list_indices.dedup();
-        let list = objects.geoms.list();
-        // A damaged snapshot may hold an index beyond the list.
-        list_indices.into_iter().map(|index| list.get(index as usize).copied()).collect()
+        found.sort_unstable_by_key(|&(key, _)| key);
+        found.dedup_by_key(|&mut (key, _)| key);
+        Some(found.into_iter().map(|(_, geom)| geom).collect())
     }
 
     /// Stores the geoms that every AABB query tests in `always_tested`.
@@ -62,7 +63,7 @@ impl Precise {
         for at in 0..objects.geoms.list().len() {
             let Some((id, geom)) = objects.geoms.at(at) else { continue };
             if !self.proxy_covers_geom(id, geom) {
-                always_tested.push(AlwaysTested { list_index: at as u32, geom: id });
+                always_tested.push(AlwaysTested { list_key: objects.geoms.list_key(id), geom: id });
             }
         }
         self.always_tested = always_tested;

@@ -60,13 +60,15 @@ impl PhysicsSimulator {
     fn process_added(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let entered = objects.process_added(|object| report_added(report, handler, object));
-        entered.into_iter().for_each(|geom| pipeline.broad_phase.add(geom, &objects.geoms));
+        if pipeline.precise.is_none() {
+            entered.into_iter().for_each(|geom| pipeline.broad_phase.add(geom, &objects.geoms));
+        }
     }
 
     fn process_removed(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, contacts, pipeline, report, .. } = self;
         let left = objects.process_removed(|object| report_removed(report, handler, object));
-        if !left.is_empty() {
+        if !left.is_empty() && pipeline.precise.is_none() {
             contacts.remove_arbiters_of(&left);
             pipeline.broad_phase.retain(|geom| objects.geoms[geom].in_simulation, &objects.geoms);
         }
@@ -75,7 +77,7 @@ impl PhysicsSimulator {
     fn process_disposed(&mut self, handler: &mut Handler<'_>) {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         let left = objects.process_disposed(|object| report_removed(report, handler, object));
-        if !left.is_empty() {
+        if !left.is_empty() && pipeline.precise.is_none() {
             pipeline.broad_phase.retain(|geom| !objects.geoms.is_disposed(geom), &objects.geoms);
         }
     }

@@ -351,7 +351,8 @@ impl PhysicsSimulator {
             Methods::Precise { .. } if methods == self.objects.methods => {}
             Methods::Precise { length_unit } => {
                 self.contacts = Default::default();
-                self.rebuild_broad_phase(methods.broad());
+                // It stays empty: the precise set has a broad phase of its own.
+                self.pipeline.broad_phase = BroadPhase::new(methods.broad());
                 self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
             }
         }

@@ -122,7 +122,7 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             if std::mem::take(&mut objects.has_new_members) {
-                precise.edits.mark_membership_changed();
+                precise.edits.mark_membership_changed(&mut objects.new_members);
             }
             if std::mem::take(&mut objects.has_new_structure) {
                 precise.edits.mark_stale();
@@ -135,6 +135,7 @@ impl PhysicsSimulator {
             }
             precise.import_edits(objects);
         }
+        objects.new_members.clear();
     }
 
     fn wake_disturbed(&mut self) {

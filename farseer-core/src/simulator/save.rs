@@ -11,6 +11,7 @@
 use serde::{Deserialize, Deserializer, de::Error as _};
 
 use super::{PhysicsSimulator, Settings};
+use crate::broad_phase::BroadPhase;
 use crate::contacts::arbiter::ArbiterList;
 use crate::limits::Limits;
 use crate::objects::{Objects, SavedObjects};
@@ -68,6 +69,10 @@ impl SavedSimulator {
         let mut simulator = self.0;
         simulator.set_limits(limits);
         simulator.objects.sample_grids()?;
+        if simulator.pipeline.precise.is_some() {
+            // Saves of former versions list geoms here, which the precise set does not use.
+            simulator.pipeline.broad_phase = BroadPhase::new(simulator.objects.methods.broad());
+        }
         // An engine with depth must set its depth data first.
         if let Some(precise) = simulator.pipeline.precise.as_mut().filter(|precise| !precise.has_depth()) {
             precise.rebuild_from_loaded(&mut simulator.objects);

@@ -8,6 +8,10 @@ use crate::storage::order::sort_numbered;
 use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
 
+/// Number of list entries for each leaving object from which on the object is found by its key, instead of by a walk over the
+/// list. Value chosen; a search costs about as much as a walk over this many entries.
+const LIST_LENGTH_PER_SEARCH: usize = 16;
+
 /// Position of an object in its lifecycle.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct LifecycleState {
@@ -30,6 +34,7 @@ reusing_clone! { [T: Clone] CollectionEntry<T> { value, life } }
 
 /// Objects of one kind that enter and leave their list with updates.
 #[derive(Debug, Serialize, Deserialize)]
+#[serde(from = "SavedCollection<T, I>", bound(deserialize = "T: Deserialize<'de>, I: Id + Deserialize<'de>"))]
 pub(crate) struct Collection<T, I> {
     entries: Arena<CollectionEntry<T>, I>,
     list: Vec<I>,
@@ -37,9 +42,38 @@ pub(crate) struct Collection<T, I> {
     removed: Vec<I>,
     /// Disposed objects: their ids go stale with the next update.
     disposed: Vec<I>,
+    /// For each listed object, by its slot, a number that increases along the list. It stays while the object is listed.
+    #[serde(skip)]
+    list_keys: Vec<u32>,
+    /// Smallest number that exceeds the `list_keys` of all listed objects.
+    #[serde(skip)]
+    next_list_key: u32,
 }
 
-reusing_clone! { [T: Clone, I: Clone] Collection<T, I> { entries, list, added, removed, disposed } }
+reusing_clone! {
+    [T: Clone, I: Clone] Collection<T, I> { entries, list, added, removed, disposed, list_keys, next_list_key }
+}
+
+/// Saved form of a [`Collection`].
+#[derive(Deserialize)]
+#[serde(bound(deserialize = "T: Deserialize<'de>, I: Deserialize<'de>"))]
+struct SavedCollection<T, I> {
+    entries: Arena<CollectionEntry<T>, I>,
+    list: Vec<I>,
+    added: Vec<I>,
+    removed: Vec<I>,
+    disposed: Vec<I>,
+}
+
+impl<T, I: Id> From<SavedCollection<T, I>> for Collection<T, I> {
+    fn from(saved: SavedCollection<T, I>) -> Self {
+        let SavedCollection { entries, list, added, removed, disposed } = saved;
+        let mut loaded =
+            Collection { entries, list, added, removed, disposed, list_keys: Vec::new(), next_list_key: 0 };
+        loaded.renumber_list();
+        loaded
+    }
+}
 
 impl<T, I> Default for Collection<T, I> {
     fn default() -> Self {
@@ -49,7 +83,47 @@ impl<T, I> Default for Collection<T, I> {
             added: Vec::new(),
             removed: Vec::new(),
             disposed: Vec::new(),
+            list_keys: Vec::new(),
+            next_list_key: 0,
         }
+    }
+}
+
+/// Positions in the list.
+impl<T, I: Id> Collection<T, I> {
+    /// Gives the listed objects the keys 0, 1, ... along the list.
+    fn renumber_list(&mut self) {
+        // A slot beyond the end is damaged data, which `is_consistent` refuses.
+        self.list_keys.resize(self.entries.slot_count(), 0);
+        self.next_list_key = 0;
+        for id in &self.list {
+            if let Some(key) = self.list_keys.get_mut(id.index()) {
+                *key = self.next_list_key;
+            }
+            self.next_list_key += 1;
+        }
+    }
+
+    /// Returns a number of a listed object by which objects are sorted as in the list.
+    #[inline]
+    pub(crate) fn list_key(&self, id: I) -> u32 {
+        self.list_keys.get(id.index()).copied().unwrap_or(u32::MAX)
+    }
+
+    /// Returns the position of an object in the list; `None` if it is not listed.
+    fn position(&self, id: I) -> Option<usize> {
+        let at = self.list.binary_search_by_key(&self.list_key(id), |&other| self.list_key(other)).ok()?;
+        (self.list[at].rank() == id.rank()).then_some(at)
+    }
+
+    /// Renumbers the list if there are no numbers left for objects that wait to enter. Returns whether it did.
+    pub(crate) fn renumber_if_exhausted(&mut self) -> bool {
+        let left = usize::try_from(u32::MAX - self.next_list_key).unwrap_or(usize::MAX);
+        let is_exhausted = left <= self.added.len();
+        if is_exhausted {
+            self.renumber_list();
+        }
+        is_exhausted
     }
 }
 
@@ -205,6 +279,13 @@ impl<T, I: Id + Ord> Collection<T, I> {
             entry.life.is_queued = false;
             !std::mem::replace(&mut entry.life.is_listed, true)
         });
+        for &id in &entered {
+            if self.list_keys.len() <= id.index() {
+                self.list_keys.resize(self.entries.slot_count(), 0);
+            }
+            self.list_keys[id.index()] = self.next_list_key;
+            self.next_list_key += 1;
+        }
         self.list.extend_from_slice(&entered);
         entered
     }
@@ -218,23 +299,45 @@ impl<T, I: Id + Ord> Collection<T, I> {
             entry.life.is_listed = false;
             true
         });
-        if !left.is_empty() {
-            self.list.retain(|&id| self.entries[id].life.is_listed);
-        }
+        self.drop_from_list(&left, |life| !life.is_listed);
         left
     }
 
     /// Moves disposed objects out of the list, in list order; returns them.
     pub(crate) fn process_disposed(&mut self) -> Vec<I> {
+        let disposed = std::mem::take(&mut self.disposed);
+        let left = self.drop_from_list(&disposed, |life| life.is_disposed);
+        self.disposed = disposed;
+        left
+    }
+
+    /// Drops the `leaving` objects from the list, for which `is_leaving` is true and for no other object of the list. Returns
+    /// those that were listed, in list order.
+    ///
+    /// A few objects are found by their keys, so that the cost does not grow with the other objects, but for moving the end of
+    /// the list.
+    fn drop_from_list(&mut self, leaving: &[I], is_leaving: impl Fn(&LifecycleState) -> bool) -> Vec<I> {
         let mut left = Vec::new();
-        if !self.disposed.is_empty() {
+        if leaving.len() > self.list.len() / LIST_LENGTH_PER_SEARCH {
             let entries = &self.entries;
             self.list.retain(|&id| {
-                let stays = !entries[id].life.is_disposed;
+                let stays = !is_leaving(&entries[id].life);
                 left.extend((!stays).then_some(id));
                 stays
             });
+            return left;
         }
+        let mut positions: Vec<usize> = leaving.iter().filter_map(|&id| self.position(id)).collect();
+        positions.sort_unstable();
+        positions.dedup();
+        left.extend(positions.iter().map(|&at| self.list[at]));
+        let mut end = positions.first().copied().unwrap_or(self.list.len());
+        let nexts = positions.iter().copied().skip(1).chain([self.list.len()]);
+        for (&at, next) in positions.iter().zip(nexts) {
+            self.list.copy_within(at + 1..next, end);
+            end += next - at - 1;
+        }
+        self.list.truncate(end);
         left
     }
 
@@ -250,6 +353,8 @@ impl<T, I: Id + Ord> Collection<T, I> {
         for list in [&mut self.list, &mut self.added, &mut self.removed, &mut self.disposed] {
             list.clear();
         }
+        self.list_keys.clear();
+        self.next_list_key = 0;
     }
 
     /// Whether lists and flags agree. False only after loading corrupt data.

@@ -9,14 +9,14 @@ use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::ids::geom_of;
 use crate::precise::solver::broad_phase::pairs::CachedManifold;
-use crate::precise::solver::broad_phase::proxies::Proxy;
+use crate::precise::solver::broad_phase::proxies::{Proxies, Proxy};
 use crate::precise::solver::constraint_graph::{
     ConstraintHandle, ConstraintKind, ContactConstraint, ContactConstraintZ,
 };
 use crate::precise::solver::depth::interface::DepthInterval;
 use crate::precise::solver::direct_solver::IslandHistory;
 use crate::precise::solver::narrow_phase::TouchEvent;
-use crate::storage::order::sort_by_number;
+use crate::storage::order::{packed_key, sort_by_number};
 
 impl Precise {
     /// Returns the state to save: the current state or, between loading and the next rebuild, the loaded one.
@@ -27,24 +27,23 @@ impl Precise {
         }
         let mut has_escaped = vec![false; solver.proxies.all.len()];
         solver.proxies.refitted.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
-        let mut saved_indices = Vec::with_capacity(solver.proxies.all.len());
-        let mut count = 0;
-        for proxy in &solver.proxies.all {
-            saved_indices.push(count);
-            count += u32::from(!proxy.is_empty());
-        }
         let depth = solver.depth.as_ref();
-        let listed = solver.proxies.all.iter().enumerate().filter(|(_, proxy)| !proxy.is_empty());
-        let proxies = listed.map(|(at, proxy)| SavedProxy {
-            geom: geom_of(proxy),
-            number: proxy.creation_number,
-            piece: proxy.piece,
-            body_type: proxy.body_type,
-            fat_aabb: solver.proxies.fat_aabbs[at],
-            depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
-            travel: solver.proxies.travel[at],
-            is_refitted: has_escaped[at],
-            imported: self.imported_state_of(at),
+        let order = saved_proxy_order(&solver.proxies);
+        let mut saved_indices = vec![0; solver.proxies.all.len()];
+        (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = index);
+        let proxies = order.iter().map(|&at| {
+            let proxy = &solver.proxies.all[at];
+            SavedProxy {
+                geom: geom_of(proxy),
+                number: proxy.creation_number,
+                piece: proxy.piece,
+                body_type: proxy.body_type,
+                fat_aabb: solver.proxies.fat_aabbs[at],
+                depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
+                travel: solver.proxies.travel[at],
+                is_refitted: has_escaped[at],
+                imported: self.imported_state_of(at),
+            }
         });
         Saved {
             tuning: solver.parameters,
@@ -243,4 +242,19 @@ impl Precise {
 fn depth_impulses_of(depth: ContactConstraintZ) -> [f32; 6] {
     let [one, other, along, across] = depth.totals;
     [depth.across_impulse, depth.twist_impulse, one, other, along, across]
+}
+
+/// Returns the indices of all proxies in the order in which a rebuild would list them. Only those of static bodies may be listed in
+/// another order, after bodies have become static.
+fn saved_proxy_order(proxies: &Proxies) -> Vec<usize> {
+    let all = &proxies.all;
+    let mut order: Vec<usize> = (0..all.len()).filter(|&at| !all[at].is_empty()).collect();
+    let first = order.partition_point(|&at| at < proxies.first_fixed);
+    let end = first + order[first..].iter().take_while(|&&at| !all[at].is_world).count();
+    let key = |&at: &usize| packed_key([all[at].list_key, all[at].piece]);
+    let fixed = &mut order[first..end];
+    if !fixed.is_sorted_by_key(key) {
+        sort_by_number(fixed, key);
+    }
+    order
 }

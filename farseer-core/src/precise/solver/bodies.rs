@@ -55,7 +55,7 @@ pub(in crate::precise) struct ListedBody {
     pub(in crate::precise) is_bullet: bool,
 }
 
-/// Returns the number of spare entries for a list of `count` bodies or proxies.
+/// Returns the number of spare entries for lists of `count` bodies or proxies, static ones included.
 pub(in crate::precise) fn spare_capacity(count: usize) -> usize {
     count / BODIES_PER_SPARE_POSITION + MIN_SPARE_POSITIONS
 }
@@ -164,7 +164,8 @@ impl BodySet {
     }
 
     /// Lists all bodies anew: moving boxes of `twohalf`, then dynamic and kinematic bodies, spare capacity and static bodies.
-    /// `moving`: pose and rotation (radians) of each moving box. Memory is reserved for `count` bodies.
+    /// `moving`: pose and rotation (radians) of each moving box. Memory is reserved for `count` bodies of all types, and the spare
+    /// capacity is in proportion to them: the cost of a rebuild grows with all, so that it has to come the more seldom.
     pub(in crate::precise) fn rebuild(
         &mut self,
         count: usize,
@@ -201,7 +202,7 @@ impl BodySet {
         });
         self.last_movable = self.poses.len() - 1;
         self.movable_count = self.poses.len() - first;
-        let padded = (self.poses.len() + spare_capacity(self.last_movable)).next_multiple_of(4);
+        let padded = (self.poses.len() + spare_capacity(count)).next_multiple_of(4);
         (self.poses.len()..padded).for_each(|_| self.push_placeholder());
         statics.for_each(|body| self.push_body(&body));
         self.has_body.resize(padded, false);

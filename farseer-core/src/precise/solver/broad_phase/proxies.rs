@@ -54,8 +54,8 @@ pub(in crate::precise) struct Proxy {
     pub(in crate::precise) is_world: bool,
     /// Index of the piece among the convex pieces of its geom.
     pub(in crate::precise) piece: u32,
-    /// Index of the geom in the simulator's list of geoms; for a world box its index in the list of world boxes.
-    pub(in crate::precise) list_index: u32,
+    /// Number by which geoms are sorted as in the simulator's list; for a world box its index in the list of world boxes.
+    pub(in crate::precise) list_key: u32,
     /// Creation number of the geom. It determines the order of pairs.
     pub(in crate::precise) creation_number: u32,
     /// Index of the body in [`BodySet`]; 0 for a free position.
@@ -90,7 +90,7 @@ impl Proxy {
             owner: u64::MAX,
             is_world: true,
             piece: 0,
-            list_index: 0,
+            list_key: 0,
             creation_number: 0,
             body: 0,
             body_type: BodyType::Fixed,
@@ -211,10 +211,12 @@ impl Proxies {
         self.vertices.reserve(4 * count);
     }
 
-    /// Appends the spare positions. It is called after the proxies of all non-static bodies were pushed.
-    pub(in crate::precise) fn add_spare_positions(&mut self) {
+    /// Appends the spare positions. It is called after the proxies of all non-static bodies were pushed. `count`: number of geoms,
+    /// those of static bodies included.
+    pub(in crate::precise) fn add_spare_positions(&mut self, count: usize) {
         self.movable_end = self.all.len();
-        self.first_fixed = (self.movable_end + spare_capacity(self.movable_end)).next_multiple_of(4);
+        let spare = spare_capacity(count.max(self.movable_end));
+        self.first_fixed = (self.movable_end + spare).next_multiple_of(4);
         while self.all.len() < self.first_fixed {
             self.push(Proxy::empty());
         }
@@ -253,6 +255,13 @@ impl Proxies {
         }
         self.next[at] = std::mem::replace(&mut self.heads[body], at as u32);
         Some(at)
+    }
+
+    /// Returns the last proxy of a geom of a non-static body for whose index `is_wanted` returns true.
+    pub(in crate::precise) fn last_movable(&self, is_wanted: impl Fn(usize) -> bool) -> Option<&Proxy> {
+        let proxies = self.all[..self.movable_end].iter().enumerate().rev();
+        let mut of_geoms = proxies.filter(|(_, proxy)| !(proxy.is_empty() || proxy.is_world));
+        of_geoms.find(|&(at, _)| is_wanted(at)).map(|(_, proxy)| proxy)
     }
 
     /// Removes a proxy, which must have no pairs. Its position becomes free.

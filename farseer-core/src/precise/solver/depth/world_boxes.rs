@@ -25,7 +25,7 @@ use crate::precise::solver::shape::Shape;
 use crate::precise::solver::slanted_box::SlantedBox;
 use crate::precise::solver::surface::SurfaceCoefficients;
 
-/// `Proxy::list_index` of the ground: an index beyond all world boxes, because the ground is none.
+/// `Proxy::list_key` of the ground: an index beyond all world boxes, because the ground is none.
 const NO_WORLD_BOX: u32 = u32::MAX;
 
 /// Changes of world boxes between updates.
@@ -75,7 +75,7 @@ impl DepthState {
 
     /// Returns the world box of a proxy; `None` for geoms and the ground.
     pub(super) fn world_box_of(&self, proxy: &Proxy) -> Option<&WorldBox> {
-        if proxy.is_world { self.world_boxes.get(proxy.list_index as usize) } else { None }
+        if proxy.is_world { self.world_boxes.get(proxy.list_key as usize) } else { None }
     }
 
     /// Returns whether a proxy is a world box that can rotate about the vertical axis.
@@ -193,7 +193,7 @@ impl DepthState {
         let still = self.world_boxes.len() - self.moving_boxes.len();
         self.ground_proxy = proxies.all.len() as u32;
         let ground =
-            Proxy { list_index: NO_WORLD_BOX, ..world_proxy(ground_numbers(), body_count - still - 1) };
+            Proxy { list_key: NO_WORLD_BOX, ..world_proxy(ground_numbers(), body_count - still - 1) };
         proxies.push(ground);
         let any_box_bounces = self.add_box_proxies(proxies, false);
         self.rebuild_proxies(proxies);
@@ -224,7 +224,7 @@ impl DepthState {
             any_bounces |= restitution > 0.0;
             self.box_proxies[place] = proxies.all.len() as u32;
             proxies.push(Proxy {
-                list_index: place as u32,
+                list_key: place as u32,
                 body_type: mobility,
                 shape,
                 fingerprint: Fingerprint::of_world_box(world_box),

@@ -99,7 +99,7 @@ impl DirectSolver {
             history.iter_mut().for_each(|entry| entry.is_direct = false);
         }
         jointed_bodies.clear();
-        if census.stats.iter().any(|of| of.joints > 0) {
+        if census.has_joints() {
             list_jointed_bodies((joints, springs), &mut census.union_find, jointed_bodies, sort_keys);
         }
         *count = 0;

@@ -1,5 +1,7 @@
 //! Facts about the islands of an update, and the reasons why the direct solver does not take an island.
 
+use std::ops::Range;
+
 use crate::precise::solver::island::report::SolverReason;
 use crate::precise::solver::island::union_find::UnionFind;
 use crate::precise::solver::parameters::direct::{
@@ -15,11 +17,36 @@ pub(in crate::precise) struct IslandCensus {
     pub(super) union_find: UnionFind,
     /// Facts about each island, by the body index that is its union-find root.
     pub(super) stats: Vec<IslandStats>,
+    /// Ranges of body indices with awake bodies in the last census. Outside of them each body is an island without facts, but
+    /// for contacts of sleeping bodies with kinematic ones.
+    awake_body_runs: Vec<Range<usize>>,
 }
 
-reusing_clone! { IslandCensus { union_find, stats } }
+reusing_clone! { IslandCensus { union_find, stats, awake_body_runs } }
 
 impl IslandCensus {
+    /// Makes each body an island without facts. `bodies`: number of body indices; `awake_body_runs`: ranges of the indices of
+    /// awake bodies, which contain all that the census is going to change.
+    pub(super) fn reset(&mut self, bodies: usize, awake_body_runs: &[Range<usize>]) {
+        if self.stats.len() == bodies {
+            for run in self.awake_body_runs.iter().chain(awake_body_runs) {
+                self.union_find.separate(run.clone());
+                self.stats[run.clone()].fill(IslandStats::default());
+            }
+        } else {
+            self.union_find.reset(bodies);
+            self.stats.clear();
+            self.stats.resize(bodies, IslandStats::default());
+        }
+        self.awake_body_runs.clear();
+        self.awake_body_runs.extend_from_slice(awake_body_runs);
+    }
+
+    /// Returns whether an island has a joint or a spring.
+    pub(super) fn has_joints(&self) -> bool {
+        self.awake_body_runs.iter().any(|run| self.stats[run.clone()].iter().any(|of| of.joints > 0))
+    }
+
     /// Returns the facts about the island of the body with index `body`.
     #[inline(always)]
     pub(in crate::precise) fn stats_of(&mut self, body: u32) -> &mut IslandStats {

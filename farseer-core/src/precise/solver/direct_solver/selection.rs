@@ -4,7 +4,7 @@
 
 use super::constraint::Jacobian;
 use super::island_history::IslandHistory;
-use super::island_stats::{IslandCensus, IslandStats};
+use super::island_stats::IslandCensus;
 use super::lateral_friction::blocks_planar_solution;
 use super::load::exceeds_mass_ratio;
 use crate::math::plane::Vector;
@@ -110,9 +110,8 @@ impl SolverSelection<'_> {
         census: &mut IslandCensus,
         velocity: &dyn Fn(u32) -> [f32; 4],
     ) {
+        census.reset(self.bodies.states.len(), &self.sleep.awake_body_runs);
         self.unite_bodies(&mut census.union_find);
-        census.stats.clear();
-        census.stats.resize(self.bodies.states.len(), IslandStats::default());
         for body in
             self.sleep.awake_bodies(self.bodies.last_movable).filter(|&body| !self.bodies.is_kinematic(body))
         {
@@ -173,7 +172,6 @@ impl SolverSelection<'_> {
 
     /// Unites in `union_find` the dynamic bodies that contacts connect, and in 2D also those that joints and springs connect.
     fn unite_bodies(&self, union_find: &mut UnionFind) {
-        union_find.reset(self.bodies.states.len());
         for pair in (0..self.pairs.awake_count).filter(|&pair| self.pairs.has_constraint(pair)) {
             if let [(a, BodyType::Dynamic), (b, BodyType::Dynamic)] = self.pairs.bodies_of(self.proxies, pair)
             {

@@ -31,6 +31,10 @@ const AWAKE: u32 = u32::MAX;
 /// Index in [`SleepState::next_in_ring`] that marks a list position without a body. It is no index of a body.
 const ABSENT: u32 = u32::MAX - 1;
 
+/// Number of bodies for each changed body or proxy from which on the ranges of awake bodies are updated one by one, instead of
+/// computed anew. Value chosen.
+const BODIES_PER_RUN_UPDATE: usize = 64;
+
 /// Sleep state of all bodies, in lists by body index: rest times, rings of sleeping bodies, and requests to wake.
 #[derive(Debug, Default)]
 pub(in crate::precise) struct SleepState {
@@ -83,6 +87,12 @@ reusing_clone! {
 #[inline(always)]
 fn is_asleep(next_in_ring: &[u32], body: usize) -> bool {
     next_in_ring.get(body).is_some_and(|&next| next < ABSENT)
+}
+
+/// Returns whether the body is there and awake, by [`SleepState::next_in_ring`].
+#[inline(always)]
+fn is_awake(next_in_ring: &[u32], body: u32) -> bool {
+    next_in_ring.get(body as usize) == Some(&AWAKE)
 }
 
 impl SleepState {
@@ -266,9 +276,28 @@ impl SleepState {
     /// Computes the index ranges of awake bodies and of their proxies. It is called after bodies have fallen asleep or woken.
     pub(in crate::precise) fn update_runs(&mut self, proxies: &Proxies) {
         let SleepState { next_in_ring, awake_body_runs, awake_proxy_runs, .. } = self;
-        let is_awake = |body: u32| next_in_ring.get(body as usize) == Some(&AWAKE);
-        runs(next_in_ring.len(), |number| is_awake(number as u32), awake_body_runs);
-        runs(proxies.first_fixed, |at| is_awake(proxies.all[at].body), awake_proxy_runs);
+        runs(next_in_ring.len(), |number| is_awake(next_in_ring, number as u32), awake_body_runs);
+        runs(proxies.first_fixed, |at| is_awake(next_in_ring, proxies.all[at].body), awake_proxy_runs);
+    }
+
+    /// Updates the index ranges of awake bodies and of their proxies, where some of these `bodies` or `proxies` have fallen asleep,
+    /// woken, or were added or removed. Both are indices.
+    pub(in crate::precise) fn update_runs_at(
+        &mut self,
+        bodies: &[usize],
+        changed_proxies: &[usize],
+        proxies: &Proxies,
+    ) {
+        let SleepState { next_in_ring, awake_body_runs, awake_proxy_runs, .. } = self;
+        if bodies.len() + changed_proxies.len() > next_in_ring.len() / BODIES_PER_RUN_UPDATE {
+            return self.update_runs(proxies);
+        }
+        for &body in bodies {
+            update_run(body, |number| is_awake(next_in_ring, number as u32), awake_body_runs);
+        }
+        for &proxy in changed_proxies.iter().filter(|&&proxy| proxy < proxies.first_fixed) {
+            update_run(proxy, |at| is_awake(next_in_ring, proxies.all[at].body), awake_proxy_runs);
+        }
     }
 
     /// Removes woken bodies from `loaded_bodies` and `newly_asleep`, and computes the index ranges of awake bodies anew.
@@ -322,6 +351,40 @@ impl SleepState {
     }
 }
 
+/// Updates the block of four that has the index `at` in `runs`, which hold ranges of blocks as [`runs`] computes them.
+fn update_run(at: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<usize>>) {
+    let block = at - at % 4;
+    let counts = (block..block + 4).any(is_there);
+    // The first run that ends after the block.
+    let next = runs.partition_point(|run| run.end <= block);
+    let was_counted = runs.get(next).is_some_and(|run| run.start <= block);
+    match (was_counted, counts) {
+        (false, true) => {
+            let joins_last = next > 0 && runs[next - 1].end == block;
+            let joins_next = runs.get(next).is_some_and(|run| run.start == block + 4);
+            match (joins_last, joins_next) {
+                (true, true) => runs[next - 1].end = runs.remove(next).end,
+                (true, false) => runs[next - 1].end = block + 4,
+                (false, true) => runs[next].start = block,
+                (false, false) => runs.insert(next, block..block + 4),
+            }
+        }
+        (true, false) => {
+            let Range { start, end } = runs[next].clone();
+            match (start == block, end == block + 4) {
+                (true, true) => drop(runs.remove(next)),
+                (true, false) => runs[next].start = block + 4,
+                (false, true) => runs[next].end = block,
+                (false, false) => {
+                    runs[next].end = block;
+                    runs.insert(next + 1, block + 4..end);
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
 /// Writes to `runs` the ranges of indices below `count` for which `is_there` holds, in blocks of four: a block counts if
 /// `is_there` holds for at least one of its indices.
 fn runs(count: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<usize>>) {
@@ -330,6 +393,26 @@ fn runs(count: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<usi
         match runs.last_mut() {
             Some(run) if run.end == block => run.end = block + 4,
             _ => runs.push(block..block + 4),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{runs, update_run};
+
+    #[test]
+    fn updated_runs_equal_those_that_are_computed_anew() {
+        let mut is_there = [false; 64];
+        let (mut updated, mut expected) = (Vec::new(), Vec::new());
+        let mut number = 1_u32;
+        for _ in 0..4000 {
+            number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let at = (number >> 16) as usize % is_there.len();
+            is_there[at] = !is_there[at] && number >> 30 > 0;
+            update_run(at, |index| is_there[index], &mut updated);
+            runs(is_there.len(), |index| is_there[index], &mut expected);
+            assert_eq!(updated, expected);
         }
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! Disjoint sets with path halving (R. Tarjan and J. van Leeuwen, "Worst-case analysis of set union algorithms", 1984).
 
+use std::ops::Range;
+
 use crate::storage::reusing_clone::reusing_clone;
 
 /// Disjoint sets of body indices, each an island. The representative of a set is its smallest index, so that the result does
@@ -26,6 +28,13 @@ impl UnionFind {
     pub(in crate::precise) fn reset(&mut self, count: usize) {
         self.parent.clear();
         self.parent.extend(0..count as u32);
+    }
+
+    /// Makes each of these `indices` a set of its own. No index outside of them may be in a set with one of them.
+    pub(in crate::precise) fn separate(&mut self, indices: Range<usize>) {
+        for (parent, index) in self.parent[indices.clone()].iter_mut().zip(indices) {
+            *parent = index as u32;
+        }
     }
 
     /// Returns the representative of the set that contains `index`: the smallest index of the set.

@@ -27,9 +27,12 @@ pub(super) fn assign_colors(
     body_count: usize,
     colored: &mut Vec<(u32, u32)>,
 ) {
+    colored.clear();
+    if joints.is_empty() {
+        return;
+    }
     let mut used = vec![0_u64; body_count];
     let mut counts = [0_usize; 2 * COLORS_PER_CLASS as usize];
-    colored.clear();
     colored.reserve(joints.len());
     for &index in joints {
         let ends = all[index as usize].anchors.map(|end| end.body as usize);

@@ -103,7 +103,11 @@ impl SpanningForest {
     /// Returns the forest of the joints `edges`, for body indices below `bodies`.
     ///
     /// Index 0 is the world. A second joint with the world closes a loop if a tree connects its body with the first one's.
+    /// Without joints no body has an entry, and the list of entries by body is empty.
     pub(super) fn new(edges: &[JointEdge], bodies: usize) -> Self {
+        if edges.is_empty() {
+            return SpanningForest::default();
+        }
         let (mut in_trees, mut in_articulations) = (UnionFind::new(bodies), UnionFind::new(bodies));
         let mut is_non_tree = vec![false; edges.len()];
         for (at, edge) in edges.iter().enumerate() {

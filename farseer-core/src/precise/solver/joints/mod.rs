@@ -233,6 +233,9 @@ impl JointSystem {
         let SpanningForest { articulations: mut plans, mut tree_index_of } =
             SpanningForest::new(&edges, bodies.first_static());
         plans.iter_mut().for_each(|group| group.map_joint_indices(&in_plane));
+        if !self.spatial.is_empty() {
+            tree_index_of.resize(bodies.first_static(), NO_TREE_INDEX);
+        }
         for &body in self.spatial.iter().flat_map(SpatialJointGroup::bodies) {
             // A mark that some joint holds the body; the index itself is not used.
             tree_index_of[body as usize] = 0;

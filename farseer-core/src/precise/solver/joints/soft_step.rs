@@ -55,9 +55,9 @@ impl SoftJoints {
         let alone = self.colored_joints.iter().filter(|&&(_, colour)| is_overflow(colour)).count();
         self.blocks.reserve(self.colored_joints.len().min(blocks + alone));
         self.jointed_bodies.reserve(bodies.min(2 * self.colored_joints.len()));
-        self.impacted_bodies.clear();
+        self.impacted_bodies.drain(..).for_each(|body| self.impacted_masks[body as usize] = 0);
+        // All masks are 0 here.
         for masks in [&mut self.jointed_masks, &mut self.impacted_masks] {
-            masks.clear();
             masks.resize(bodies, 0);
         }
     }

@@ -67,7 +67,7 @@ pub(in crate::precise) const PIECE_MAX_SHORTFALL_RATIO: f32 = 0.25;
 /// lists from frequent rebuilds. Value chosen; its sensitivity is not measured. Unit: dimensionless, a count.
 pub(in crate::precise) const MIN_EMPTY_POSITIONS_TO_COMPACT: usize = 64;
 
-/// Number of non-static bodies, or of their proxies, for each spare position after them in the list. Spare positions take new
+/// Number of bodies, or of their proxies, for each spare position after the non-static ones in the list. Spare positions take new
 /// objects without a rebuild of the list. Value chosen; its sensitivity is not measured. Unit: dimensionless.
 pub(in crate::precise) const BODIES_PER_SPARE_POSITION: usize = 8;
 
