@@ -138,8 +138,9 @@ impl IslandStats {
         self.has_contact_cycles() && self.bodies < CYCLIC_ISLAND_BODIES && self.joints == 0 && !self.has_depth
     }
 
-    /// Returns whether the direct solver gets this island on trial under the user's `choice`: it finds out whether the island
-    /// stands [by friction](super::island_solver::IslandSolver::stands_by_friction), and gives it to the iterative solver in the same update if not.
+    /// Returns whether the direct solver gets this island on trial under the user's `choice`. It finds out whether the island
+    /// stands [by friction](super::island_solver::IslandSolver::stands_by_friction). If not, the iterative solver has it in the
+    /// same update.
     ///
     /// This holds for a [small island with contact cycles](Self::is_small_cycle) that is built in place, before its first
     /// solution. In the iterative solver friction would slip during the first updates, since the contacts have no impulses yet.
