@@ -2,7 +2,8 @@
 //!
 //! New bodies and proxies are appended; removed ones leave an empty position. A body that becomes static or movable, enabled or
 //! disabled, is removed and added. The state is bit-identical to that after a
-//! [rebuild](Precise::rebuild), and the cost is proportional to the number of changes. With one-way geoms everything is rebuilt,
+//! [rebuild](Precise::rebuild). The cost is proportional to the number of changes, but for joints, which are imported anew, and
+//! geoms that every query tests. With one-way geoms everything is rebuilt,
 //! because their pair states depend on all bodies and geoms. The module reads the lists of the simulator and writes bodies,
 //! proxies, pairs, constraints and sleep.
 
@@ -51,6 +52,9 @@ impl Precise {
         let diff = MembershipDiff::new(&listed, changed, world_proxies)
             .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.solver.grid));
         let Some(members) = diff else { return false };
+        // As a rebuild does: a handler may have caused the import in the middle of an update, and only one of two worlds with
+        // equal snapshots may have the capacity to do without a rebuild.
+        self.solver.rolling_contacts.clear();
         self.remove_members(&members);
         for &id in &members.added_bodies {
             self.add_body(id, objects);
@@ -103,7 +107,8 @@ impl Precise {
             self.solver.narrow_phase().delete_pair(pair);
         }
         self.solver.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
-        for &proxy in removed_proxies {
+        // The list of a body begins with its newest proxy, so that descending order finds each at the head.
+        for &proxy in removed_proxies.iter().rev() {
             let removed = &self.solver.proxies.all[proxy as usize];
             let (geom, body) = (geom_of(removed), removed.body as usize);
             self.solver.grid.remove(proxy);
@@ -185,8 +190,8 @@ impl MembershipDiff {
     }
 
     /// Returns the bodies and geoms that were added and removed. `changed`: what has entered or left the simulator's lists.
-    /// `world_proxies`: number of proxies of world boxes and the ground. `None` if a body or geom has changed its type or its
-    /// place in the order.
+    /// `world_proxies`: number of proxies of world boxes and the ground. `None` if a movable body has changed its type, or a
+    /// body or geom its place in the order.
     fn new(listed: &Listed<'_>, changed: &NewMembers, world_proxies: usize) -> Option<Self> {
         let mut diff = MembershipDiff::default();
         changed.bodies.iter().try_for_each(|&id| diff.compare_body(listed, id))?;
@@ -200,7 +205,7 @@ impl MembershipDiff {
     }
 
     /// Finds out whether a body that has entered or left the simulator's list was added, removed or is disabled. Returns `None`
-    /// if it has changed its type or its place in the order.
+    /// if it is movable and has changed its type, or has changed its place in the order.
     fn compare_body(&mut self, listed: &Listed<'_>, id: BodyId) -> Option<()> {
         let bodies = &listed.objects.bodies;
         let index = listed.ids.body_index(id);

@@ -1,7 +1,7 @@
 //! Adapter: import of edits, which are moved and changed bodies and geoms, and the rebuild of all lists.
 //!
 //! The simulator marks edited bodies and geoms. [`import_edits`](Precise::import_edits) runs at the start of a step. It copies
-//! changed properties, invalidates affected pairs and wakes sleeping bodies. If a body or geom has changed its type or filter,
+//! changed properties, invalidates affected pairs and wakes sleeping bodies. If a movable body has changed its type or a geom its filter,
 //! everything is [rebuilt](Precise::rebuild) from the state that a snapshot would hold. The module reads the simulator's
 //! objects and writes bodies, proxies, pairs and sleep.
 
@@ -142,7 +142,7 @@ impl Precise {
 
     /// First stage of a step: applies edits, additions and removals of bodies and geoms to the lists.
     ///
-    /// If a body or geom has changed its type or filter, everything is rebuilt from the state before all edits, as after
+    /// If a movable body has changed its type or a geom its filter, everything is rebuilt from the state before all edits, as after
     /// loading a snapshot.
     pub(crate) fn import_edits(&mut self, objects: &Objects) {
         let has_edits = !(self.edits.bodies.is_empty() && self.edits.geoms.is_empty());

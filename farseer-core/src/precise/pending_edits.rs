@@ -8,7 +8,7 @@ use crate::storage::reusing_clone::reusing_clone;
 /// Edits of the game since the last import, and what that import has to know of earlier ones.
 #[derive(Debug, Default)]
 pub(crate) struct PendingEdits {
-    /// Whether the next import must list all bodies and proxies anew, for example because a body changed its type.
+    /// Whether the next import must list all bodies and proxies anew, for example because a geom changed its filter.
     pub(super) needs_rebuild: bool,
     /// Whether bodies or geoms were added or removed since the last import.
     pub(super) has_membership_changes: bool,
@@ -20,7 +20,8 @@ pub(crate) struct PendingEdits {
     pub(super) geoms: Vec<GeomId>,
     /// Ids of bodies that the game asked to wake since the last update.
     pub(super) wake_requests: Vec<BodyId>,
-    /// Ids of the bodies that were disabled at the last import. They have no body index.
+    /// Ids of the bodies that were disabled at the last rebuild; with debug assertions, which read them, at the last import.
+    /// They have no body index.
     pub(super) disabled_bodies: Vec<BodyId>,
 }
 
@@ -32,7 +33,7 @@ impl PendingEdits {
         PendingEdits { needs_rebuild: true, ..PendingEdits::default() }
     }
 
-    /// Requests a rebuild of all lists by the next import, because a body or geom has changed its type.
+    /// Requests a rebuild of all lists by the next import, because a change is none that the lists can follow one by one.
     pub(crate) fn mark_stale(&mut self) {
         self.needs_rebuild = true;
     }

@@ -45,8 +45,8 @@ pub enum SolverReason {
     Moves,
     /// Iterative: the island has contact cycles and fewer than 40 bodies, which the iterative solver holds at rest.
     ///
-    /// The direct solver takes such an island if its bodies were calm (at most 0.25 length units/s) when it formed, and a
-    /// contact slips although its friction is within the friction limit.
+    /// The direct solver takes such an island if its bodies were calm (at most 0.25 length units/s) when it formed, and it needs
+    /// friction. That is so if it would move without, or if a contact slips although its friction is within the friction limit.
     TooSmall,
     /// Iterative: the island has more than 400 bodies and more contacts than joints. With a depth axis: the island has contact
     /// cycles and more than 24 bodies.

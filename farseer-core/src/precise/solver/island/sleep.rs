@@ -280,8 +280,8 @@ impl SleepState {
         runs(proxies.first_fixed, |at| is_awake(next_in_ring, proxies.all[at].body), awake_proxy_runs);
     }
 
-    /// Updates the index ranges of awake bodies and of their proxies, where some of these `bodies` or `proxies` have fallen asleep,
-    /// woken, or were added or removed. Both are indices.
+    /// Updates the index ranges of awake bodies and of their proxies, where some of these `bodies` or `changed_proxies` were added
+    /// or removed. Both are indices.
     pub(in crate::precise) fn update_runs_at(
         &mut self,
         bodies: &[usize],

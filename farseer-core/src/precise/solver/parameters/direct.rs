@@ -281,7 +281,7 @@ pub(in crate::precise) const CALM_ISLAND_MAX_SPEED: f32 = 0.25;
 pub(in crate::precise) const ACYCLIC_MOVING_ISLAND_BODIES: u32 = 16;
 
 /// Least number of bodies for which an island with contact cycles, built in place, goes to the direct solver at once. Unit:
-/// dimensionless, a count. Smaller ones go there when friction slips in the iterative solver. Value chosen; its sensitivity is
+/// dimensionless, a count. Smaller ones go there if they stand by friction, or when friction slips in the iterative solver. Value chosen; its sensitivity is
 /// not measured.
 pub(in crate::precise) const CYCLIC_ISLAND_BODIES: u32 = 40;
 
@@ -298,6 +298,7 @@ pub(in crate::precise) const STICKING_FRICTION_FRACTION: f32 = 0.98;
 /// island needs friction to stand. Unit: dimensionless, at most 1. Measured: from 0.05 to 0.4 the map of card houses and the
 /// chart stay as they are; at 0.02 stacks of 20 circles between stops count too, since their first solution is approximate.
 pub(in crate::precise) const FRICTIONLESS_SPEED_GAIN: f64 = 0.1;
+
 /// Binary logarithm of the longest time between two checks for slipping friction, a time in updates. Unit: dimensionless. The
 /// time doubles from check to check, starting at one update. Measured: card houses that go to the direct solver only after
 /// eight updates have crept too far.
