@@ -44,7 +44,7 @@ pub(in crate::precise) struct IslandHistory {
 
 impl IslandHistory {
     /// Starts the friction checks of the body; the first one is in the next update. Called for a new contact, and when solver
-    /// selection leaves a small island with contact cycles to the iterative solver.
+    /// selection leaves a small island with contact cycles to the iterative solver or puts it on trial.
     pub(super) fn begin_friction_checks(&mut self) {
         (self.friction_check_in, self.friction_checks) = (1, 1);
     }

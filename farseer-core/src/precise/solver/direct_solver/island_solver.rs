@@ -36,8 +36,9 @@ pub(in crate::precise) struct IslandSolver<'a> {
 
 impl DirectSolver {
     /// Solves all islands of the direct solver. [`store`](Self::store) later writes the solved velocities to the bodies. Islands
-    /// without an acceptable solution go to the iterative solver. Returns whether there was one, so that contact constraints
-    /// must [move](Self::move_constraints).
+    /// without an acceptable solution, and those [on trial](super::island_stats::IslandStats::is_on_trial) that need no friction,
+    /// go to the iterative solver. Returns whether there was one, so that contact constraints must
+    /// [move](Self::move_constraints).
     pub(in crate::precise) fn solve(&mut self, mut solver: IslandSolver<'_>) -> bool {
         let seconds = [solver.step.dt, solver.step.h];
         let has_changed = solver.constraints.take_direct_change()

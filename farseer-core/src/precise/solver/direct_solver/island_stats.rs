@@ -115,8 +115,10 @@ impl IslandStats {
             .or_else(|| if choice == SolverChoice::Direct { None } else { self.cost_objection() })
     }
 
-    /// Returns whether the island gets a pause of [`RESELECTION_PERIOD`](crate::precise::solver::parameters::direct::RESELECTION_PERIOD) updates: a contact bounces or is not planar. In 2.5D
-    /// the pause is only for islands with a heavy body on a light one; the direct solver takes no others there.
+    /// Returns whether the island gets a pause of
+    /// [`RESELECTION_PERIOD`](crate::precise::solver::parameters::direct::RESELECTION_PERIOD) updates: a contact bounces or is
+    /// not planar. In 2.5D the pause is only for islands with a heavy body on a light one; the direct solver takes no others
+    /// there.
     pub(super) fn must_back_off(&self) -> bool {
         (self.bounces || self.has_nonplanar_contact) && (self.has_heavy_on_light || !self.has_depth)
     }
