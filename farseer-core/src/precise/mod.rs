@@ -9,8 +9,8 @@
 //! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`](solver::broad_phase) |
 //! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`](solver::narrow_phase), [`constraint_graph`](solver::constraint_graph) |
 //! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`](solver::bodies), [`joints`](solver::joints), [`island`](solver::island) |
-//! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`], [`continuous_collision`](solver::continuous_collision) |
-//! | 6 | writes bodies, refits AABBs | [`step`], [`integration`](solver::integration) |
+//! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`](solver::step), [`continuous_collision`](solver::continuous_collision) |
+//! | 6 | writes bodies, refits AABBs | [`step`](solver::step), [`integration`](solver::integration) |
 //! | 7 | puts islands at rest to sleep | [`sleep_stages`], [`island`](solver::island) |
 //!
 //! Files whose first line begins with "Adapter" name ids and objects of the game; [`ids`] translates them to indices.

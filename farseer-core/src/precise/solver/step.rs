@@ -38,8 +38,7 @@ impl Solver {
     }
 
     /// Second stage of a step, the broad phase: removes pairs whose fat AABBs do not overlap any more, and returns the number of
-    /// new candidate pairs. [`candidate_geoms`](Self::candidate_geoms) returns the geoms of each candidate; candidates are
-    /// sorted by creation numbers.
+    /// new candidate pairs. The adapter knows the geoms of each candidate; candidates are sorted by creation numbers.
     pub(crate) fn find_pairs(&mut self) -> usize {
         let mut refitted = std::mem::take(&mut self.proxies.refitted);
         if !refitted.is_empty() {

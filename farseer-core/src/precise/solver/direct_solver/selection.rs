@@ -75,8 +75,8 @@ impl SolverSelection<'_> {
                     || self.has_unsolved_load()))
     }
 
-    /// Returns whether friction [slips](IslandStats::slips) in the iterative solver at a calm body that was due for a friction
-    /// check in this update, in an island built in place.
+    /// Returns whether friction [slips](super::island_stats::IslandStats::slips) in the iterative solver at a calm body that was
+    /// due for a friction check in this update, in an island built in place.
     pub(in crate::precise) fn has_slipping_contact(&self) -> bool {
         (0..self.pairs.awake_count).any(|pair| self.is_slipping(pair))
     }
