@@ -358,6 +358,19 @@ fn features_of_level_platforms_are_refused_to_others() {
 }
 
 #[test]
+fn a_platform_does_not_turn_where_some_angle_would_have_infinite_corners() {
+    precise(|| {
+        let mut simulator = simulator();
+        // As built, it reaches along X; turned by a quarter it would reach beyond the range of an f32 along Z.
+        let id = platform(&mut simulator, [f32::MAX, 10.0, 10.0], [0.0, 0.0, -f32::MAX], 0.0);
+        let mut view = simulator.platform_mut(id).unwrap();
+        assert!(view.set_angular_velocity(1.0).is_err() && view.turn_to(1.5).is_err());
+        assert!(view.set_yaw(1.5).is_err());
+        assert_eq!(view.angular_velocity(), 0.0);
+    });
+}
+
+#[test]
 fn turning_platforms_and_slopes_go_on_with_the_same_bits_after_loading() {
     precise(|| {
         let mut simulator = simulator();

@@ -166,9 +166,16 @@ impl Platform {
         };
         self.check_turn()?;
         self.check_hinge()?;
-        let (low, high) = self.shape.bounds();
+        let (mut low, mut high) = self.shape.bounds();
+        if self.yaw.is_some() {
+            // The box may turn about the upright axis later, through any angle: its corners stay within this reach of its
+            // centre.
+            let reach = half[0] + half[2];
+            let reach = Vector3::new(reach, 0.0, reach);
+            (low, high) = (low.inf(&(self.shape.centre - reach)), high.sup(&(self.shape.centre + reach)));
+        }
         // Differences within the box must be finite as well.
-        if !(high - low).iter().chain(low.iter()).all(|number| number.is_finite()) {
+        if !(high - low).iter().chain(low.iter()).chain(high.iter()).all(|number| number.is_finite()) {
             return Err(invalid("position3d", position3d, "finite and near enough for finite corners"));
         }
         Ok(self)
