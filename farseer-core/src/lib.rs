@@ -561,6 +561,16 @@ pub use controllers::{
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use factories::{BodyFactory, GeomFactory, JointFactory, SpringFactory};
+#[doc(hidden)]
+pub use farseer_precise::depth::interface::{
+    DepthBodyState, DepthShape, DepthTarget, FilterNumbers, HingeFeature, VerticalShape, WorldBox,
+    WorldBoxHinge, WorldBoxMotion,
+};
+#[doc(hidden)]
+pub use farseer_precise::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
+#[doc(hidden)]
+pub use farseer_precise::footprint_corners::FootprintCorners;
+pub use farseer_precise::surface::{FrictionType, SurfaceCoefficients};
 #[allow(deprecated)]
 pub use former_names::*;
 pub use geom::distance_grid::DistanceGrid;
@@ -583,16 +593,6 @@ pub use path::{
 };
 #[doc(hidden)]
 pub use precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget};
-#[doc(hidden)]
-pub use precise::solver::depth::footprint_corners::FootprintCorners;
-#[doc(hidden)]
-pub use precise::solver::depth::interface::{
-    DepthBodyState, DepthShape, DepthTarget, FilterNumbers, HingeFeature, VerticalShape, WorldBox,
-    WorldBoxHinge, WorldBoxMotion,
-};
-#[doc(hidden)]
-pub use precise::solver::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
-pub use precise::solver::surface::{FrictionType, SurfaceCoefficients};
 pub use precise::{AwakeReason, Island, IslandCost, IslandResidual, IslandSolver, SolverReason};
 pub use report::{Event, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};

@@ -142,7 +142,7 @@ impl Methods {
 
 /// See [`set_solver_choice`](crate::PhysicsSimulator::set_solver_choice). The direct solver pays as described at
 /// [`Methods::Precise`].
-pub use crate::precise::solver::solver_choice::SolverChoice;
+pub use farseer_precise::solver_choice::SolverChoice;
 
 /// Where two geoms touch: the method of the narrow phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]

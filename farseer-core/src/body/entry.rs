@@ -6,7 +6,7 @@ use crate::body::{Body, BodyId, Pose};
 use crate::math::Vector2;
 use crate::storage::collection::Collection;
 use crate::storage::ids::GeomId;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 /// The bodies of a simulator.
 pub(crate) type Bodies = Collection<BodyEntry, BodyId>;

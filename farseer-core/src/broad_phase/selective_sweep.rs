@@ -11,7 +11,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::shape::Aabb;
 use crate::storage::order::{packed_key, sort_by_number, total_order_key};
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 /// The ends of all intervals on one axis. Their order persists from one update to the next: the next sort starts from
 /// it, and with equal values the result depends on it.

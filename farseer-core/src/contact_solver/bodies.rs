@@ -9,7 +9,7 @@ use crate::body::BodyId;
 use crate::body::entry::{Bodies, BodyEntry};
 use crate::report::{Event, Report};
 use crate::storage::arena::Id;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 /// State of a body in the solver (behaviour chapter 03, section 6).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -17,8 +17,8 @@ use wide::f32x4;
 
 use crate::contacts::arbiter::ArbiterList;
 use crate::contacts::contact::Contact;
-use crate::storage::reusing_clone::reusing_clone;
 use body_lanes::{PackedBody, pack_four, pack_one, unpack_four, unpack_one};
+use farseer_precise::reusing_clone;
 use kernel::{BodyLanes, ContactRow, PairConstants};
 use lanes::LANES;
 use row_lanes::clear_lane;

@@ -12,7 +12,7 @@ use super::{
 use crate::body::entry::Bodies;
 use crate::contacts::arbiter::ArbiterList;
 use crate::geom::entry::Geoms;
-use crate::precise::solver::surface::mix_restitution;
+use farseer_precise::surface::mix_restitution;
 
 impl ContactSolver {
     /// Number of contacts that the solver works on in every iteration.

@@ -6,7 +6,7 @@
 
 use super::ContactGroup;
 use super::lanes::LANES;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 /// Groups that share no movable body and have equal numbers of contacts.
 #[derive(Debug, Clone, Copy)]

@@ -8,9 +8,9 @@ use crate::contacts::pair_table::GeomPairBitmap;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::math::scalar::nearest_finite;
-use crate::precise::solver::surface::{FrictionType, SurfaceOverride, mix_friction};
 use crate::storage::order::sort_by_number;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
+use farseer_precise::surface::{FrictionType, SurfaceOverride, mix_friction};
 
 /// Number of arbiters in the pool of a new simulator.
 const INITIAL_POOL_SIZE: u32 = 128;

@@ -2,8 +2,8 @@
 
 use crate::contacts::pair_id::PairId;
 use crate::geom::GeomId;
-use crate::storage::reusing_clone::reusing_clone;
 use crate::storage::stamped_set::StampedSet;
+use farseer_precise::reusing_clone;
 
 /// Both geoms of an arbiter, A first.
 type GeomPair = (GeomId, GeomId);

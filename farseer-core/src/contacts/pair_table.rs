@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::storage::reusing_clone::reusing_clone;
 use crate::storage::stamped_set::StampedSet;
+use farseer_precise::reusing_clone;
 
 /// A set of unordered pairs of collision ids.
 ///

@@ -20,7 +20,8 @@ fn color_of(method: IslandSolver) -> [u8; 4] {
         IslandSolver::Ballistic => [120, 120, 120, 200],
         IslandSolver::Articulated => [150, 0, 180, 200],
         IslandSolver::Direct => [0, 140, 40, 200],
-        IslandSolver::Iterative => [200, 80, 0, 200],
+        // The iterative solver.
+        _ => [200, 80, 0, 200],
     }
 }
 

@@ -11,11 +11,11 @@ use crate::geom::outline::Outline;
 use crate::geom::pieces::pieces;
 use crate::geom::{Geom, GeomId};
 use crate::math::{Matrix, Vector2, scalar};
-use crate::precise::solver::pieces::Piece;
 use crate::shape::{Aabb, Vertices};
 use crate::storage::bits::Floats;
 use crate::storage::collection::Collection;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::pieces::Piece;
+use farseer_precise::reusing_clone;
 
 /// The elements of a 4x4 matrix that matter in the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,7 +7,7 @@ use crate::body::entry::Bodies;
 use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, Geoms};
 use crate::methods::CollisionCategory;
-use crate::precise::solver::depth::interface::FilterNumbers;
+use farseer_precise::depth::interface::FilterNumbers;
 
 /// Filter settings of a [`Geom`](crate::Geom) in one value: which others it may collide with, and whether its contacts
 /// exert impulses. Engines on top use it also for objects that are not geoms of the core.

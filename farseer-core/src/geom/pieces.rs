@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use super::outline::{Outline, capsule_half_axis};
 use crate::geom::entry::GeomEntry;
-use crate::precise::solver::edge_adjacency::edges_of_chain;
-use crate::precise::solver::pieces::{Piece, pieces_of_outline};
+use farseer_precise::edge_adjacency::edges_of_chain;
+use farseer_precise::pieces::{Piece, pieces_of_outline};
 
 /// Minimum number of corners with which a circle of the circle factory is a true circle.
 const MIN_CIRCLE_CORNERS: usize = 8;

@@ -26,7 +26,7 @@ pub const PI_OVER_4: f32 = f32::from_bits(0x3F49_0FDB);
 
 /// A full turn in radians.
 #[doc(alias = "MathHelper.TwoPi")]
-pub const TWO_PI: f32 = super::plane::TWO_PI;
+pub const TWO_PI: f32 = farseer_precise::math::plane::TWO_PI;
 
 pub use super::scalar::{max, min};
 

@@ -5,18 +5,17 @@
 
 pub mod calculator;
 pub mod convert_units;
-pub(crate) mod decay;
 pub(crate) mod finite;
 pub mod interpolators;
-pub(crate) mod lanes;
 pub mod math_helper;
 pub mod matrix;
 pub(crate) mod one_line;
-pub(crate) mod plane;
-pub mod scalar;
 pub mod vector2;
 
 pub use convert_units::ConvertUnits;
+pub(crate) use farseer_precise::math::lanes;
+#[doc(inline)]
+pub use farseer_precise::math::scalar;
 pub use interpolators::{BilinearInterpolator, CircularInterpolator};
 pub use one_line::OneLine;
 

@@ -28,7 +28,7 @@ use crate::springs::{Spring, SpringId};
 use crate::storage::arena::{Id as _, stale};
 use crate::storage::collection::Collection;
 use crate::storage::order::sort_by_number;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 pub use creating::GeomPlacement;
 pub use farseer_queries::GeomPointPair;

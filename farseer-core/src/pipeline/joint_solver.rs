@@ -7,7 +7,7 @@ use crate::joints::joint_body::{JointBodies, JointBody, JointPose};
 use crate::joints::{Joint, JointId, Joints};
 use crate::math::Vector2;
 use crate::report::{Event, Report};
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 /// State of the joints in one update, by their positions in the list.
 #[derive(Debug, Default)]

@@ -11,7 +11,7 @@ use crate::contact_solver::{ContactSolver, SolverBodies};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::precise::Precise;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 use joint_solver::SequentialJointSolver;
 
 /// State that the stages of an update keep, for themselves and for each other.

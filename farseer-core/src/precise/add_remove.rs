@@ -11,17 +11,17 @@ use super::Precise;
 use super::body_import::listed_body;
 use super::ids::{IdTable, geom_of};
 use super::listed::Listed;
-use super::solver::bodies::spare_capacity;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::{NewMembers, Objects};
 use crate::precise::ids::AlwaysTested;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
-use crate::precise::solver::broad_phase::hash_grid::HashGrid;
-use crate::precise::solver::broad_phase::proxies::Proxies;
-use crate::precise::solver::island::sleep::SleepState;
-use crate::precise::solver::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 use crate::storage::order::sort_by_number;
+use farseer_precise::bodies::spare_capacity;
+use farseer_precise::broad_phase::hash_grid::HashGrid;
+use farseer_precise::broad_phase::proxies::Proxies;
+use farseer_precise::island::sleep::SleepState;
+use farseer_precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 
 /// Bodies and geoms by which the simulator's lists differ from those of the precise set.
 #[derive(Default)]

@@ -3,11 +3,11 @@
 
 use wide::f32x4;
 
-use super::solver::bodies::{BodySet, ListedBody, sin_cos_of_rotation};
-use super::solver::integration::BodyForces;
 use crate::body::Body;
-use crate::math::decay;
-use crate::math::plane::Pose;
+use farseer_precise::bodies::{BodySet, ListedBody, sin_cos_of_rotation};
+use farseer_precise::integration::BodyForces;
+use farseer_precise::math::decay;
+use farseer_precise::math::plane::Pose;
 
 /// Returns the pose of a body (x, y in length units, cosine and sine of the rotation) and its rotation (radians), world frame.
 pub(super) fn pose_of(body: &Body) -> (Pose, f32) {

@@ -1,23 +1,23 @@
 //! Adapter: the bodies of the game before and after a step: velocities and forces in, poses, velocities and events out.
 
-use super::solver::Solver;
+use farseer_precise::Solver;
 use wide::f32x4;
 
 use super::Precise;
 use super::body_import::{pose_of, read_body};
 use super::ids::IdTable;
-use super::solver::bodies::BodySet;
-use super::solver::depth::body_state::BodyDrag;
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::state::DepthState;
-use super::solver::integration::{BodyForces, integrate_kinematic, integrate_poses};
-use super::solver::island::sleep::SleepState;
-use super::solver::non_finite::{are_motions_finite, restore_non_finite};
-use super::solver::scaled_parameters::StepContext;
 use crate::body::{Body, BodyId};
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::report::{Event, Report};
+use farseer_precise::bodies::BodySet;
+use farseer_precise::depth::body_state::BodyDrag;
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::depth::state::DepthState;
+use farseer_precise::integration::{BodyForces, integrate_kinematic, integrate_poses};
+use farseer_precise::island::sleep::SleepState;
+use farseer_precise::non_finite::{are_motions_finite, restore_non_finite};
+use farseer_precise::scaled_parameters::StepContext;
 
 impl Precise {
     /// Sets the velocities of kinematic bodies for the step, and enlarges the fat AABBs of their fast proxies to the swept

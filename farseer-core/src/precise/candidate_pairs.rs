@@ -5,7 +5,7 @@ use super::ids::geom_of;
 use crate::geom::GeomId;
 
 impl Precise {
-    /// Returns the number of proxies whose fat AABB has changed since the last [`find_pairs`](super::solver::Solver::find_pairs).
+    /// Returns the number of proxies whose fat AABB has changed since the last [`find_pairs`](farseer_precise::Solver::find_pairs).
     pub(crate) fn refitted_count(&self) -> usize {
         self.solver.proxies.refitted.len()
     }

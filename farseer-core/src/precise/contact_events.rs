@@ -5,20 +5,20 @@
 
 use super::Precise;
 use super::contact_points::contacts_of;
-use super::solver::narrow_phase::{NarrowPhaseStats, TouchEvent};
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::precise::ids::geom_of;
-use crate::precise::solver::broad_phase::pairs::Pairs;
-use crate::precise::solver::broad_phase::proxies::{BodyType, Proxies};
-use crate::precise::solver::surface::SurfaceOverride;
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
+use farseer_precise::broad_phase::pairs::Pairs;
+use farseer_precise::broad_phase::proxies::{BodyType, Proxies};
+use farseer_precise::narrow_phase::{NarrowPhaseStats, TouchEvent};
+use farseer_precise::surface::SurfaceOverride;
 
 impl Precise {
     /// Returns the number of pairs, touching or not.
     pub(crate) fn pair_count(&self) -> usize {
-        self.solver.pairs.len()
+        self.solver.pairs.count()
     }
 
     /// Returns the numbers of computed and of recycled manifolds in this step.
@@ -123,7 +123,7 @@ impl Precise {
             Some((touching_pair_key(&self.solver.pairs, &self.solver.proxies, pair)?, pair as u32))
         };
         let is_reported = |pair: &usize| self.solver.pairs.all[*pair].is_reported;
-        let count = if self.solver.pairs.reported_count > 0 { self.solver.pairs.len() } else { 0 };
+        let count = if self.solver.pairs.reported_count > 0 { self.solver.pairs.count() } else { 0 };
         touching.extend((0..count).filter(is_reported).filter_map(with_numbers));
         for &(geoms, _) in events.iter().filter(|(_, begins)| *begins) {
             let unreported = self.pairs_between(geoms).filter(|pair| !is_reported(pair));

@@ -1,9 +1,9 @@
 //! Adapter: contacts of the solver as the API shows them.
 
-use super::solver::narrow_phase::contact_reader::{PlanarContact, PlanarContactPoint};
 use crate::contacts::contact::{Contact, ContactId};
 use crate::math::Vector2;
 use crate::math::scalar::nearest_finite;
+use farseer_precise::narrow_phase::contact_reader::{PlanarContact, PlanarContactPoint};
 
 /// Returns the contacts of two geoms; the first `count` entries are valid. `creation_numbers`: those of the geoms of proxies A
 /// and B. The normal of the result points from the geom with the smaller number to the other one.

@@ -1,11 +1,11 @@
 //! Adapter: contacts in three axes as the engine above (`twohalf`) reads them, and the ids that stand for world boxes and the
 //! ground.
 
-pub use super::solver::depth::contact_point::DepthContactPoint;
-use super::solver::depth::owner::{self, ShapeOwner};
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::storage::arena::Id;
+pub use farseer_precise::depth::contact_point::DepthContactPoint;
+use farseer_precise::depth::owner::{self, ShapeOwner};
 
 /// Other side of a geom's contact: a geom, a world box or the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,14 +1,14 @@
 //! Adapter: contact queries and begin and end events in three axes, for the engine above (`twohalf`).
 //!
 //! Translates pairs to geoms, world boxes and the ground. The numbers come from the
-//! [contact reader](crate::precise::solver::narrow_phase::contact_reader).
+//! [contact reader](farseer_precise::narrow_phase::contact_reader).
 
 use super::Precise;
 use super::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget, contact_target_of, is_geom};
-use super::solver::depth::interface::DepthInterval;
 use crate::geom::GeomId;
 use crate::precise::ids::geom_of;
-use crate::precise::solver::broad_phase::hash_grid::overlap;
+use farseer_precise::broad_phase::hash_grid::overlap;
+use farseer_precise::depth::interface::DepthInterval;
 
 impl Precise {
     /// Returns whether the cached contacts are valid. Between loading a snapshot and the next update they are not.
@@ -118,7 +118,7 @@ impl Precise {
     /// Iterates over touching pairs with an event listener. Each item is the index of the pair and its contact manifold.
     pub(crate) fn depth_contacts_with_listener(&self) -> impl Iterator<Item = (usize, DepthContact)> + '_ {
         let solver = &self.solver;
-        let count = if solver.pairs.reported_count > 0 { solver.pairs.len() } else { 0 };
+        let count = if solver.pairs.reported_count > 0 { solver.pairs.count() } else { 0 };
         let is_heard =
             |pair: &usize| solver.pairs.all[*pair].is_touching && solver.pairs.all[*pair].is_reported;
         (0..count).filter(is_heard).filter_map(|pair| Some((pair, self.depth_contact(pair)?)))

@@ -6,15 +6,15 @@ use super::depth_contact::{
     DepthContactTarget, contact_target_of, is_geom, world_box_body_id, world_box_of_body_id,
 };
 use super::ids::geom_of;
-use super::solver::Solver;
-use super::solver::broad_phase::proxies::BodyType;
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::interface::{DepthBodyState, DepthShape, HingeFeature, WorldBox, WorldBoxMotion};
-use super::solver::depth::world_box_shape::solver_velocity;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::math::Vector3;
 use crate::objects::Objects;
+use farseer_precise::Solver;
+use farseer_precise::broad_phase::proxies::BodyType;
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::depth::interface::{DepthBodyState, DepthShape, HingeFeature, WorldBox, WorldBoxMotion};
+use farseer_precise::depth::world_box_shape::solver_velocity;
 
 impl Precise {
     /// Returns whether the engine has a depth axis.

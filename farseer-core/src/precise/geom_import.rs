@@ -1,19 +1,19 @@
 //! Adapter: makes the proxies of geoms from their properties.
 
 use super::ids::{IdTable, owner_of};
-use super::solver::bodies::BodySet;
-use super::solver::broad_phase::proxies::{BodyType, Proxies, Proxy};
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::interface::DepthShape;
-use super::solver::depth::state::DepthState;
-use super::solver::fingerprint::Fingerprint;
-use super::solver::shape::Shape;
 use crate::body::{Body, BodyId};
 use crate::geom::entry::GeomEntry;
 use crate::geom::{Geom, GeomId};
-use crate::math::plane::Vector;
 use crate::objects::Objects;
-use crate::precise::solver::pieces::Piece;
+use farseer_precise::bodies::BodySet;
+use farseer_precise::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::depth::interface::DepthShape;
+use farseer_precise::depth::state::DepthState;
+use farseer_precise::fingerprint::Fingerprint;
+use farseer_precise::math::plane::Vector;
+use farseer_precise::pieces::Piece;
+use farseer_precise::shape::Shape;
 
 /// Parts from which the proxies of geoms follow, and the lists that get them.
 pub(super) struct ProxyImport<'a> {
@@ -110,7 +110,7 @@ impl ProxyImport<'_> {
         }
     }
 
-    /// Returns the [fingerprint](super::solver::fingerprint) of a listed `shape` of a geom, with its depth shape in three axes.
+    /// Returns the [fingerprint](farseer_precise::fingerprint) of a listed `shape` of a geom, with its depth shape in three axes.
     fn fingerprint_of(&self, id: GeomId, shape: Shape) -> u64 {
         let mut fingerprint = Fingerprint::default();
         fingerprint.add_outline(self.proxies.vertices.shape_ref(shape));

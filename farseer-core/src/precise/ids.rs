@@ -4,10 +4,10 @@
 
 use std::ops::Range;
 
-use super::solver::broad_phase::proxies::{Proxies, Proxy};
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
+use farseer_precise::reusing_clone;
 
 /// Entry of a table that stands for no body or proxy; all other entries are indices.
 const NOT_LISTED: u32 = u32::MAX;

@@ -14,17 +14,17 @@ use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, s
 use super::ids::piece_at;
 use super::listed::{Listed, is_simulated};
 use super::saved::{EditPolicy, Saved};
-use super::solver::Solver;
-use super::solver::bodies::BodySet;
-use super::solver::broad_phase::pair_finder::is_pair_reported;
-use super::solver::broad_phase::pairs::Pairs;
-use super::solver::broad_phase::proxies::{Proxies, Proxy};
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::narrow_phase::pair_lifetime::initial_one_way_state;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::filter::{is_valid_pair, may_keep_touching};
 use crate::objects::{NewMembers, Objects};
+use farseer_precise::Solver;
+use farseer_precise::bodies::BodySet;
+use farseer_precise::broad_phase::pair_finder::is_pair_reported;
+use farseer_precise::broad_phase::pairs::Pairs;
+use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::narrow_phase::pair_lifetime::initial_one_way_state;
 
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.

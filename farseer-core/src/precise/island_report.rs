@@ -5,25 +5,25 @@
 use super::Precise;
 use super::ids::IdTable;
 use super::island_types::{AwakeReason, Island};
-use super::solver::bodies::BodySet;
-use super::solver::broad_phase::pairs::Pairs;
-use super::solver::broad_phase::proxies::Proxies;
-use super::solver::direct_solver::island_stats::IslandCensus;
-use super::solver::island::falling_asleep::unite_islands;
-use super::solver::island::report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
-use super::solver::island::sleep::SleepState;
-use super::solver::island::union_find::UnionFind;
-use super::solver::narrow_phase::manifold::Manifold;
-use super::solver::narrow_phase::shape_dispatch::collide;
-use super::solver::parameters::sleep::TIME_TO_SLEEP;
 use super::wake_import::spring_body_pairs;
 use crate::body::BodyId;
 use crate::joints::Joint;
 use crate::joints::constraint_spec::ConstraintSpecKind;
-use crate::math::plane::{Vector, difference, dot};
 use crate::methods::SolverChoice;
 use crate::objects::Objects;
 use crate::storage::order::{packed_key, sort_by_number};
+use farseer_precise::bodies::BodySet;
+use farseer_precise::broad_phase::pairs::Pairs;
+use farseer_precise::broad_phase::proxies::Proxies;
+use farseer_precise::direct_solver::island_stats::IslandCensus;
+use farseer_precise::island::falling_asleep::unite_islands;
+use farseer_precise::island::sleep::SleepState;
+use farseer_precise::island::union_find::UnionFind;
+use farseer_precise::island_report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
+use farseer_precise::math::plane::{Vector, difference, dot};
+use farseer_precise::narrow_phase::manifold::Manifold;
+use farseer_precise::narrow_phase::shape_dispatch::collide;
+use farseer_precise::parameters::sleep::TIME_TO_SLEEP;
 
 /// Solver, reason and cost of one body in the last update. The report of an island merges those of its bodies.
 #[derive(Debug, Clone, Copy)]
@@ -40,19 +40,20 @@ struct BodyReport {
 impl BodyReport {
     /// Returns the report of a body without contact rows, joints and Newton steps. `parts` is the number of parts of its step.
     fn new(method: IslandSolver, why: SolverReason, parts: u32) -> Self {
-        BodyReport { method, why, cost: IslandCost { parts, ..IslandCost::default() } }
+        let mut cost = IslandCost::default();
+        cost.parts = parts;
+        BodyReport { method, why, cost }
     }
 
     /// Returns the merged report of two bodies. Its solver and reason are those of the body whose solver comes later in
     /// [`IslandSolver`].
     fn merge(self, other: Self) -> Self {
         let last = if other.method > self.method { other } else { self };
-        let cost = IslandCost {
-            rows: self.cost.rows + other.cost.rows,
-            joints: self.cost.joints + other.cost.joints,
-            parts: self.cost.parts.max(other.cost.parts),
-            newton_steps: self.cost.newton_steps + other.cost.newton_steps,
-        };
+        let mut cost = self.cost;
+        cost.rows += other.cost.rows;
+        cost.joints += other.cost.joints;
+        cost.parts = cost.parts.max(other.cost.parts);
+        cost.newton_steps += other.cost.newton_steps;
         BodyReport { cost, ..last }
     }
 }

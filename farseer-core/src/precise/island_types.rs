@@ -1,7 +1,7 @@
 //! Adapter: the types with which the API describes islands, and tells why a body is awake.
 
-use super::solver::island::report::{IslandCost, IslandSolver, SolverReason};
 use crate::body::BodyId;
+use farseer_precise::island_report::{IslandCost, IslandSolver, SolverReason};
 
 /// Reason why a body is awake: see [`PhysicsSimulator::why_awake`](crate::PhysicsSimulator::why_awake).
 #[derive(Debug, Clone, Copy, PartialEq)]

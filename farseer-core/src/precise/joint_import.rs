@@ -6,14 +6,6 @@
 //! event for each broken joint.
 
 use super::ids::IdTable;
-use super::solver::bodies::BodySet;
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::state::DepthState;
-use super::solver::island::sleep::SleepState;
-use super::solver::joints::JointSystem;
-use super::solver::joints::articulated_body::{LockedDofs, Vec2};
-use super::solver::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
-use super::solver::scaled_parameters::StepContext;
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
 use crate::joints::constraint_spec::ConstraintSpecKind;
@@ -22,7 +14,15 @@ use crate::math::{Vector2, scalar};
 use crate::objects::Objects;
 use crate::report::{Event, Report};
 use crate::springs::SpringId;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::bodies::BodySet;
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::depth::state::DepthState;
+use farseer_precise::island::sleep::SleepState;
+use farseer_precise::joints::JointSystem;
+use farseer_precise::joints::articulated_body::{LockedDofs, Vec2};
+use farseer_precise::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
+use farseer_precise::reusing_clone;
+use farseer_precise::scaled_parameters::StepContext;
 
 /// Joints and springs of the game behind the dense indices of the solver.
 #[derive(Debug, Default)]

@@ -2,14 +2,14 @@
 
 use super::Precise;
 use super::joint_import::{JointImport, export_joints};
-use super::solver::Solver;
-use super::solver::scaled_parameters::StepContext;
 use super::spring_import::{SpringChoice, import_springs};
 use crate::body::entry::Bodies;
 use crate::joints::JointId;
 use crate::objects::Objects;
 use crate::report::Report;
 use crate::springs::{SpringForce, SpringId};
+use farseer_precise::Solver;
+use farseer_precise::scaled_parameters::StepContext;
 
 impl Precise {
     /// Returns the import of joints and springs from the bodies `objects` of the game.

@@ -3,11 +3,11 @@
 use super::body_import::inverse_mass_inertia_of;
 use super::geom_import::geom_filter;
 use super::ids::IdTable;
-use super::solver::bodies::BodySet;
-use super::solver::broad_phase::proxies::Proxies;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
+use farseer_precise::bodies::BodySet;
+use farseer_precise::broad_phase::proxies::Proxies;
 
 /// The listed bodies and proxies, and the objects of the game.
 pub(super) struct Listed<'a> {

@@ -6,17 +6,17 @@
 //! | stage | what it does | where |
 //! |---|---|---|
 //! | 1 | imports edited objects | [`import`], [`add_remove`], [`geom_import`] |
-//! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`](solver::broad_phase) |
-//! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`](solver::narrow_phase), [`constraint_graph`](solver::constraint_graph) |
-//! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`](solver::bodies), [`joints`](solver::joints), [`island`](solver::island) |
-//! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`](solver::step), [`continuous_collision`](solver::continuous_collision) |
-//! | 6 | writes bodies, refits AABBs | [`step`](solver::step), [`integration`](solver::integration) |
-//! | 7 | puts islands at rest to sleep | [`sleep_stages`], [`island`](solver::island) |
+//! | 2 | broad phase: removes pairs whose fat AABBs separated, finds new ones | [`broad_phase`](farseer_precise::broad_phase) |
+//! | 3 | narrow phase: manifolds and contact constraints of pairs that moved | [`narrow_phase`](farseer_precise::narrow_phase), [`constraint_graph`](farseer_precise::constraint_graph) |
+//! | 4 | reads bodies, forces and joints; selects the solver of each island | [`bodies`](farseer_precise::bodies), [`joints`](farseer_precise::joints), [`island`](farseer_precise::island) |
+//! | 5 | solver: direct, articulations, iterative in substeps; then continuous collision | [`step`](farseer_precise::step), [`continuous_collision`](farseer_precise::continuous_collision) |
+//! | 6 | writes bodies, refits AABBs | [`step`](farseer_precise::step), [`integration`](farseer_precise::integration) |
+//! | 7 | puts islands at rest to sleep | [`sleep_stages`], [`island`](farseer_precise::island) |
 //!
 //! Files whose first line begins with "Adapter" name ids and objects of the game; [`ids`] translates them to indices.
 //!
-//! For `twohalf`, an engine on top of this one, all stages work in three axes ([`depth`](solver::depth)). Lengths are in the user's unit.
-//! Parameters are multiples of one length unit ([`scaled_parameters`](solver::scaled_parameters)).
+//! For `twohalf`, an engine on top of this one, all stages work in three axes ([`depth`](farseer_precise::depth)). Lengths are in the user's unit.
+//! Parameters are multiples of one length unit ([`scaled_parameters`](farseer_precise::scaled_parameters)).
 
 mod add_remove;
 mod body_import;
@@ -41,26 +41,25 @@ mod saved;
 pub(crate) mod skip_step;
 mod sleep_stages;
 mod sleeping_joints;
-pub(crate) mod solver;
 mod spring_import;
 mod stages;
 mod wake_import;
 
 use serde::Deserialize;
 
-pub use crate::precise::solver::island::report::IslandCost;
-pub use crate::precise::solver::island::report::IslandResidual;
-pub use crate::precise::solver::island::report::IslandSolver;
-pub use crate::precise::solver::island::report::SolverReason;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::Solver;
+pub use farseer_precise::island_report::IslandCost;
+pub use farseer_precise::island_report::IslandResidual;
+pub use farseer_precise::island_report::IslandSolver;
+pub use farseer_precise::island_report::SolverReason;
+use farseer_precise::reusing_clone;
+pub(crate) use farseer_precise::scaled_parameters::StepContext;
 use ids::{AlwaysTested, IdTable};
 pub use island_types::{AwakeReason, Island};
 use joint_import::JointTable;
 use pending_edits::PendingEdits;
 use saved::Saved;
 use sleeping_joints::SleepingJoint;
-use solver::Solver;
-pub(crate) use solver::scaled_parameters::StepContext;
 
 /// State of the precise engine between steps: the solver, and the tables that translate the objects of the game to its indices.
 #[derive(Debug, Deserialize)]

@@ -3,7 +3,7 @@
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::NewMembers;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 /// Edits of the game since the last import, and what that import has to know of earlier ones.
 #[derive(Debug, Default)]

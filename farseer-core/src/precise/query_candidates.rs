@@ -10,10 +10,10 @@ use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::ids::{AlwaysTested, geom_of};
-use crate::precise::solver::parameters::broad_phase::{
+use crate::shape::Aabb;
+use farseer_precise::parameters::broad_phase::{
     PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
 };
-use crate::shape::Aabb;
 
 impl Precise {
     /// Returns the geoms that may overlap an AABB, and perhaps others, in the order of the list of geoms. `None`: the proxies

@@ -1,23 +1,23 @@
 //! Adapter: the stages that put bodies to sleep and wake them, and their order.
 //!
-//! The solver's part is in [`island`](super::solver::island). Bodies and joints of the game are read and written here,
+//! The solver's part is in [`island`](farseer_precise::island). Bodies and joints of the game are read and written here,
 //! in [`wake_import`](super::wake_import) and in [`sleeping_joints`](super::sleeping_joints).
 
 use super::Precise;
 use super::ids::IdTable;
 use super::sleeping_joints::{JointComparison, drop_joints_of_awake};
-use super::solver::Solver;
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::state::DepthState;
-use super::solver::island::falling_asleep::RestDetector;
-use super::solver::island::wake::{
-    are_sleeping_pairs_parked, sleep_pairs, wake_partners, wake_requested, wake_touched,
-};
-use super::solver::scaled_parameters::StepContext;
 use super::wake_import::{ForceComparison, KinematicMotion, spring_body_pairs};
 use crate::body::BodyId;
 use crate::math::Vector2;
 use crate::objects::Objects;
+use farseer_precise::Solver;
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::depth::state::DepthState;
+use farseer_precise::island::falling_asleep::RestDetector;
+use farseer_precise::island::wake::{
+    are_sleeping_pairs_parked, sleep_pairs, wake_partners, wake_requested, wake_touched,
+};
+use farseer_precise::scaled_parameters::StepContext;
 
 impl Precise {
     /// Stores whether bodies may sleep, and gravity. All bodies wake if gravity has changed or sleeping is switched off.

@@ -4,14 +4,14 @@
 use serde::{Deserialize, Serialize};
 
 use super::ids::IdTable;
-use super::solver::bodies::BodySet;
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::state::DepthState;
-use super::solver::island::sleep::SleepState;
 use crate::body::BodyId;
 use crate::joints::constraint_spec::ConstraintSpec;
 use crate::joints::{Joint, JointId};
 use crate::objects::Objects;
+use farseer_precise::bodies::BodySet;
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::depth::state::DepthState;
+use farseer_precise::island::sleep::SleepState;
 
 /// State of a joint when its bodies fell asleep. The bodies wake when the state of the joint changes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

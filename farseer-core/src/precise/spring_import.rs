@@ -1,18 +1,18 @@
 //! Adapter: import of the game's springs as rows of the solvers.
 //!
-//! A spring at a body with joints or contacts becomes a [row](super::solver::joints::springs); all others stay explicit forces. The
+//! A spring at a body with joints or contacts becomes a [row](farseer_precise::joints::springs); all others stay explicit forces. The
 //! choice is made when the spring acts. The step then reads pose and coefficients of each row.
 
 use super::joint_import::{JointImport, JointTable, bodies_hash};
-use super::solver::broad_phase::pairs::Pairs;
-use super::solver::broad_phase::proxies::Proxies;
-use super::solver::joints::JointSystem;
-use super::solver::joints::joint_constraint::JointAnchor;
-use super::solver::joints::springs::{SpringConstraint, SpringRows, anchor_distance};
 use crate::body::BodyId;
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::springs::{Spring, SpringForce, SpringId, SpringKind};
+use farseer_precise::broad_phase::pairs::Pairs;
+use farseer_precise::broad_phase::proxies::Proxies;
+use farseer_precise::joints::JointSystem;
+use farseer_precise::joints::joint_constraint::JointAnchor;
+use farseer_precise::joints::springs::{SpringConstraint, SpringRows, anchor_distance};
 
 /// The parts by which a spring becomes a row or stays an explicit force.
 pub(super) struct SpringChoice<'a> {

@@ -1,10 +1,10 @@
 //! Adapter: the first and the third stage of a step, in which all bodies may wake. The other stages of the solver are in
-//! [`step`](super::solver::step).
+//! [`step`](farseer_precise::step).
 
 use super::Precise;
-use super::solver::scaled_parameters::StepContext;
 use crate::FrictionType;
 use crate::math::Vector2;
+use farseer_precise::scaled_parameters::StepContext;
 
 impl Precise {
     /// Begins a step: stores its length `dt` (seconds, > 0), `gravity` (length units/s^2) and whether bodies `may_sleep`.
@@ -25,7 +25,7 @@ impl Precise {
     pub(crate) fn find_contacts(&mut self, friction: FrictionType, max_contacts: u32) -> usize {
         if self.solver.begin_contacts(friction, max_contacts) {
             self.wake_all();
-            (0..self.solver.pairs.len()).for_each(|pair| self.solver.pairs.invalidate(pair));
+            (0..self.solver.pairs.count()).for_each(|pair| self.solver.pairs.invalidate(pair));
         }
         self.solver.find_contacts()
     }

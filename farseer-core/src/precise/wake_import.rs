@@ -2,14 +2,14 @@
 //! bodies concern, and requests that they wake.
 
 use super::ids::IdTable;
-use super::solver::bodies::BodySet;
-use super::solver::depth::feature_gate::FeatureGate;
-use super::solver::depth::state::DepthState;
-use super::solver::island::sleep::SleepState;
-use super::solver::parameters::sleep::{REMEASURED_FORCE_MAX_CHANGE, TIME_TO_SLEEP};
 use crate::body::BodyId;
 use crate::controllers::ControllerKind;
 use crate::objects::Objects;
+use farseer_precise::bodies::BodySet;
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::depth::state::DepthState;
+use farseer_precise::island::sleep::SleepState;
+use farseer_precise::parameters::sleep::{REMEASURED_FORCE_MAX_CHANGE, TIME_TO_SLEEP};
 
 /// Returns the indices of the bodies at both ends of each enabled spring. Index 0 stands for the world.
 pub(super) fn spring_body_pairs<'a>(

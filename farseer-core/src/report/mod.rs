@@ -1,6 +1,6 @@
 //! The report of the last update, and events that are still to be reported.
 
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 mod event;
 mod step_times;

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::math::Vector2;
-use crate::precise::solver::depth::footprint_corners::{FootprintCorners, MAX_FOOTPRINT_CORNERS};
+use farseer_precise::footprint_corners::{FootprintCorners, MAX_FOOTPRINT_CORNERS};
 
 /// Minimum sine of the angle by which a corner turns, dimensionless. Chosen; no range measured.
 const MIN_CORNER_SINE: f32 = 1e-3;

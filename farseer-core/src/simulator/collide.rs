@@ -7,8 +7,8 @@ use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
 use crate::geom::filter::Filter;
 use crate::narrow_phase::update_arbiter::{ContactLimits, find_contacts, replace_contacts};
-use crate::precise::solver::surface::SurfaceOverride;
 use crate::report::Event;
+use farseer_precise::surface::SurfaceOverride;
 
 impl PhysicsSimulator {
     pub(super) fn run_broad_phase(&mut self, handler: &mut Handler<'_>) {

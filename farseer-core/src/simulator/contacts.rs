@@ -3,7 +3,7 @@
 use super::PhysicsSimulator;
 use crate::contacts::arbiter::{ArbiterRef, ContactSource};
 use crate::geom::GeomId;
-use crate::precise::solver::surface::{mix_friction, mix_restitution};
+use farseer_precise::surface::{mix_friction, mix_restitution};
 
 /// Contacts.
 impl PhysicsSimulator {

@@ -5,8 +5,8 @@ use std::ops::{Deref, DerefMut};
 use super::PhysicsSimulator;
 use crate::math::finite::{finite, zero_or_more};
 use crate::objects::Objects;
-use crate::precise::solver::surface::SurfaceOverride;
 use crate::{Error, Result};
+use farseer_precise::surface::SurfaceOverride;
 
 /// Access of a callback to the simulator that calls it: all that [`Objects`] offers, at once. Objects that a callback
 /// adds, removes or disposes enter or leave with the next update.

@@ -1,5 +1,5 @@
 //! Methods of the simulator for an engine with depth (`twohalf`) that games do not call: see
-//! [`precise::depth`](crate::precise::solver::depth).
+//! [`precise::depth`](farseer_precise::depth).
 
 use super::callbacks::Handler;
 use super::{EventHandler, PhysicsSimulator};
@@ -9,10 +9,10 @@ use crate::geom::filter::Filter;
 use crate::math::{Vector2, Vector3};
 use crate::methods::Methods;
 use crate::precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget};
-use crate::precise::solver::depth::feature_gate::IS_DEPTH_ENABLED;
-use crate::precise::solver::depth::interface::{DepthBodyState, DepthShape, WorldBox, WorldBoxMotion};
 use crate::report::Stopwatch;
 use crate::{Error, Result};
+use farseer_precise::depth::feature_gate::IS_DEPTH_ENABLED;
+use farseer_precise::depth::interface::{DepthBodyState, DepthShape, WorldBox, WorldBoxMotion};
 
 #[doc(hidden)]
 impl PhysicsSimulator {

@@ -32,10 +32,10 @@ use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider, SolverCho
 use crate::objects::{Objects, SavedObjects};
 use crate::pipeline::Pipeline;
 use crate::precise::Precise;
-use crate::precise::solver::surface::FrictionType;
 use crate::report::{Event, Report, StepCounters, StepTimes};
-use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
+use farseer_precise::reusing_clone;
+use farseer_precise::surface::FrictionType;
 
 pub use context::Context;
 pub use handler::EventHandler;

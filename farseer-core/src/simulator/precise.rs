@@ -7,10 +7,10 @@ use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair, may_keep_touching};
 use crate::objects::Objects;
 use crate::precise::skip_step::StepSettings;
-use crate::precise::solver::surface::SurfaceOverride;
 use crate::precise::{Precise, StepContext};
 use crate::report::{Event, Stopwatch};
 use crate::springs::StepLengths;
+use farseer_precise::surface::SurfaceOverride;
 
 impl PhysicsSimulator {
     /// The state of the precise set, while it is chosen.

@@ -16,9 +16,10 @@
 
 use super::SpringConstants;
 use crate::body::Body;
+use crate::math::Vector2;
 use crate::math::scalar::sin;
 use crate::math::vector2::cross;
-use crate::math::{Vector2, decay};
+use farseer_precise::math::decay;
 
 /// Maximum half phase x = w h / 2 of a step, in radians: faster springs are computed with this x. A step resolves at
 /// most half an oscillation, x = pi/2. Chosen; no range measured.

@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use crate::storage::order::packed_key;
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 use serde::{Deserialize, Serialize};
 
 /// Id of a value in an [`Arena`]: slot index and generation.

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::storage::arena::{Arena, Id};
 use crate::storage::order::sort_numbered;
-use crate::storage::reusing_clone::reusing_clone;
 use crate::{Error, Result};
+use farseer_precise::reusing_clone;
 
 /// Number of list entries for each leaving object from which on the object is found by its key, instead of by a walk over the
 /// list. Value chosen; a search costs about as much as a walk over this many entries.

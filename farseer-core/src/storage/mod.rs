@@ -4,7 +4,8 @@ pub(crate) mod arena;
 pub(crate) mod bits;
 pub(crate) mod collection;
 pub(crate) mod ids;
-pub mod order;
 pub(crate) mod rejected_arguments;
-pub(crate) mod reusing_clone;
 pub(crate) mod stamped_set;
+
+#[doc(inline)]
+pub use farseer_precise::storage::order;

@@ -1,6 +1,6 @@
 //! A set of integers that is cleared in constant time, with a count for each integer.
 
-use crate::storage::reusing_clone::reusing_clone;
+use farseer_precise::reusing_clone;
 
 /// Hash set with open addressing; an entry is valid only if its stamp is the current one. It is never enumerated, so
 /// the internal order cannot be observed.

@@ -3,8 +3,8 @@
 use super::{ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
 use crate::methods::Methods;
 use crate::precise::Precise;
-use crate::precise::solver::constraint_graph::COLOR_COUNT;
-use crate::precise::solver::scaled_parameters::Parameters;
+use farseer_precise::constraint_graph::COLOR_COUNT;
+use farseer_precise::scaled_parameters::Parameters;
 
 impl Precise {
     /// Returns whether a loaded state is valid and was saved by the precise set with the length unit of `methods`.

@@ -6,7 +6,7 @@ use super::{EditPolicy, Saved};
 use crate::body::{Body, BodyId};
 use crate::objects::Objects;
 use crate::precise::Precise;
-use crate::precise::solver::broad_phase::proxies::BodyType;
+use farseer_precise::broad_phase::proxies::BodyType;
 
 impl Serialize for Precise {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -18,18 +18,18 @@ mod save;
 use serde::{Deserialize, Serialize};
 
 use super::ids::owner_of;
-use super::solver::depth::interface::DepthInterval;
-use super::solver::direct_solver::{IslandHistory, ReselectionTimer};
-use super::solver::narrow_phase::TouchEvent;
-use super::solver::scaled_parameters::Parameters;
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::math::plane::Vector;
 use crate::precise::sleeping_joints::SleepingJoint;
-use crate::precise::solver::broad_phase::pairs::CachedManifoldZ;
-use crate::precise::solver::broad_phase::pairs::OneWayState;
-use crate::precise::solver::broad_phase::proxies::BodyType;
-use crate::precise::solver::surface::FrictionType;
+use farseer_precise::broad_phase::pairs::CachedManifoldZ;
+use farseer_precise::broad_phase::pairs::OneWayState;
+use farseer_precise::broad_phase::proxies::BodyType;
+use farseer_precise::depth::interface::DepthInterval;
+use farseer_precise::direct_solver::{IslandHistory, ReselectionTimer};
+use farseer_precise::math::plane::Vector;
+use farseer_precise::narrow_phase::TouchEvent;
+use farseer_precise::scaled_parameters::Parameters;
+use farseer_precise::surface::FrictionType;
 
 /// Saved state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -146,7 +146,7 @@ struct ImportedState {
     filter: [i32; 6],
     /// Outward direction of the solid side of a one-way geom, a unit vector in the frame of its body; else `None`.
     one_way: Option<Vector>,
-    /// [Fingerprint](crate::precise::solver::fingerprint) of the shape of the proxy, a hash.
+    /// [Fingerprint](farseer_precise::fingerprint) of the shape of the proxy, a hash.
     fingerprint: u64,
 }
 
@@ -205,7 +205,7 @@ struct SavedPair {
 }
 
 /// Contact points as the narrow phase found them, for contact recycling: see
-/// [`CachedManifold`](crate::precise::solver::broad_phase::pairs::CachedManifold).
+/// [`CachedManifold`](farseer_precise::broad_phase::pairs::CachedManifold).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedManifold {
     /// Cosine and sine of the rotation of A, then of B, when the manifold was computed. Dimensionless.

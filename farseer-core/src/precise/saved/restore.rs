@@ -14,13 +14,13 @@ use crate::precise::body_import::velocity_of;
 use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
-use crate::precise::solver::Solver;
-use crate::precise::solver::broad_phase::pair_finder::order_pair;
-use crate::precise::solver::broad_phase::pairs::OneWayState;
-use crate::precise::solver::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
-use crate::precise::solver::depth::feature_gate::FeatureGate;
-use crate::precise::solver::narrow_phase::TouchEvent;
 use crate::storage::order::sort_by_number;
+use farseer_precise::Solver;
+use farseer_precise::broad_phase::pair_finder::order_pair;
+use farseer_precise::broad_phase::pairs::OneWayState;
+use farseer_precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
+use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::narrow_phase::TouchEvent;
 
 impl From<Saved> for Precise {
     fn from(saved: Saved) -> Self {

@@ -8,15 +8,15 @@ use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::ids::geom_of;
-use crate::precise::solver::broad_phase::pairs::CachedManifold;
-use crate::precise::solver::broad_phase::proxies::{Proxies, Proxy};
-use crate::precise::solver::constraint_graph::{
+use crate::storage::order::{packed_key, sort_by_number};
+use farseer_precise::broad_phase::pairs::CachedManifold;
+use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
+use farseer_precise::constraint_graph::{
     ConstraintHandle, ConstraintKind, ContactConstraint, ContactConstraintZ,
 };
-use crate::precise::solver::depth::interface::DepthInterval;
-use crate::precise::solver::direct_solver::IslandHistory;
-use crate::precise::solver::narrow_phase::TouchEvent;
-use crate::storage::order::{packed_key, sort_by_number};
+use farseer_precise::depth::interface::DepthInterval;
+use farseer_precise::direct_solver::IslandHistory;
+use farseer_precise::narrow_phase::TouchEvent;
 
 impl Precise {
     /// Returns the state to save: the current state or, between loading and the next rebuild, the loaded one.
@@ -53,7 +53,7 @@ impl Precise {
             friction: solver.friction,
             most_contacts: solver.max_contacts,
             proxies: proxies.collect(),
-            pairs: (0..solver.pairs.len()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
+            pairs: (0..solver.pairs.count()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
             awake_pair_count: solver.pairs.awake_count as u32,
             gravity: solver.sleep.gravity,
             rest_times: self.save_rest_times().collect(),

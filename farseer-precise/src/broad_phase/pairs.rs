@@ -1,0 +1,420 @@
+//! Broad phase: the pairs of proxies whose fat AABBs overlap, with the contact data that the narrow phase caches.
+//!
+//! A pair exists from the step in which its fat AABBs begin to overlap until they separate. Awake pairs come first in the
+//! lists, pairs of sleeping bodies and static sensor pairs follow. Each proxy has a doubly linked list of its pairs.
+
+use serde::{Deserialize, Serialize};
+
+use crate::broad_phase::proxies::{BodyType, Proxies};
+use crate::constraint_graph::{ConstraintHandle, ConstraintKind};
+use crate::math::plane::Vector;
+use crate::reusing_clone;
+
+/// Value in place of the index of a pair: there is no pair. In place of a link it ends a proxy's list of pairs.
+pub(crate) const NO_PAIR: u32 = u32::MAX;
+
+/// Data by which the narrow phase decides in each step whether to update a pair. It does so when the summed path lengths
+/// ([`travel`](Proxies::travel)) of the pair's proxies have grown by `motion_tolerance` since `motion_at_check`.
+#[derive(Debug, Clone, Copy)]
+pub struct RecheckTrigger {
+    /// Indices of the proxies A and B of the pair.
+    pub proxies: [u32; 2],
+    /// Sum of the [`travel`](Proxies::travel) counters of both proxies at the last update of the pair, in 2^-26 length units,
+    /// wrapping.
+    pub motion_at_check: u32,
+    /// Growth of the summed [`travel`](Proxies::travel) counters of both proxies that triggers an update of the pair, in 2^-26
+    /// length units; or [`UPDATED_BY_SOLVER`].
+    pub motion_tolerance: u32,
+}
+
+/// Value of [`RecheckTrigger::motion_tolerance`] for two circles that touch, a flag. The solver computes their contact from the
+/// poses in every substep, so the narrow phase does not update the pair.
+pub const UPDATED_BY_SOLVER: u32 = u32::MAX;
+
+/// Manifold of a pair as the narrow phase computed it last, with the poses for which it was computed. Contact recycling reuses
+/// it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct CachedManifold {
+    /// Cosine and sine of the world angle of A, then of B, when the manifold was computed.
+    pub rotations: [f32; 4],
+    /// Pose of B in the frame of A when the manifold was computed: x and y in length units, cosine and sine.
+    pub relative_pose: [f32; 4],
+    /// Unit contact normal from A to B, in world axes, when the manifold was computed.
+    pub normal: Vector,
+    /// Number of contact points of the manifold, 0..=2; 0 without a contact.
+    pub count: u32,
+    /// Vectors from the origins of A and B to each contact point: [ax, ay, bx, by] in length units. They are in world axes and
+    /// belong to the poses for which the manifold was computed.
+    pub anchors: [[f32; 4]; 2],
+    /// Separation at each point when the manifold was computed, in length units, negative for penetration.
+    pub separations: [f32; 2],
+    /// Feature id of each point. A new point with the same id inherits the impulses of the point (warm start).
+    pub features: [u32; 2],
+    /// Angle, in radians, by which the vectors from B to the contact points are rotated ahead to the middle of the step. With
+    /// the vectors of the beginning of the step, a body that rolls over its vertices on a static body would lose energy in
+    /// every step.
+    pub arm_lead_angle: f32,
+    /// Manifold data of the depth axis, for contacts in three axes.
+    pub depth: CachedManifoldZ,
+}
+
+/// Depth-axis data of a [`CachedManifold`]: normal, offset and points along z.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct CachedManifoldZ {
+    /// Component of the unit contact normal along the depth axis z, -1 to 1.
+    pub normal_z: f32,
+    /// Z of body B minus z of body A when the manifold was computed, in length units.
+    #[serde(rename = "apart")]
+    pub z_offset: f32,
+    /// Root mean square distance of the points of the contact patch from its middle, in length units, >= 0. It is the lever arm
+    /// of twist friction about the normal, and 0 for contacts whose normal is not along z.
+    #[serde(rename = "spread")]
+    pub patch_radius: f32,
+    /// Z of each contact point minus z of body A, in length units.
+    #[serde(rename = "depths")]
+    pub points_z: [f32; 2],
+}
+
+/// Decision whether a pair with a one-way geom collides. All pairs between the geom and one other body share it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum OneWayState {
+    /// The pair has no one-way geom, or no collision response: it collides like any other pair.
+    #[default]
+    Closed,
+    /// The shapes do not overlap, and neither has landed on the other. The first touch decides.
+    Apart,
+    /// The shapes overlap without a landing: the other shape passes, and the contact is ignored.
+    Passes,
+    /// One shape has landed on the other, and the pair collides.
+    Landed,
+}
+
+/// State of a pair that is not needed to decide whether the pair has moved: contact constraint, touch, handlers and one-way
+/// state. It is stored apart from the [`RecheckTrigger`], which every step reads.
+#[derive(Debug, Clone, Copy)]
+pub struct Pair {
+    /// Kind of the contact constraint: number of points, whether A is static, and whether there is a depth axis.
+    pub kind: ConstraintKind,
+    /// Handle of the pair's contact constraint in the constraint graph; `None` if the pair has no constraint.
+    pub constraint: Option<ConstraintHandle>,
+    /// Whether the pair touches: the state that the last touch event of the pair has reported.
+    pub is_touching: bool,
+    /// Whether contacts of the pair exert impulses (collision response).
+    pub responds: bool,
+    /// Whether a contact handler of the game is set for at least one of the two geoms.
+    pub is_reported: bool,
+    /// Whether a handler of the game has disabled the contact in this update.
+    pub is_vetoed: bool,
+    /// Whether a handler of the game disabled the contact in the previous update.
+    pub was_vetoed: bool,
+    /// Whether a handler of the game has set friction, restitution or tangent speed of the contact in this update.
+    pub has_surface_override: bool,
+    /// Whether A is the ground of a world with a depth axis.
+    pub(crate) is_on_ground: bool,
+    /// Whether the pair is one of a sensor and a static or kinematic body, so that no impulse can move either side. See
+    /// [`static_sensor_pairs`](crate::narrow_phase::static_sensor_pairs).
+    pub is_static_sensor: bool,
+    /// Whether a one-way geom stops the other body of the pair or lets it pass.
+    pub one_way_state: OneWayState,
+}
+
+impl Pair {
+    /// Returns whether contacts of the pair exert impulses: neither geom is a sensor, and no handler has disabled the contact.
+    pub fn has_response(&self) -> bool {
+        self.responds && !self.is_vetoed
+    }
+}
+
+/// Links of a pair in the lists of pairs of both proxies: proxy A first, then the other proxy. A link is twice the index of a
+/// pair, plus 0 (side A) or 1 (side B). The proxies are stored in [`RecheckTrigger`], too; the copy serves loops over a list,
+/// which read nothing else.
+#[derive(Debug, Clone, Copy)]
+struct PairLinks {
+    proxies: [u32; 2],
+    next: [u32; 2],
+    previous: [u32; 2],
+}
+
+/// All pairs: first the awake ones, then those of sleeping bodies. The index of a pair changes when another pair is removed,
+/// falls asleep or wakes.
+#[derive(Debug, Default)]
+pub struct Pairs {
+    /// When the contacts of each pair are next updated, by pair index.
+    pub triggers: Vec<RecheckTrigger>,
+    /// The pairs, by pair index.
+    pub all: Vec<Pair>,
+    /// The manifold of each pair, by pair index.
+    pub manifolds: Vec<CachedManifold>,
+    links: Vec<PairLinks>,
+    /// Number of awake pairs. They have the indices below it.
+    pub awake_count: usize,
+    /// Number of pairs that touch, awake and asleep.
+    pub touching_count: usize,
+    /// Number of pairs that touch the ground of a world with a depth axis.
+    pub touching_ground_count: usize,
+    /// Number of touching pairs for which a handler of the game is called.
+    pub reported_count: usize,
+    /// Number of pairs of a sensor and a static or kinematic body.
+    pub(crate) static_sensor_count: usize,
+    /// First link (see [`PairLinks`]) of each proxy's list of pairs, or [`NO_PAIR`].
+    heads: Vec<u32>,
+}
+
+reusing_clone! { Pairs { triggers, all, manifolds, links, awake_count, touching_count, touching_ground_count, reported_count, static_sensor_count, heads } }
+
+impl Pairs {
+    /// Removes all pairs and makes an empty list of pairs for each of `proxies` proxies.
+    pub(crate) fn reset(&mut self, proxies: usize) {
+        self.triggers.clear();
+        self.all.clear();
+        self.manifolds.clear();
+        self.links.clear();
+        self.awake_count = 0;
+        (self.touching_count, self.touching_ground_count, self.reported_count, self.static_sensor_count) =
+            (0, 0, 0, 0);
+        self.heads.clear();
+        self.heads.resize(proxies, NO_PAIR);
+    }
+
+    /// Enlarges the heads of the lists to `proxies` proxies, which have no pairs at first. The present pairs stay.
+    pub fn grow(&mut self, proxies: usize) {
+        self.heads.resize(proxies, NO_PAIR);
+    }
+
+    /// Returns the number of pairs, awake and asleep.
+    pub fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Returns the indices of the pairs of a proxy.
+    pub fn pairs_of(&self, proxy: u32) -> impl Iterator<Item = usize> + '_ {
+        let mut link = self.heads[proxy as usize];
+        std::iter::from_fn(move || {
+            let at = (link != NO_PAIR).then_some((link >> 1) as usize)?;
+            link = self.links[at].next[(link & 1) as usize];
+            Some(at)
+        })
+    }
+
+    /// Lets the next step update the contacts of those pairs of a proxy that have a constraint.
+    pub(crate) fn recheck_constrained(&mut self, proxy: u32) {
+        let mut link = self.heads[proxy as usize];
+        while link != NO_PAIR {
+            let at = (link >> 1) as usize;
+            link = self.links[at].next[(link & 1) as usize];
+            if self.all[at].constraint.is_some() {
+                self.triggers[at].motion_tolerance = 0;
+            }
+        }
+    }
+
+    /// Calls `change` with the pairs and the index of each pair of a proxy. `change` adds, removes and moves no pair.
+    pub fn for_each_index_of(&mut self, proxy: u32, mut change: impl FnMut(&mut Pairs, usize)) {
+        let mut link = self.heads[proxy as usize];
+        while link != NO_PAIR {
+            let at = (link >> 1) as usize;
+            change(self, at);
+            link = self.links[at].next[(link & 1) as usize];
+        }
+    }
+
+    /// Returns body index and body type of A and of B of a pair.
+    pub fn bodies_of(&self, proxies: &Proxies, pair: usize) -> [(usize, BodyType); 2] {
+        self.triggers[pair].proxies.map(|proxy| {
+            let proxy = &proxies.all[proxy as usize];
+            (proxy.body as usize, proxy.body_type)
+        })
+    }
+
+    /// Returns kind and handle of the contact constraint of a pair; `None` if the pair has none.
+    #[inline(always)]
+    pub(crate) fn constraint(&self, pair: usize) -> Option<(ConstraintKind, ConstraintHandle)> {
+        let state = &self.all[pair];
+        state.constraint.map(|handle| (state.kind, handle))
+    }
+
+    /// Returns whether a pair has a contact constraint.
+    #[inline(always)]
+    pub fn has_constraint(&self, pair: usize) -> bool {
+        self.all[pair].constraint.is_some()
+    }
+
+    /// Returns the creation numbers of the geoms of a pair, packed: the order of pairs in lists.
+    pub(crate) fn creation_numbers(&self, proxies: &Proxies, pair: usize) -> u128 {
+        proxies.creation_numbers(self.triggers[pair].proxies)
+    }
+
+    /// Returns the indices of the pairs of all proxies of a body. A pair between two proxies of the body does not exist.
+    pub fn pairs_of_body<'a>(
+        &'a self,
+        proxies: &'a Proxies,
+        body: usize,
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        let (mut link, mut proxy) = (NO_PAIR, proxies.first_of_body(body));
+        std::iter::from_fn(move || self.next_pair_of_body(proxies, &mut link, &mut proxy))
+    }
+
+    /// Returns the next index for [`pairs_of_body`](Self::pairs_of_body), and advances `link` and `proxy`. Not inlined, so that
+    /// all callers share the code.
+    #[inline(never)]
+    fn next_pair_of_body(&self, proxies: &Proxies, link: &mut u32, proxy: &mut Option<u32>) -> Option<usize> {
+        while *link == NO_PAIR {
+            let next = (*proxy)?;
+            (*link, *proxy) = (self.heads[next as usize], proxies.next_of_body(next));
+        }
+        let at = (*link >> 1) as usize;
+        *link = self.links[at].next[(*link & 1) as usize];
+        Some(at)
+    }
+
+    /// Calls `change` for each pair of a proxy, with the pair's proxies [A, B] and its state.
+    pub(crate) fn for_each_pair_of(&mut self, proxy: u32, mut change: impl FnMut([u32; 2], &mut Pair)) {
+        let mut link = self.heads[proxy as usize];
+        while link != NO_PAIR {
+            let at = (link >> 1) as usize;
+            change(self.links[at].proxies, &mut self.all[at]);
+            link = self.links[at].next[(link & 1) as usize];
+        }
+    }
+
+    /// Returns whether the proxies A and B have a pair. The list of B is searched, since B is dynamic and has few pairs.
+    pub fn contains(&self, [a, b]: [u32; 2]) -> bool {
+        self.pairs_of(b).any(|pair| self.links[pair].proxies == [a, b])
+    }
+
+    /// Returns the index of the pair of two proxies; `None` if they are no pair. The pairs of both proxies are visited in turn,
+    /// so the cost is that of the proxy with fewer pairs.
+    pub fn find(&self, [one, other]: [u32; 2]) -> Option<usize> {
+        let is_between = |pair: &usize| {
+            let proxies = self.links[*pair].proxies;
+            proxies == [one, other] || proxies == [other, one]
+        };
+        let both = self.pairs_of(one).zip(self.pairs_of(other));
+        both.flat_map(|(a, b)| [a, b]).find(is_between)
+    }
+
+    /// Appends a pair without contacts at the end of all lists, and returns its index.
+    pub(crate) fn push(
+        &mut self,
+        proxies: [u32; 2],
+        kind: ConstraintKind,
+        responds: bool,
+        is_reported: bool,
+    ) -> usize {
+        let at = self.all.len();
+        self.triggers.push(RecheckTrigger { proxies, motion_at_check: 0, motion_tolerance: 0 });
+        self.manifolds.push(CachedManifold::default());
+        self.links.push(PairLinks { proxies, next: [NO_PAIR; 2], previous: [NO_PAIR; 2] });
+        self.all.push(Pair {
+            kind,
+            constraint: None,
+            is_touching: false,
+            responds,
+            is_reported,
+            is_vetoed: false,
+            was_vetoed: false,
+            has_surface_override: false,
+            is_on_ground: false,
+            is_static_sensor: false,
+            one_way_state: OneWayState::Closed,
+        });
+        for side in 0..2 {
+            self.link(at, side);
+        }
+        at
+    }
+
+    /// Sets whether a pair touches, and updates the counts of touching pairs.
+    pub fn set_touching(&mut self, pair: usize, is_touching: bool) {
+        let was_touching = std::mem::replace(&mut self.all[pair].is_touching, is_touching);
+        self.touching_count = self.touching_count + usize::from(is_touching) - usize::from(was_touching);
+        if self.all[pair].is_on_ground {
+            self.touching_ground_count =
+                self.touching_ground_count + usize::from(is_touching) - usize::from(was_touching);
+        }
+        if self.all[pair].is_reported {
+            self.reported_count = self.reported_count + usize::from(is_touching) - usize::from(was_touching);
+        }
+    }
+
+    /// Sets whether a pair is one of a sensor and a static or kinematic body, and updates the count of such pairs.
+    pub(crate) fn set_static_sensor(&mut self, pair: usize, is_static_sensor: bool) {
+        let was_static_sensor = std::mem::replace(&mut self.all[pair].is_static_sensor, is_static_sensor);
+        self.static_sensor_count =
+            self.static_sensor_count + usize::from(is_static_sensor) - usize::from(was_static_sensor);
+    }
+
+    /// Sets whether a handler of the game is called for a pair, and updates the count of such touching pairs.
+    pub fn set_reported(&mut self, pair: usize, is_reported: bool) {
+        let was_reported = std::mem::replace(&mut self.all[pair].is_reported, is_reported);
+        if self.all[pair].is_touching {
+            self.reported_count = self.reported_count + usize::from(is_reported) - usize::from(was_reported);
+        }
+    }
+
+    /// Returns the indices of the proxies with which a proxy has a pair.
+    pub(crate) fn partners(&self, proxy: u32) -> impl Iterator<Item = u32> + '_ {
+        self.pairs_of(proxy).map(move |pair| {
+            let [a, b] = self.links[pair].proxies;
+            if a == proxy { b } else { a }
+        })
+    }
+
+    /// Invalidates the cached manifold of a pair, so that the next step computes the manifold again.
+    pub fn invalidate(&mut self, pair: usize) {
+        self.triggers[pair].motion_tolerance = 0;
+        self.manifolds[pair].rotations = [0.0; 4];
+    }
+
+    /// Inserts a pair at the head of the list of its proxy A (`side` 0) or B (`side` 1).
+    fn link(&mut self, pair: usize, side: usize) {
+        let head = &mut self.heads[self.triggers[pair].proxies[side] as usize];
+        let link = (pair * 2 + side) as u32;
+        let next = std::mem::replace(head, link);
+        self.links[pair].next[side] = next;
+        self.links[pair].previous[side] = NO_PAIR;
+        if next != NO_PAIR {
+            self.links[(next >> 1) as usize].previous[(next & 1) as usize] = link;
+        }
+    }
+
+    /// Removes the last pair, which must have no contact constraint.
+    pub(crate) fn pop(&mut self) {
+        let last = self.all.len() - 1;
+        self.set_static_sensor(last, false);
+        self.unlink(last);
+        self.triggers.pop();
+        self.manifolds.pop();
+        self.links.pop();
+        self.all.pop();
+        self.awake_count = self.awake_count.min(last);
+    }
+
+    /// Exchanges the list positions of two pairs. Contact constraints that store the indices are not changed here.
+    pub(crate) fn swap(&mut self, one: usize, other: usize) {
+        self.unlink(one);
+        self.unlink(other);
+        self.triggers.swap(one, other);
+        self.manifolds.swap(one, other);
+        self.links.swap(one, other);
+        self.all.swap(one, other);
+        for pair in [one, other] {
+            (0..2).for_each(|side| self.link(pair, side));
+        }
+    }
+
+    /// Removes a pair from the lists of pairs of its two proxies.
+    fn unlink(&mut self, pair: usize) {
+        for side in 0..2 {
+            let PairLinks { proxies, next, previous } = self.links[pair];
+            match previous[side] {
+                NO_PAIR => self.heads[proxies[side] as usize] = next[side],
+                link => self.links[(link >> 1) as usize].next[(link & 1) as usize] = next[side],
+            }
+            if next[side] != NO_PAIR {
+                let link = next[side];
+                self.links[(link >> 1) as usize].previous[(link & 1) as usize] = previous[side];
+            }
+        }
+    }
+}

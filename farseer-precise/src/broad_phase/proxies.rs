@@ -1,0 +1,355 @@
+//! Broad phase: the proxies. A proxy is a convex piece of a geom with a fat AABB.
+//!
+//! A fat AABB is the tight AABB with a margin, and reaches ahead along the predicted motion of its body, so that it does not
+//! change in every step (margin: E. Catto, Box2D 3). `Proxies` stores the proxies of non-static bodies first, then spare
+//! positions, then the proxies of static bodies.
+
+use crate::parameters::broad_phase::COLLISION_MAX_COORDINATE;
+use serde::{Deserialize, Serialize};
+
+use crate::bodies::{BodySet, spare_capacity};
+use crate::broad_phase::hash_grid::PackedAabb;
+use crate::math::plane::{Vector, rotate, rotation};
+use crate::math::scalar::nearest_finite;
+use crate::reusing_clone;
+use crate::scaled_parameters::{AabbMargin, Parameters};
+use crate::shape::{Shape, ShapeRef, VertexPool};
+use crate::storage::order::packed_key;
+
+/// Value in place of the index of a proxy: the list of a body's proxies ends.
+const NO_PROXY: u32 = u32::MAX;
+/// AABB that contains every other one, in length units. It is the fat AABB of a proxy whose fat AABB has not been computed yet.
+const UNBOUNDED_AABB: PackedAabb = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
+/// AABB that overlaps none, in length units. Proxies beyond the largest coordinate have it.
+const EMPTY_AABB: PackedAabb = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
+
+/// Body type. Of the two proxies of a pair, A is the one with the lesser type. A pair with collision response has a dynamic
+/// body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum BodyType {
+    /// Static: the body never moves.
+    Fixed,
+    /// Kinematic: the game moves the body, which has infinite mass.
+    Kinematic,
+    /// A platform of a world with a depth axis that rotates about a vertical hinge.
+    Hinged,
+    /// Dynamic: forces and impulses move the body.
+    Dynamic,
+}
+
+impl BodyType {
+    /// Returns whether impulses can change the motion of such a body: true for `Hinged` and `Dynamic`.
+    pub(crate) fn takes_impulses(self) -> bool {
+        self >= BodyType::Hinged
+    }
+}
+
+/// Convex piece of a geom, with the properties that the broad phase and the contacts read.
+#[derive(Debug, Clone, Copy)]
+pub struct Proxy {
+    /// Number of the geom, world box or ground that the piece belongs to, as the adapter has chosen it. All pieces of a geom
+    /// have the same number, and the solver compares it only.
+    pub owner: u64,
+    /// Whether the piece is a world box or the ground of `twohalf`, and no geom. True for a free position, too.
+    pub is_world: bool,
+    /// Index of the piece among the convex pieces of its geom.
+    pub piece: u32,
+    /// Number by which geoms are sorted as in the simulator's list; for a world box its index in the list of world boxes.
+    pub list_key: u32,
+    /// Creation number of the geom. It determines the order of pairs.
+    pub creation_number: u32,
+    /// Index of the body in [`BodySet`]; 0 for a free position.
+    pub body: u32,
+    /// Type of the body.
+    pub body_type: BodyType,
+    /// Shape of the piece; its vertices are in [`Proxies::vertices`].
+    pub shape: Shape,
+    /// [Hash](crate::fingerprint) of the shape, with its depth profile in three axes.
+    pub fingerprint: u64,
+    /// Friction coefficient of the geom, dimensionless.
+    pub friction: f32,
+    /// Coefficient of restitution of the geom, dimensionless.
+    pub restitution: f32,
+    /// Whether contacts of the geom exert impulses (collision response); false for a sensor.
+    pub responds: bool,
+    /// Whether a handler of the game is called for contacts of the geom.
+    pub is_reported: bool,
+    /// Collision filter as five numbers: bit mask of the geom's categories, bit mask of the categories that it collides with,
+    /// group, 1 if collisions are enabled, and a counter of changes of the ignored geoms.
+    pub filter: [i32; 5],
+    /// Surface velocity of a static body, such as a conveyor belt: x and y in length units/s, rotation in radians/s, z in
+    /// length units/s.
+    pub surface_velocity: [f32; 4],
+    /// Direction of free passage of a one-way geom, a unit vector in the frame of its body. The geom stops bodies that move
+    /// against this direction. `None` for other geoms.
+    pub one_way: Option<Vector>,
+}
+
+impl Proxy {
+    /// Returns the content of a free position: a proxy of no body that collides with no other proxy.
+    pub(crate) fn empty() -> Self {
+        Proxy {
+            owner: u64::MAX,
+            is_world: true,
+            piece: 0,
+            list_key: 0,
+            creation_number: 0,
+            body: 0,
+            body_type: BodyType::Fixed,
+            shape: Shape::default(),
+            fingerprint: 0,
+            friction: 0.0,
+            restitution: 0.0,
+            responds: false,
+            is_reported: false,
+            filter: [0; 5],
+            surface_velocity: [0.0; 4],
+            one_way: None,
+        }
+    }
+
+    /// Returns whether the collision filters of two geoms let them collide. Other conditions for a pair are tested by
+    /// [`order_pair`](crate::broad_phase::pair_finder::order_pair).
+    pub(crate) fn may_meet(&self, other: &Proxy) -> bool {
+        if self.is_world || other.is_world {
+            return true;
+        }
+        let [categories, collides_with, group, is_enabled, _] = self.filter;
+        let [other_categories, other_collides_with, other_group, other_is_enabled, _] = other.filter;
+        is_enabled != 0
+            && other_is_enabled != 0
+            && (group != other_group || group == 0)
+            && (categories & other_collides_with != 0 || other_categories & collides_with != 0)
+    }
+
+    /// Returns whether the proxy may stop a fast body, or is a sensor that reports it, though its body is awake and no bullet.
+    pub(crate) fn may_stop(&self) -> bool {
+        self.body_type != BodyType::Dynamic || !self.responds
+    }
+
+    /// Returns the index of the body if the proxy is a box about the origin of its body; else `None`.
+    fn box_body(&self) -> Option<u32> {
+        self.shape.is_box.then_some(self.body)
+    }
+
+    /// Returns whether the position has no proxy.
+    pub fn is_empty(&self) -> bool {
+        self.body == 0
+    }
+}
+
+/// All proxies: first those of non-static bodies, in the order of the list of geoms. Spare positions follow, up to a multiple
+/// of four; then come the proxies of static bodies. A removed proxy leaves a free position until the lists are rebuilt.
+#[derive(Debug, Default)]
+pub struct Proxies {
+    /// The proxies, and empty ones at free and spare positions.
+    pub all: Vec<Proxy>,
+    /// Index of the first spare position, which follows the proxies of non-static bodies. Spare positions end at `first_fixed`.
+    pub movable_end: usize,
+    /// Index of the first proxy of a static body.
+    pub first_fixed: usize,
+    /// Number of proxies, without free positions.
+    pub live_count: usize,
+    /// Number of proxies with a one-way geom.
+    pub one_way_count: usize,
+    /// Vertices and edge normals of all shapes.
+    pub vertices: VertexPool,
+    /// AABB of each shape in the frame of its body, without its radius: centre x, y, then half extents x, y, in length units.
+    pub(crate) local_aabbs: Vec<[f32; 4]>,
+    /// For each proxy, the index of its body if the proxy is a box about the origin of the body; else `None`.
+    pub(crate) box_bodies: Vec<Option<u32>>,
+    /// Fat AABB of each proxy: [min x, min y, max x, max y] in length units, world axes.
+    pub fat_aabbs: Vec<PackedAabb>,
+    /// Path length of each proxy since it was added: a bound for all of its points, in 2^-26 length units. The counter wraps.
+    pub travel: Vec<u32>,
+    /// Indices of the proxies with a new fat AABB. The next broad phase searches their pairs.
+    pub refitted: Vec<u32>,
+    /// Index of the first proxy of each body, or [`NO_PROXY`].
+    heads: Vec<u32>,
+    /// For each proxy, the index of the next proxy of the same body, or [`NO_PROXY`].
+    next: Vec<u32>,
+}
+
+reusing_clone! {
+    Proxies {
+        all, movable_end, first_fixed, live_count, one_way_count, vertices, local_aabbs, box_bodies, fat_aabbs, travel, refitted, heads, next
+    }
+}
+
+impl Proxies {
+    /// Returns creation numbers and piece indices of the proxies [A, B] packed into one integer, by which pairs are
+    /// sorted by number.
+    pub(crate) fn creation_numbers(&self, proxies: [u32; 2]) -> u128 {
+        let [a, b] = proxies.map(|proxy| &self.all[proxy as usize]);
+        packed_key([a.creation_number, a.piece, b.creation_number, b.piece])
+    }
+
+    /// Returns the shape of a proxy, in the frame of its body.
+    pub(crate) fn shape_of(&self, proxy: u32) -> ShapeRef<'_> {
+        self.vertices.shape_ref(self.all[proxy as usize].shape)
+    }
+
+    /// Removes all proxies.
+    pub fn clear(&mut self) {
+        self.all.clear();
+        (self.live_count, self.one_way_count) = (0, 0);
+        self.vertices.clear();
+        self.local_aabbs.clear();
+        self.box_bodies.clear();
+        self.fat_aabbs.clear();
+        self.travel.clear();
+        self.refitted.clear();
+    }
+
+    /// Reserves memory for `count` proxies, and for the vertices of as many boxes, in lists without proxies.
+    pub fn reserve_lists(&mut self, count: usize) {
+        // Up to 3 further positions make the number of positions a multiple of 4.
+        let capacity = count + spare_capacity(count) + 3;
+        self.all.reserve(capacity);
+        self.local_aabbs.reserve(capacity);
+        self.box_bodies.reserve(capacity);
+        self.fat_aabbs.reserve(capacity);
+        self.travel.reserve(capacity);
+        self.vertices.reserve(4 * count);
+    }
+
+    /// Appends the spare positions. It is called after the proxies of all non-static bodies were pushed. `count`: number of geoms,
+    /// those of static bodies included.
+    pub fn add_spare_positions(&mut self, count: usize) {
+        self.movable_end = self.all.len();
+        let spare = spare_capacity(count.max(self.movable_end));
+        self.first_fixed = (self.movable_end + spare).next_multiple_of(4);
+        while self.all.len() < self.first_fixed {
+            self.push(Proxy::empty());
+        }
+    }
+
+    /// Appends a proxy at the end of all lists except the lists of the bodies, which [`link_bodies`](Self::link_bodies) builds.
+    pub fn push(&mut self, proxy: Proxy) {
+        let Shape { centre: [x, y], half_extents: [hx, hy], .. } = proxy.shape;
+        self.all.push(proxy);
+        self.local_aabbs.push([x, y, hx, hy]);
+        self.box_bodies.push(proxy.box_body());
+        self.fat_aabbs.push(UNBOUNDED_AABB);
+        self.travel.push(0);
+        self.live_count += usize::from(!proxy.is_empty());
+        self.one_way_count += usize::from(proxy.one_way.is_some());
+    }
+
+    /// Adds a proxy without a fat AABB, and returns its index; `None` if there is no spare position for it.
+    pub fn add(&mut self, proxy: Proxy) -> Option<usize> {
+        let at = if proxy.body_type == BodyType::Fixed { self.all.len() } else { self.movable_end };
+        if at == self.all.len() {
+            self.push(proxy);
+            self.next.push(NO_PROXY);
+        } else if at < self.first_fixed {
+            let Shape { centre: [x, y], half_extents: [hx, hy], .. } = proxy.shape;
+            (self.all[at], self.local_aabbs[at], self.travel[at]) = (proxy, [x, y, hx, hy], 0);
+            self.box_bodies[at] = proxy.box_body();
+            (self.movable_end, self.live_count) = (at + 1, self.live_count + 1);
+            self.one_way_count += usize::from(proxy.one_way.is_some());
+        } else {
+            return None;
+        }
+        let body = proxy.body as usize;
+        if self.heads.len() <= body {
+            self.heads.resize(body + 1, NO_PROXY);
+        }
+        self.next[at] = std::mem::replace(&mut self.heads[body], at as u32);
+        Some(at)
+    }
+
+    /// Returns the last proxy of a geom of a non-static body for whose index `is_wanted` returns true.
+    pub fn last_movable(&self, is_wanted: impl Fn(usize) -> bool) -> Option<&Proxy> {
+        let proxies = self.all[..self.movable_end].iter().enumerate().rev();
+        let mut of_geoms = proxies.filter(|(_, proxy)| !(proxy.is_empty() || proxy.is_world));
+        of_geoms.find(|&(at, _)| is_wanted(at)).map(|(_, proxy)| proxy)
+    }
+
+    /// Removes a proxy, which must have no pairs. Its position becomes free.
+    pub fn remove(&mut self, proxy: u32) {
+        let at = proxy as usize;
+        let body = self.all[at].body as usize;
+        let next = std::mem::replace(&mut self.next[at], NO_PROXY);
+        let before = self.proxies_of(body).find(|&before| self.next[before as usize] == proxy);
+        match before {
+            Some(before) => self.next[before as usize] = next,
+            None => self.heads[body] = next,
+        }
+        self.one_way_count -= usize::from(self.all[at].one_way.is_some());
+        (self.all[at], self.local_aabbs[at], self.fat_aabbs[at]) = (Proxy::empty(), [0.0; 4], UNBOUNDED_AABB);
+        self.box_bodies[at] = None;
+        self.live_count -= 1;
+    }
+
+    /// Builds the linked list of proxies of each body. `bodies` is the number of bodies.
+    pub fn link_bodies(&mut self, bodies: usize) {
+        self.heads.clear();
+        self.heads.resize(bodies, NO_PROXY);
+        self.next.clear();
+        self.next.reserve(self.all.len());
+        for (at, proxy) in self.all.iter().enumerate() {
+            let head = &mut self.heads[proxy.body as usize];
+            self.next.push(if proxy.is_empty() { NO_PROXY } else { std::mem::replace(head, at as u32) });
+        }
+    }
+
+    /// Returns the indices of the proxies of a body.
+    pub fn proxies_of(&self, body: usize) -> impl Iterator<Item = u32> + '_ {
+        std::iter::successors(self.first_of_body(body), move |&at| self.next_of_body(at))
+    }
+
+    /// Returns the index of the first proxy of a body; `None` if the body has no proxies.
+    pub(crate) fn first_of_body(&self, body: usize) -> Option<u32> {
+        Some(self.heads[body]).filter(|&at| at != NO_PROXY)
+    }
+
+    /// Returns the index of the next proxy of the same body; `None` after the last one.
+    pub(crate) fn next_of_body(&self, proxy: u32) -> Option<u32> {
+        Some(self.next[proxy as usize]).filter(|&at| at != NO_PROXY)
+    }
+
+    /// Returns the AABB of a proxy in the present pose of its body, enlarged by the speculative distance: [min x, min y, max x,
+    /// max y] in length units, world axes.
+    #[inline]
+    pub(crate) fn tight_aabb(&self, proxy: usize, bodies: &BodySet, parameters: &Parameters) -> PackedAabb {
+        let Proxy { body, shape, .. } = &self.all[proxy];
+        let pose = bodies.poses[*body as usize];
+        let q = rotation(pose);
+        let centre = rotate(q, shape.centre);
+        let (c, s) = (q[0].abs(), q[1].abs());
+        let [hx, hy] = shape.half_extents;
+        let enlargement = shape.radius + parameters.speculative_distance;
+        let (x, y) = (pose[0] + centre[0], pose[1] + centre[1]);
+        let (ex, ey) = (c * hx + s * hy + enlargement, s * hx + c * hy + enlargement);
+        [x - ex, y - ey, x + ex, y + ey]
+    }
+
+    /// Returns the fat AABB of a proxy: its tight AABB with the margin, enlarged along the predicted motion of its body. Length
+    /// units, world axes. It is [`EMPTY_AABB`] if a coordinate exceeds [`COLLISION_MAX_COORDINATE`]. `dt` is the step in
+    /// seconds.
+    #[inline]
+    pub(crate) fn fat_aabb(
+        &self,
+        proxy: usize,
+        bodies: &BodySet,
+        parameters: &Parameters,
+        aabb_margin: AabbMargin,
+        dt: f32,
+    ) -> PackedAabb {
+        let tight = self.tight_aabb(proxy, bodies, parameters);
+        // The comparison is false for NaN, too.
+        if !tight.iter().all(|bound| bound.abs() < COLLISION_MAX_COORDINATE) {
+            return EMPTY_AABB;
+        }
+        let Some(hot) = bodies.states.get(self.all[proxy].body as usize) else { return tight };
+        let prediction = [0, 1].map(|axis| aabb_margin.prediction(hot.velocity[axis] * dt));
+        let margin = aabb_margin.margin;
+        let below =
+            prediction.map(|displacement| if displacement < 0.0 { displacement - margin } else { -margin });
+        let above =
+            prediction.map(|displacement| if displacement > 0.0 { displacement + margin } else { margin });
+        let bounds = [tight[0] + below[0], tight[1] + below[1], tight[2] + above[0], tight[3] + above[1]];
+        bounds.map(nearest_finite)
+    }
+}

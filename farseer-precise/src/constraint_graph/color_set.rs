@@ -1,0 +1,155 @@
+//! One kind of contact constraint in graph colours: blocks of four SIMD lanes per colour, and the overflow colour.
+//!
+//! A colour has no gaps: the last constraint takes the place of a removed one. The overflow colour keeps its order instead,
+//! since its constraints are solved one after the other.
+
+use super::contact_constraint::ContactConstraint;
+use super::contact_constraint_simd::SimdSlot;
+use crate::reusing_clone;
+
+/// Number of graph colours, the overflow colour included. A set of colours is a mask of type `u32`.
+pub const COLOR_COUNT: usize = 32;
+/// Index of the overflow colour: constraints for which no other colour is free (Box2D 3: `B2_OVERFLOW_INDEX`).
+pub(super) const OVERFLOW_COLOR: u32 = COLOR_COUNT as u32 - 1;
+
+/// Returns the index of the lowest colour of the mask `colors`; the overflow colour if the mask is empty.
+pub(super) fn lowest_color(colors: u32) -> u32 {
+    colors.trailing_zeros().min(OVERFLOW_COLOR)
+}
+
+/// Returns the indices of the colours of the mask `set` in ascending order.
+#[inline(always)]
+fn iter_colors(mut set: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let colour = set.trailing_zeros();
+        set &= set.wrapping_sub(1);
+        (colour < u32::BITS).then_some(colour as usize)
+    })
+}
+
+/// Contact constraints of one kind in graph colours. `R`: a block of four SIMD lanes, one constraint per lane.
+#[derive(Debug)]
+pub struct ColorSet<R> {
+    /// Mask of the colours that have constraints: bit i for colour i.
+    pub(crate) used_colors: u32,
+    /// Blocks of each colour; in the overflow colour a block has one constraint.
+    pub(crate) blocks: [Vec<R>; COLOR_COUNT],
+    /// Number of constraints of each colour.
+    pub(super) constraint_counts: [usize; COLOR_COUNT],
+}
+
+reusing_clone! { [R: Clone] ColorSet<R> { used_colors, blocks, constraint_counts } }
+
+impl<R> Default for ColorSet<R> {
+    fn default() -> Self {
+        ColorSet {
+            used_colors: 0,
+            blocks: std::array::from_fn(|_| Vec::new()),
+            constraint_counts: [0; COLOR_COUNT],
+        }
+    }
+}
+
+impl<R: SimdSlot> ColorSet<R> {
+    pub(super) fn clear(&mut self) {
+        self.used_colors = 0;
+        self.constraint_counts = [0; COLOR_COUNT];
+        self.blocks.iter_mut().for_each(Vec::clear);
+    }
+
+    /// Returns the lowest colour of the mask `free` whose last block has an empty lane, else the lowest colour of the mask.
+    pub(super) fn choose_color(&self, free: u32) -> u32 {
+        let has_room = |&colour: &u32| {
+            free >> colour & 1 == 1 && !self.constraint_counts[colour as usize].is_multiple_of(4)
+        };
+        (0..OVERFLOW_COLOR).find(has_room).unwrap_or(lowest_color(free))
+    }
+
+    /// Adds a constraint to a colour. Returns its slot: 4 times the index of the block, plus the lane.
+    pub(super) fn add(&mut self, color: u32, constraint: &ContactConstraint) -> u32 {
+        let blocks = &mut self.blocks[color as usize];
+        let count = &mut self.constraint_counts[color as usize];
+        let slot = if color == OVERFLOW_COLOR { blocks.len() * 4 } else { *count };
+        if slot % 4 == 0 {
+            blocks.push(R::default());
+        }
+        blocks[slot / 4].insert(slot % 4, constraint);
+        *count += 1;
+        self.used_colors |= 1 << color;
+        slot as u32
+    }
+
+    /// Removes the constraint in `slot` of a colour. Calls `moved` with the pair index and new slot of each constraint that has
+    /// moved to fill the gap.
+    pub(super) fn remove(&mut self, color: u32, slot: u32, mut moved: impl FnMut(u32, u32)) {
+        let slot = slot as usize;
+        if color == OVERFLOW_COLOR {
+            self.remove_overflow(slot / 4, moved);
+        } else if let Some(pair) = self.swap_remove(color, slot) {
+            moved(pair, slot as u32);
+        }
+        self.constraint_counts[color as usize] -= 1;
+        if self.constraint_counts[color as usize] == 0 {
+            self.used_colors &= !(1 << color);
+        }
+    }
+
+    /// Removes a block of the overflow colour. The other blocks keep their order; `moved` gets the pair index and new slot of
+    /// each block behind the removed one.
+    fn remove_overflow(&mut self, block: usize, mut moved: impl FnMut(u32, u32)) {
+        let blocks = &mut self.blocks[OVERFLOW_COLOR as usize];
+        blocks.remove(block);
+        for (at, row) in blocks.iter_mut().enumerate().skip(block) {
+            moved(row.pair_indices()[0], at as u32 * 4);
+        }
+    }
+
+    /// Removes the constraint in `slot` of a colour and moves the last constraint of the colour there. Returns the pair index
+    /// of the constraint that has moved; `None` if the removed one was the last.
+    fn swap_remove(&mut self, color: u32, slot: usize) -> Option<u32> {
+        let blocks = &mut self.blocks[color as usize];
+        let last = self.constraint_counts[color as usize] - 1;
+        let moved = (slot != last).then(|| blocks[last / 4].extract(last % 4));
+        if let Some(lane) = &moved {
+            blocks[slot / 4].insert(slot % 4, lane);
+        }
+        if last.is_multiple_of(4) {
+            blocks.pop();
+        } else {
+            blocks[last / 4].insert(last % 4, &ContactConstraint::default());
+        }
+        moved.map(|lane| lane.pair)
+    }
+
+    /// Calls `act` with each block of four constraints, by ascending colour.
+    #[inline(always)]
+    pub(crate) fn for_each(&mut self, mut act: impl FnMut(&mut R)) {
+        // Plain loops, into which the compiler inlines `act`.
+        for colour in iter_colors(self.used_colors) {
+            for block in &mut self.blocks[colour] {
+                act(block);
+            }
+        }
+    }
+
+    /// Returns the number of constraints of all colours.
+    pub(super) fn constraint_count(&self) -> usize {
+        iter_colors(self.used_colors).map(|colour| self.constraint_counts[colour]).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ColorSet, ContactConstraint};
+    use crate::constraint_graph::ContactConstraintSimd;
+
+    #[test]
+    fn a_new_constraint_fills_a_block_before_a_new_block_begins() {
+        let mut colours = ColorSet::<ContactConstraintSimd<1>>::default();
+        for colour in [0, 0, 0, 0, 1] {
+            colours.add(colour, &ContactConstraint::default());
+        }
+        assert_eq!(colours.choose_color(!0), 1);
+        assert_eq!(colours.choose_color(!2), 0);
+    }
+}

@@ -1,0 +1,225 @@
+//! A polygon that pivots over a static face from vertex to vertex, integrated in closed form.
+//!
+//! Between two impacts the polygon is a compound pendulum about the vertex on the face, with constant energy. An impact keeps
+//! the angular momentum about the new vertex. Let r and r' be the arms from the old and the new vertex to the centre of mass, I
+//! the moment of inertia and m the mass. The angular velocity w becomes `w (I + m r . r') / (I + m r'^2)`. This is the rimless
+//! wheel of T. McGeer, "Passive Dynamic Walking" (1990).
+//!
+//! Substeps resolve neither: a wheel of 96 vertices has several impacts in one substep. An impact that comes late by a fraction
+//! of a substep changes the energy by about as much as the impact itself.
+
+use crate::math::plane::{Vector, cross, difference, dot, length, rotate, scaled, sum};
+use crate::math::scalar;
+use crate::parameters::contacts::{PIVOT_MAX_IMPACTS_PER_STEP, PIVOT_MAX_SLIP, PIVOT_MIN_SUBSTEP};
+use crate::shape::ShapeRef;
+
+/// A polygon, the static face under it, and the accelerations of the polygon by forces in this step.
+#[derive(Clone, Copy)]
+pub(crate) struct PivotingPolygon<'a> {
+    /// Convex polygon in the frame of its body.
+    pub(crate) outline: ShapeRef<'a>,
+    /// Cosine and sine of the polygon's rotation in the world frame, at the beginning of the step.
+    pub(crate) rotation: [f32; 2],
+    /// Unit normal of the face, towards the polygon, in world axes.
+    pub(crate) normal: Vector,
+    /// Square of the polygon's radius of gyration, I / m, length units^2.
+    pub(crate) gyration_squared: f32,
+    /// Linear acceleration of the centre of mass by forces: x, y in length units/s^2, world axes.
+    pub(crate) acceleration: Vector,
+    /// Angular acceleration of the polygon by torques, rad/s^2.
+    pub(crate) angular_acceleration: f32,
+    /// Friction coefficient of polygon and face, dimensionless, >= 0.
+    pub(crate) friction: f32,
+    /// Greatest impact speed of a vertex at which it does not bounce, length units/s, >= 0.
+    pub(crate) restitution_threshold: f32,
+}
+
+/// State of a polygon that pivots about a vertex on a static face.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PivotState {
+    /// Index of the polygon's vertex on the face, about which the polygon pivots.
+    vertex: usize,
+    /// Vector from the vertex on the face to the centre of mass, in world axes, length units.
+    arm: Vector,
+    /// Rotation of the polygon since the beginning of the step, radians.
+    pub(crate) delta_rotation: f32,
+    /// Angular velocity of the polygon, rad/s.
+    pub(crate) angular_velocity: f32,
+    /// Displacement of the centre of mass since the beginning of the step: x, y in length units, world axes.
+    pub(crate) delta_position: Vector,
+    /// Force of the face on the polygon per unit of the polygon's mass: x, y in length units/s^2, world axes.
+    pub(crate) reaction: Vector,
+}
+
+impl PivotState {
+    /// Returns the velocity of the centre of mass: x, y in length units/s, world axes.
+    pub(crate) fn velocity(&self) -> Vector {
+        perpendicular(scaled(self.arm, self.angular_velocity))
+    }
+}
+
+/// The next impact of a vertex of a pivoting polygon on the face.
+struct VertexImpact {
+    /// Index of the polygon's vertex that meets the face.
+    vertex: usize,
+    /// Angle by which the polygon rotates until the impact, radians, >= 0.
+    angle: f32,
+}
+
+impl PivotingPolygon<'_> {
+    /// Returns the state of the polygon after `dt` seconds, integrated in substeps of `h` seconds. `ends`: indices of the
+    /// vertices of the edge that faces the plane. `velocity`: x, y of the centre of mass in length units/s, and angular
+    /// velocity in rad/s.
+    ///
+    /// `None` if the polygon slides, bounces or leaves the face, or lacks the energy to pass over a vertex. The iterative
+    /// solver moves such a polygon.
+    pub(crate) fn advance(&self, ends: [u32; 2], velocity: [f32; 3], dt: f32, h: f32) -> Option<PivotState> {
+        let (mut state, mut remaining) = (self.initial_state(ends, velocity)?, dt);
+        for _ in 0..PIVOT_MAX_IMPACTS_PER_STEP {
+            let next = self.next_impact(&state)?;
+            self.has_energy_to_pass(&state, next.angle).then_some(())?;
+            remaining = self.integrate_pivot(&mut state, next.angle, remaining, h)?;
+            if remaining <= 0.0 {
+                return Some(state);
+            }
+            self.apply_impact(&mut state, next.vertex)?;
+        }
+        None
+    }
+
+    /// Returns the state at the beginning of the step: the polygon pivots about the slower one of the vertices `ends`. `[x, y,
+    /// spin]`: velocity of the centre of mass in length units/s, and angular velocity in rad/s. `None` if the slower vertex
+    /// moves too fast ([`PIVOT_MAX_SLIP`]), or if the reaction is outside of the friction cone.
+    fn initial_state(&self, ends: [u32; 2], [x, y, spin]: [f32; 3]) -> Option<PivotState> {
+        let arm_of = |end: u32| scaled(rotate(self.rotation, self.outline.vertices[end as usize]), -1.0);
+        let slip_of = |arm: Vector| length(difference([x, y], perpendicular(scaled(arm, spin))));
+        let [slip, other] = ends.map(|end| slip_of(arm_of(end)));
+        let corner = if slip < other { ends[0] } else { ends[1] } as usize;
+        let arm = arm_of(corner as u32);
+        (slip_of(arm) <= PIVOT_MAX_SLIP * spin.abs() * length(arm)).then_some(())?;
+        let momentum = self.gyration_squared * spin + cross(arm, [x, y]);
+        let spin = momentum / (self.gyration_squared + dot(arm, arm));
+        let state = PivotState {
+            vertex: corner,
+            arm,
+            delta_rotation: 0.0,
+            angular_velocity: spin,
+            delta_position: [0.0; 2],
+            reaction: [0.0; 2],
+        };
+        self.reaction_if_admissible(&state).map(|reaction| PivotState { reaction, ..state })
+    }
+
+    /// Returns the next impact of a vertex on the face in the direction of rotation. `None` if that vertex is already below the
+    /// face.
+    fn next_impact(&self, state: &PivotState) -> Option<VertexImpact> {
+        let count = self.outline.vertices.len();
+        let (side, ahead) = if state.angular_velocity > 0.0 { (1.0, count - 1) } else { (-1.0, 1) };
+        let corner = (state.vertex + ahead) % count;
+        let edge = difference(self.outline.vertices[corner], self.outline.vertices[state.vertex]);
+        let edge = rotate(self.rotation, edge);
+        let (sine, cosine) = scalar::sin_cos(state.delta_rotation);
+        let edge = rotate([cosine, sine], edge);
+        let along = scaled(perpendicular(self.normal), side);
+        let angle = scalar::atan2(dot(edge, self.normal), dot(edge, along));
+        (angle > -PIVOT_MAX_SLIP).then_some(VertexImpact { vertex: corner, angle: scalar::max(angle, 0.0) })
+    }
+
+    /// Returns whether the kinetic energy suffices to lift the centre of mass over the vertex on the face. It is also true if
+    /// the next impact comes before the centre of mass is at the top. `angle`: rotation until the next impact, radians.
+    fn has_energy_to_pass(&self, state: &PivotState, angle: f32) -> bool {
+        let side = if state.angular_velocity > 0.0 { 1.0 } else { -1.0 };
+        let rises = |arm: Vector| dot(self.acceleration, perpendicular(scaled(arm, side))) < 0.0;
+        let (arm, inertia) = (state.arm, self.gyration_squared + dot(state.arm, state.arm));
+        if !rises(arm) || rises(rotated(arm, side * angle)) {
+            return true;
+        }
+        let lift = length(self.acceleration) * length(arm) + dot(self.acceleration, arm);
+        let braking_work = scalar::min(self.gyration_squared * self.angular_acceleration * side, 0.0) * angle;
+        state.angular_velocity * state.angular_velocity * inertia > 2.0 * (lift - braking_work)
+    }
+
+    /// Integrates the rotation about the vertex on the face until the impact at `angle` radians, for at most `remaining`
+    /// seconds, in substeps of `h` seconds. Returns the seconds of the step that remain after it. `None` if the polygon stops
+    /// or the reaction leaves the friction cone.
+    fn integrate_pivot(&self, state: &mut PivotState, angle: f32, mut remaining: f32, h: f32) -> Option<f32> {
+        let (first, side) = (*state, if state.angular_velocity > 0.0 { 1.0 } else { -1.0 });
+        let inertia = self.gyration_squared + dot(first.arm, first.arm);
+        let mut turned_by = 0.0;
+        loop {
+            let t = scalar::min(remaining, h);
+            let free =
+                state.angular_velocity * t + 0.5 * self.angular_acceleration_about_vertex(state) * t * t;
+            let is_impact = (turned_by + free) * side >= angle;
+            let to = if is_impact { side * angle } else { turned_by + free };
+            let change = difference(rotated(first.arm, to), first.arm);
+            let work =
+                dot(self.acceleration, change) + self.gyration_squared * self.angular_acceleration * to;
+            let squared = first.angular_velocity * first.angular_velocity + 2.0 * work / inertia;
+            (squared > 0.0).then_some(())?;
+            let spin = side * squared.sqrt();
+            let elapsed =
+                if is_impact { 2.0 * (to - turned_by) / (state.angular_velocity + spin) } else { t };
+            remaining -= scalar::max(scalar::min(elapsed, t), 0.0);
+            turned_by = to;
+            (state.delta_rotation, state.angular_velocity) = (first.delta_rotation + to, spin);
+            (state.arm, state.delta_position) = (sum(first.arm, change), sum(first.delta_position, change));
+            state.reaction = self.reaction_if_admissible(state)?;
+            if remaining <= PIVOT_MIN_SUBSTEP * h {
+                return Some(0.0);
+            }
+            if is_impact {
+                return Some(remaining);
+            }
+        }
+    }
+
+    /// Applies the impact of the vertex with index `corner` on the face: from now on the polygon pivots about this vertex, with
+    /// its angular momentum about the vertex conserved. `None` if the polygon bounces or slides.
+    fn apply_impact(&self, state: &mut PivotState, corner: usize) -> Option<()> {
+        let edge = difference(self.outline.vertices[corner], self.outline.vertices[state.vertex]);
+        let (sine, cosine) = scalar::sin_cos(state.delta_rotation);
+        let edge = rotate([cosine, sine], rotate(self.rotation, edge));
+        (state.angular_velocity.abs() * length(edge) <= self.restitution_threshold).then_some(())?;
+        let (before, arm) = (state.velocity(), difference(state.arm, edge));
+        let momentum_ratio =
+            (self.gyration_squared + dot(arm, state.arm)) / (self.gyration_squared + dot(arm, arm));
+        (momentum_ratio > 0.0).then_some(())?;
+        (state.vertex, state.arm, state.angular_velocity) =
+            (corner, arm, momentum_ratio * state.angular_velocity);
+        self.is_in_friction_cone(difference(state.velocity(), before)).then_some(())
+    }
+
+    /// Returns the angular acceleration of the polygon about the vertex on the face by forces and torques, rad/s^2.
+    fn angular_acceleration_about_vertex(&self, state: &PivotState) -> f32 {
+        let torque = cross(state.arm, self.acceleration) + self.gyration_squared * self.angular_acceleration;
+        torque / (self.gyration_squared + dot(state.arm, state.arm))
+    }
+
+    /// Returns the force of the face on the polygon per unit of mass for the motion about the vertex: x, y in length units/s^2,
+    /// world axes. `None` if it is outside of the friction cone.
+    fn reaction_if_admissible(&self, state: &PivotState) -> Option<Vector> {
+        let tangential = perpendicular(scaled(state.arm, self.angular_acceleration_about_vertex(state)));
+        let centripetal = scaled(state.arm, -state.angular_velocity * state.angular_velocity);
+        let reaction = difference(sum(tangential, centripetal), self.acceleration);
+        self.is_in_friction_cone(reaction).then_some(reaction)
+    }
+
+    /// Returns whether a force or impulse on the polygon is in the friction cone. It has no component against the normal, and
+    /// its tangential component is at most the friction coefficient times its normal component.
+    fn is_in_friction_cone(&self, force: Vector) -> bool {
+        let normal_force = dot(force, self.normal);
+        normal_force >= 0.0 && cross(self.normal, force).abs() <= self.friction * normal_force
+    }
+}
+
+/// Returns the vector rotated by 90 degrees, (-y, x).
+fn perpendicular([x, y]: Vector) -> Vector {
+    [-y, x]
+}
+
+/// Returns the vector `arm` rotated by `angle` radians.
+fn rotated(arm: Vector, angle: f32) -> Vector {
+    let (sine, cosine) = scalar::sin_cos(angle);
+    rotate([cosine, sine], arm)
+}

@@ -1,0 +1,199 @@
+//! Selection of the polygons that pivot over static faces in a step, and storage of their velocities and contact impulses after
+//! the step.
+//!
+//! The contact constraints of such a body stay in the iterative solver, so that a body which it meets in the next step has a
+//! warm start. After the substeps the pose and velocity from [`PivotingPolygon`] replace the pose and velocity of the body.
+
+use crate::contact_solver::pivoting::{PivotState, PivotingPolygon};
+use crate::contact_solver::rolling::{
+    RollingContact, RollingSolver, StaticPlane, incident_edge, is_over_face,
+};
+use crate::math::plane::{
+    Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
+};
+use crate::math::scalar;
+use crate::parameters::contacts::{PIVOT_MAX_PENETRATION, PIVOT_PLANE_TOLERANCE};
+use crate::scaled_parameters::StepContext;
+
+impl RollingSolver<'_> {
+    /// Finds the polygons that pivot in closed form in this step, and sets `pivot` of one contact of each. The contacts of such
+    /// a polygon that come later in `rolling` are removed from it.
+    pub(crate) fn find_pivoting_bodies(&mut self, rolling: &mut Vec<RollingContact>, step: &StepContext) {
+        rolling.retain_mut(|roll| {
+            let polygon = roll.proxies[1] as usize;
+            if self.proxy_flags[polygon] {
+                return false;
+            }
+            roll.pivot = self.pivot_through_step(roll, step);
+            self.proxy_flags[polygon] = roll.pivot.is_some();
+            true
+        });
+        rolling.iter().for_each(|roll| self.proxy_flags[roll.proxies[1] as usize] = false);
+    }
+
+    /// Returns the state after the step of the polygon of a rolling contact. `None` if the polygon touches anything but static
+    /// faces of one plane, or slides on that plane or leaves it.
+    fn pivot_through_step(&self, roll: &mut RollingContact, step: &StepContext) -> Option<PivotState> {
+        let [at_a, at_b] = roll.proxies;
+        let pair = self.pairs.pairs_of(at_b).find(|&at| self.pairs.triggers[at].proxies == roll.proxies)?;
+        roll.pair = pair as u32;
+        let b = self.proxies.all[at_b as usize].body as usize;
+        let state = &self.pairs.all[pair];
+        let constraint = self.constraints.get(state.kind, state.constraint?);
+        let outline = self.proxies.shape_of(at_b);
+        let ([x, y, spin, z], force_delta) = (self.bodies.states[b].velocity, self.bodies.force_delta[b]);
+        let is_in_plane =
+            [z, force_delta[3], constraint.depth.normal_z] == [0.0; 3] && outline.shape.radius == 0.0;
+        let can_turn = constraint.inverse_masses[1] > 0.0 && constraint.inverse_inertias[1] > 0.0;
+        if !(is_in_plane && can_turn && outline.vertices.len() > 2) || self.joints.has_joint(b) {
+            return None;
+        }
+        let pose_a = self.bodies.poses[self.proxies.all[at_a as usize].body as usize];
+        let contact_plane = StaticPlane::of(&self.pairs.manifolds[pair]);
+        let offset = contact_plane.offset
+            + dot(difference(translation(pose_a), translation(self.bodies.poses[b])), contact_plane.normal);
+        let plane = StaticPlane { normal: contact_plane.normal, offset };
+        let friction = self.min_coplanar_friction(b, at_b, &plane)?;
+        let [ax, ay, turning, _] = force_delta.map(|push| push / step.h);
+        let pivoting = PivotingPolygon {
+            outline,
+            rotation: rotation(self.bodies.poses[b]),
+            normal: plane.normal,
+            gyration_squared: constraint.inverse_masses[1] / constraint.inverse_inertias[1],
+            acceleration: [ax, ay],
+            angular_acceleration: turning,
+            friction,
+            restitution_threshold: if constraint.restitution > 0.0 {
+                self.parameters.restitution_threshold
+            } else {
+                f32::MAX
+            },
+        };
+        let ends = incident_edge(outline, rotate_inverse(pivoting.rotation, plane.normal));
+        let lowest =
+            ends.map(|end| dot(rotate(pivoting.rotation, outline.vertices[end as usize]), plane.normal));
+        let depth = scalar::min(lowest[0], lowest[1]) - plane.offset;
+        let is_on_plane = depth.abs() <= PIVOT_MAX_PENETRATION * self.parameters.speculative_distance;
+        if !(is_on_plane && self.is_edge_supported(at_b, &plane, 0.0, [0.0; 2])) {
+            return None;
+        }
+        let after = pivoting.advance(ends, [x, y, spin], step.dt, step.h)?;
+        self.is_edge_supported(at_b, &plane, after.delta_rotation, after.delta_position).then_some(after)
+    }
+
+    /// Returns the least friction coefficient (dimensionless) of the contacts of body `b`. `None` if the closed form does not
+    /// apply.
+    ///
+    /// It applies if all contacts of `b` are contacts of the proxy `at_b` with static shapes that do not reach above `plane`. A
+    /// polygon that pivots on the plane then meets no other face of these shapes. The offset of the plane is measured from the
+    /// origin of `b`.
+    fn min_coplanar_friction(&self, b: usize, at_b: u32, plane: &StaticPlane) -> Option<f32> {
+        let mut friction = f32::MAX;
+        for pair in self.pairs.pairs_of_body(self.proxies, b) {
+            let state = &self.pairs.all[pair];
+            let Some(handle) = state.constraint else { continue };
+            let (constraint, [_, other]) =
+                (self.constraints.get(state.kind, handle), self.pairs.triggers[pair].proxies);
+            let is_still =
+                [constraint.tangent_speed, constraint.depth.across_speed, constraint.depth.normal_z]
+                    == [0.0; 3];
+            let is_static =
+                state.kind.is_static && other == at_b && self.constraints.parked(handle).is_none();
+            if !(is_static
+                && is_still
+                && self.height_above_plane(pair, plane)
+                    <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit)
+            {
+                return None;
+            }
+            friction = scalar::min(friction, constraint.friction);
+        }
+        Some(friction)
+    }
+
+    /// Returns the height of the highest point of shape A of a pair above `plane`, length units; negative below it. `f32::MAX`
+    /// for a ground of `twohalf` that is not parallel to the plane. The offset of the plane is measured from the origin of body
+    /// B.
+    fn height_above_plane(&self, pair: usize, plane: &StaticPlane) -> f32 {
+        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        let [a, b] =
+            [at_a, at_b].map(|proxy| self.bodies.poses[self.proxies.all[proxy as usize].body as usize]);
+        let above = dot(difference(translation(a), translation(b)), plane.normal) - plane.offset;
+        if self.pairs.all[pair].is_on_ground {
+            let contact_plane = StaticPlane::of(&self.pairs.manifolds[pair]);
+            let is_level = cross(contact_plane.normal, plane.normal).abs() <= PIVOT_PLANE_TOLERANCE;
+            return if is_level { above + contact_plane.offset } else { f32::MAX };
+        }
+        let (outline, direction) = (self.proxies.shape_of(at_a), rotate_inverse(rotation(a), plane.normal));
+        above + outline.shape.radius + outline.max_projection(direction)
+    }
+
+    /// Returns whether static faces in the plane are under both ends of the polygon's edge that faces the plane. The body is
+    /// first rotated by `turned` radians and moved by `path` (x, y in length units).
+    fn is_edge_supported(&self, at_b: u32, plane: &StaticPlane, turned: f32, path: Vector) -> bool {
+        let pose = self.bodies.poses[self.proxies.all[at_b as usize].body as usize];
+        let (sine, cosine) = scalar::sin_cos(turned);
+        let q = rotate([cosine, sine], rotation(pose));
+        let outline = self.proxies.shape_of(at_b);
+        incident_edge(outline, rotate_inverse(q, plane.normal)).iter().all(|&end| {
+            let point = sum(path, rotate(q, outline.vertices[end as usize]));
+            self.pairs.pairs_of(at_b).any(|pair| self.supports_point(pair, at_b, plane, point))
+        })
+    }
+
+    /// Returns whether the static face of the pair lies in `plane` and under `point`. The point is relative to the origin of
+    /// body B, in world axes, length units.
+    fn supports_point(&self, pair: usize, at_b: u32, plane: &StaticPlane, point: Vector) -> bool {
+        let (state, [at_a, other]) = (&self.pairs.all[pair], self.pairs.triggers[pair].proxies);
+        let is_met = state.constraint.is_some() || self.is_planar;
+        let is_static_contact = state.kind.is_static && state.has_response();
+        let is_level = || {
+            self.height_above_plane(pair, plane).abs() <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit
+        };
+        if !(other == at_b && is_met && is_static_contact && is_level()) {
+            return false;
+        }
+        if state.is_on_ground {
+            return true;
+        }
+        let (face, b) = (self.proxies.shape_of(at_a), self.proxies.all[at_b as usize].body as usize);
+        let pose_a = self.bodies.poses[self.proxies.all[at_a as usize].body as usize];
+        let apart = difference(translation(self.bodies.poses[b]), translation(pose_a));
+        let q = rotation(pose_a);
+        let direction = rotate_inverse(q, plane.normal);
+        let has_face = face.normals.iter().any(|&normal| {
+            cross(normal, direction).abs() <= PIVOT_PLANE_TOLERANCE && dot(normal, direction) > 0.0
+        });
+        has_face && is_over_face(face, q, plane.normal, sum(apart, point))
+    }
+
+    /// Overwrites the velocity of a pivoting body, and the impulses of its contact constraints, after the last substep. The
+    /// constraint of the rolling contact `roll` gets the impulse of the face's reaction in one substep; all other constraints
+    /// of the polygon get impulse 0.
+    pub(crate) fn store_pivot(&mut self, roll: &RollingContact, after: &PivotState, step: &StepContext) {
+        let at_b = roll.proxies[1];
+        let b = self.proxies.all[at_b as usize].body as usize;
+        let [x, y] = after.velocity();
+        self.bodies.states[b].velocity = [x, y, after.angular_velocity, 0.0];
+        let impulse = scaled(after.reaction, step.h / self.bodies.inverse_mass_inertia[b][0]);
+        for pair in self.pairs.pairs_of(at_b) {
+            let state = self.pairs.all[pair];
+            let Some(handle) = state.constraint else { continue };
+            let mut constraint = self.constraints.get(state.kind, handle);
+            let is_pivot_contact = pair as u32 == roll.pair;
+            let reaction_impulse = if is_pivot_contact { impulse } else { [0.0; 2] };
+            let [normal_impulse, tangent_impulse] =
+                [dot(reaction_impulse, constraint.normal), -cross(constraint.normal, reaction_impulse)];
+            for (at, point) in constraint.points.iter_mut().enumerate() {
+                point.normal_impulse = if at == 0 { normal_impulse } else { 0.0 };
+                point.rest_impulse = point.normal_impulse;
+                constraint.depth.totals[at] = point.normal_impulse * step.substeps as f32;
+            }
+            (constraint.tangent_impulse, constraint.depth.across_impulse) = (tangent_impulse, 0.0);
+            (constraint.depth.totals[2], constraint.depth.totals[3]) =
+                (tangent_impulse * step.substeps as f32, 0.0);
+            self.constraints.set(state.kind, handle, &constraint);
+        }
+        self.pairs.recheck_constrained(at_b);
+    }
+}

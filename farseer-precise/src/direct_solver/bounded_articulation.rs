@@ -1,0 +1,244 @@
+//! Free articulations with motors, limits or bounded impulses: islands of joints without contacts, solved in intervals of the
+//! step.
+//!
+//! The method is RATTLE (H. Andersen, 1983) with bounds on the impulses. Each interval begins with the impulse of the applied
+//! forces. A SHAKE solve then finds the joint impulses with which the joints hold at the end of the interval. It uses the
+//! Jacobian from the beginning of the interval and a second-order correction for the rotation of the bodies. Forces act by half
+//! an interval at both ends of the step. The last solve makes the velocities consistent with the joints at the end of the step.
+//!
+//! Impulses act at the present anchor positions of both bodies, so that momentum and angular momentum are conserved. Energy is
+//! accurate to second order in the length of an interval. Steady motors and forces move bodies as far as in continuous time.
+
+use super::cost_model::max_newton_steps;
+use super::island_body::max_or_nan;
+use super::island_io::{DirectIsland, RowReader};
+use super::island_newton::{IslandSystem, SolveStats};
+use super::island_solver::IslandSolver;
+use crate::joints::JointSystem;
+use crate::joints::articulation_step::{SubstepPlan, momentum_conserving_stiffness};
+use crate::joints::island_rows::StepInterval;
+use crate::mass::mass_of_inverse;
+use crate::parameters::direct::{
+    ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,
+};
+use crate::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, MIN_DIRECT_PARTS};
+use crate::scaled_parameters::StepContext;
+
+impl DirectIsland {
+    /// Returns whether the island is a free articulation: it has no contacts, no springs and no closed loops.
+    ///
+    /// Closed loops are excluded: if a loop is stretched to a line, no impulse at the beginning of an interval closes the loop
+    /// at the end.
+    pub(super) fn is_free_articulation(&self, joints: &JointSystem) -> bool {
+        self.contact_handles.is_empty()
+            && self.springs.is_empty()
+            && !self.joints.iter().any(|&at| joints.has_loop(at))
+    }
+
+    /// Applies the forces of the fraction `share` of the step (0..=1) to the velocities of the island's members, and loads
+    /// their masses and moments of inertia. Forces of the game and of springs may depend on positions: they act for the whole
+    /// step in the first interval (`is_first`), as on unconstrained bodies.
+    fn apply_forces(&mut self, share: f64, is_first: bool, reader: &RowReader<'_>) {
+        let RowReader { bodies, step, .. } = reader;
+        let (substeps, at_once) = (f64::from(step.substeps), 2.0 / f64::from(step.dt));
+        let at_beginning = if is_first { 1.0 - share } else { -share };
+        for member in &mut self.system.members {
+            let (push, forced) =
+                (bodies.force_delta[member.index()], bodies.force_position_delta[member.index()]);
+            for axis in 0..3 {
+                let kick = share * substeps * f64::from(push[axis]);
+                member.velocity[axis] += kick + at_beginning * at_once * f64::from(forced[axis]);
+            }
+            member.velocity_change = [0.0; 3];
+            [member.mass, member.inertia] = bodies.inverse_mass_inertia[member.index()].map(mass_of_inverse);
+        }
+    }
+
+    /// Builds the rows of all joints at their present positions, for one `interval`. `error_arm` is the length that one radian
+    /// counts as, in length units per radian.
+    fn make_interval_rows(&mut self, interval: StepInterval, error_arm: f64) {
+        let DirectIsland {
+            system: IslandSystem { members, joints: rows, .. },
+            interval_joints,
+            joint_bodies,
+            ..
+        } = self;
+        rows.clear();
+        for (hold, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
+            let mut made = hold.constraint_rows(ends, interval, error_arm);
+            made.set_effective_masses(members);
+            rows.push(made);
+        }
+    }
+
+    /// Solves the velocities of one interval. With `moves` the joints hold at the end of the interval; without, the velocities
+    /// obey the joints at the present positions. Returns Newton steps, residual and acceptance; a solution that gains energy is
+    /// not accepted.
+    ///
+    /// `limits` are the length unit and the maximum number of Newton steps per solution.
+    fn solve_interval(&mut self, reader: &RowReader<'_>, limits: (f64, usize), moves: bool) -> SolveStats {
+        let (unit, max_steps) = limits;
+        let free_energy = self.system.doubled_kinetic_energy();
+        self.system.warm_start();
+        let mut stats = self.system.solve_velocities(reader, unit, max_steps);
+        for _ in 1..if moves { ARTICULATION_SOLUTIONS } else { 1 } {
+            if self.update_linearisation_errors(reader.dt) <= reader.penetration_slop {
+                break;
+            }
+            let more = self.system.solve_velocities(reader, unit, max_steps);
+            stats = SolveStats { newton_steps: stats.newton_steps + more.newton_steps, ..more };
+        }
+        let gains = self.system.gains_energy(free_energy, reader.dt, unit);
+        SolveStats { is_solved: stats.is_solved && !gains, ..stats }
+    }
+
+    /// Adds the linearisation errors of the displacements in `dt` seconds to the velocity errors of the joint rows. Returns the
+    /// greatest change of a linearisation error, in length units.
+    fn update_linearisation_errors(&mut self, dt: f64) -> f64 {
+        self.find_displacements(dt, false);
+        let DirectIsland {
+            system: IslandSystem { members, joints: rows, .. },
+            interval_joints,
+            joint_bodies,
+            displacements,
+            ..
+        } = self;
+        let mut worst = 0.0;
+        for ((rows, hold), &ends) in rows.iter_mut().zip(interval_joints.iter()).zip(joint_bodies.iter()) {
+            worst = max_or_nan(
+                rows.set_linearisation_error(hold.linearisation_error(ends, displacements, dt), dt),
+                worst,
+            );
+        }
+        members.iter_mut().for_each(|member| member.velocity_change = [0.0; 3]);
+        worst
+    }
+
+    /// Stores the solved forces and torques in `interval_joints`, and adds their impulses to `joint_impulses`, the sums over
+    /// the step. `force_time` is the time for which the forces act, in seconds.
+    fn store_forces(&mut self, force_time: f64) {
+        let DirectIsland { system, interval_joints, joint_impulses, .. } = self;
+        for ((hold, rows), total) in
+            interval_joints.iter_mut().zip(&system.joints).zip(joint_impulses.iter_mut())
+        {
+            hold.set_force_from_impulses(rows, force_time);
+            let force = hold.force_and_torque();
+            (0..3).for_each(|axis| total[axis] += force[axis] * force_time);
+        }
+    }
+
+    /// Moves the joint anchors by the velocities of the island's members for `dt` seconds, and adds the displacements of the
+    /// members to `total_displacements`.
+    fn advance_bodies(&mut self, dt: f64) {
+        self.find_displacements(dt, false);
+        let DirectIsland { interval_joints, joint_bodies, displacements, total_displacements, .. } = self;
+        interval_joints
+            .iter_mut()
+            .zip(joint_bodies.iter())
+            .for_each(|(hold, &ends)| hold.displace(ends, displacements, dt));
+        for (path, displacement) in total_displacements.iter_mut().zip(displacements.iter()) {
+            (0..3).for_each(|axis| path[axis] += displacement[axis]);
+        }
+    }
+
+    /// Fills the scratch lists of a step in intervals: joints, impulses and displacements. Returns the number of intervals,
+    /// which grows with the geometric stiffness and the greatest angular speed.
+    fn begin_articulation(&mut self, joints: &JointSystem, step: &StepContext) -> u32 {
+        let dt = f64::from(step.dt);
+        let DirectIsland {
+            system,
+            interval_joints,
+            joint_impulses,
+            total_displacements,
+            joints: of_island,
+            joint_bodies,
+            ..
+        } = self;
+        interval_joints.clear();
+        interval_joints.extend(of_island.iter().map(|&at| *joints.constraint(at)));
+        joint_impulses.clear();
+        joint_impulses.resize(interval_joints.len(), [0.0; 3]);
+        total_displacements.clear();
+        total_displacements.resize(system.members.len(), [0.0; 3]);
+        system.contacts.clear();
+        system.joints.clear();
+        system.lateral_frictions.clear();
+        let whole_step = StepInterval { dt, force_dt: dt, force_substeps: step.substeps.into(), step_dt: dt };
+        for (hold, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
+            let mut rows = hold.constraint_rows(ends, whole_step, 1.0);
+            rows.set_effective_masses(&system.members);
+            system.joints.push(rows);
+        }
+        let stiffness = system.max_geometric_stiffness(dt);
+        let (count, spin) = (system.members.len() as u32, system.max_angular_speed());
+        let division =
+            SubstepPlan::of(count, step, [spin; 2], |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
+        division.substeps.max(if SubstepPlan::is_energy_balanced(count) { MIN_DIRECT_PARTS } else { 1 })
+    }
+}
+
+impl IslandSolver<'_> {
+    /// Solves an island that is a [free articulation](DirectIsland::is_free_articulation), in intervals of the step. Returns
+    /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted.
+    pub(super) fn solve_articulation(&mut self, island: &mut DirectIsland) -> SolveStats {
+        let unit = self.length_unit();
+        let IslandSolver { bodies, joints, parameters, step, .. } = self;
+        let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
+        let slop = island.load_bodies(bodies, 0.0, unit);
+        island.is_released = false;
+        island.resting_bodies.clear();
+        let intervals = island.begin_articulation(joints, step);
+        let h = dt / f64::from(intervals);
+        // The tolerance at rest would add up to a wrong angle of a slow motor.
+        let velocity_tolerance = unit * MOVING_VELOCITY_ERROR;
+        let reader = RowReader {
+            bodies,
+            step,
+            dt: h,
+            inverse_dt: h.recip(),
+            substeps,
+            penetration_slop: slop,
+            velocity_tolerance,
+        };
+        let max_steps = max_newton_steps(island);
+        let mut total = SolveStats { newton_steps: 0, residual: 0.0, is_solved: true };
+        for interval in 0..=intervals {
+            let (moves, share) =
+                (interval < intervals, if interval == 0 || interval == intervals { 0.5 } else { 1.0 });
+            let share_of_step = share / f64::from(intervals);
+            island.apply_forces(share_of_step, interval == 0, &reader);
+            let span = StepInterval {
+                dt: h,
+                force_dt: share * h,
+                force_substeps: share_of_step * substeps,
+                step_dt: dt,
+            };
+            island.make_interval_rows(span, ERROR_ARM * unit);
+            if moves {
+                island.system.add_geometric_stiffness(h / share, momentum_conserving_stiffness);
+            }
+            let stats = island.solve_interval(&reader, (unit, max_steps), moves);
+            total.newton_steps += stats.newton_steps;
+            total.residual = max_or_nan(stats.residual, total.residual);
+            total.is_solved = stats.is_solved && island.system.max_angular_speed() * h <= ACCEPTED_ROTATION;
+            if !total.is_solved {
+                return total;
+            }
+            island.store_forces(span.force_dt);
+            if moves {
+                island.advance_bodies(h);
+            }
+        }
+        island.displacements.clone_from(&island.total_displacements);
+        let max_correction = f64::from(parameters.recovery_speed) * dt;
+        let gap = island.solve_positions(joints, (dt, 0.0), [slop, max_correction, 0.0], 0.0, None);
+        total.is_solved = gap <= ACCEPTED_JOINT_ERROR * unit;
+        island.was_articulation = total.is_solved;
+        if total.is_solved {
+            for (&at, total) in island.joints.iter().zip(&island.joint_impulses) {
+                joints.set_force(at, total.map(|impulse| impulse / dt + 0.0));
+            }
+        }
+        total
+    }
+}

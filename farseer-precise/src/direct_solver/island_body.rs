@@ -1,0 +1,91 @@
+//! Bodies of an island during a solution, and arithmetic of its vectors (x, y, angle).
+
+use super::mat3::Vec3;
+use crate::mass::INFINITE_MASS;
+use crate::parameters::direct::STABLE_STIFFNESS;
+
+/// State of one dynamic body of the island during a solution.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct IslandBody {
+    /// Index of the body in the simulator's list of bodies.
+    pub(super) body: u32,
+    /// Mass, mass units; very large if the body cannot move.
+    pub(super) mass: f64,
+    /// Moment of inertia, mass units * length units^2; very large if the body cannot rotate.
+    pub(super) inertia: f64,
+    /// Velocity of the body with the initial impulses: length units/s, length units/s, radians/s. When the solution ends, the
+    /// velocity change is added.
+    pub(super) velocity: Vec3,
+    /// Change of the velocity of the body since the initial impulses were applied: length units/s, length units/s, radians/s.
+    pub(super) velocity_change: Vec3,
+    /// Velocity change of the body in the round with the smallest residual so far: length units/s, length units/s, radians/s.
+    pub(super) best_velocity_change: Vec3,
+    /// Velocity of the body along the depth axis, length units/s; 0 in 2D.
+    pub(super) depth_velocity: f64,
+}
+
+impl IslandBody {
+    /// Returns the index of the body in the simulator's list of bodies.
+    #[inline(always)]
+    pub(super) fn index(&self) -> usize {
+        self.body as usize
+    }
+
+    /// Returns the velocity change by an impulse (mass units * length units/s for x and y, mass units * length units^2/s for
+    /// the angle): M^-1 times the impulse. Unit: length units/s, length units/s, radians/s.
+    #[inline(always)]
+    pub(super) fn velocity_from_impulse(&self, [x, y, angular]: Vec3) -> Vec3 {
+        [x / self.mass, y / self.mass, angular / self.inertia]
+    }
+
+    /// Adds `added` to the moment of inertia of the body (mass units * length units^2). Of `added`, the part `rotating` rotates
+    /// with the body, and the other part starts at rest. The angular velocity is scaled so that the angular momentum stays.
+    pub(super) fn add_inertia(&mut self, added: f64, rotating: f64) {
+        self.velocity[2] *= (self.inertia + rotating) / (self.inertia + added);
+        self.inertia += added;
+    }
+
+    /// Returns the stable limit of the body: the greatest geometric stiffness, times dt^2, that an explicit step integrates.
+    /// Unit: mass units * length units^2. `squared_arm` is the square of the longest vector from the centre of mass to a joint,
+    /// length units^2.
+    pub(super) fn stable_stiffness(&self, squared_arm: f64) -> f64 {
+        STABLE_STIFFNESS * (self.inertia + self.mass * squared_arm)
+    }
+
+    /// Returns the inverse mass (1/mass units) and the inverse moment of inertia (1/(mass units * length units^2)). Each is 0
+    /// for a body that cannot move or rotate.
+    pub(super) fn inverse_mass_and_inertia(&self) -> [f64; 2] {
+        [self.mass, self.inertia].map(|weight| if weight < INFINITE_MASS { weight.recip() } else { 0.0 })
+    }
+
+    /// Returns the momentum of the body at a velocity (length units/s, length units/s, radians/s): M times the velocity. Unit:
+    /// mass units * length units/s for x and y, mass units * length units^2/s for the angle.
+    #[inline(always)]
+    pub(super) fn momentum(&self, [x, y, angular]: Vec3) -> Vec3 {
+        [self.mass * x, self.mass * y, self.inertia * angular]
+    }
+}
+
+/// Returns the scalar product of two vectors (x, y, angle), in the product of the units of both.
+#[inline(always)]
+pub(super) fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Adds the vector `added` to the vector `to`.
+#[inline(always)]
+pub(super) fn add(to: &mut Vec3, added: Vec3) {
+    to.iter_mut().zip(added).for_each(|(to, added)| *to += added);
+}
+
+/// Returns the greater of two numbers, or NaN if one of them is NaN.
+#[inline(always)]
+pub(super) fn max_or_nan(one: f64, other: f64) -> f64 {
+    if one <= other || other.is_nan() { other } else { one }
+}
+
+/// Returns `value`, or 0 if it is not finite as `f32`.
+#[inline(always)]
+pub(super) fn finite_or_zero(value: f64) -> f64 {
+    if value.abs() <= f64::from(f32::MAX) { value } else { 0.0 }
+}

@@ -1,0 +1,230 @@
+//! Solution of the islands of the direct solver, and what it costs them.
+//!
+//! Most islands are at rest: their stored impulses still satisfy all constraints. The residual of the stored constraints shows
+//! it, and no rows are built for them. An island with a larger residual is solved by [`island_newton`](super::island_newton).
+
+use super::DirectSolver;
+use super::cost_model::update_budget;
+use super::island_history::{IslandHistory, ReselectionTimer};
+use super::island_io::{DirectIsland, RowReader, free_velocity};
+use super::island_newton::{SolveStats, Tolerances};
+use crate::bodies::BodySet;
+use crate::constraint_graph::ConstraintGraph;
+use crate::joints::JointSystem;
+use crate::joints::springs::SpringRows;
+use crate::parameters::direct::{
+    ACCEPTED_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_FRACTION, CYCLIC_PENETRATION_SPEED,
+    CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, FRICTIONLESS_SPEED_GAIN,
+    LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT,
+    NEWTON_LIMIT_PER_BODY, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+};
+use crate::scaled_parameters::{Parameters, StepContext};
+use crate::solver_choice::SolverChoice;
+/// The parts of the engine that the direct solver reads and writes for its islands.
+pub(crate) struct IslandSolver<'a> {
+    pub(crate) bodies: &'a BodySet,
+    pub(crate) constraints: &'a mut ConstraintGraph,
+    pub(crate) joints: &'a mut JointSystem,
+    pub(crate) springs: &'a mut SpringRows,
+    pub(crate) parameters: &'a Parameters,
+    pub(crate) step: &'a StepContext,
+    /// The user's choice of solvers for all islands.
+    pub(crate) choice: SolverChoice,
+    /// Whether the simulator has a depth axis (2.5D).
+    pub(crate) has_depth: bool,
+}
+
+impl DirectSolver {
+    /// Solves all islands of the direct solver. [`store`](Self::store) later writes the solved velocities to the bodies. Islands
+    /// without an acceptable solution, and those [on trial](super::island_stats::IslandStats::is_on_trial) that need no friction,
+    /// go to the iterative solver. Returns whether there was one, so that contact constraints must
+    /// [move](Self::move_constraints).
+    pub(crate) fn solve(&mut self, mut solver: IslandSolver<'_>) -> bool {
+        let seconds = [solver.step.dt, solver.step.h];
+        let has_changed = solver.constraints.take_direct_change()
+            | (std::mem::replace(&mut self.step_lengths, seconds) != seconds);
+        let DirectSolver { islands, count, history, timer, .. } = self;
+        for island in &mut islands[..*count] {
+            island.has_impulse_sum &= !has_changed;
+            if std::mem::take(&mut island.is_on_trial) {
+                if !solver.stands_by_friction(island) {
+                    (island.is_released, island.newton_steps) = (true, 0);
+                    continue;
+                }
+                let members = &island.system.members;
+                members.iter().for_each(|member| history[member.index()].friction_checks = 0);
+            }
+            let stats = solver.solve_island(island, history[island.system.members[0].index()]);
+            record_stats(history, timer, island, stats, solver.has_depth);
+            island.newton_steps = stats.newton_steps;
+        }
+        self.release_unsolved()
+    }
+
+    /// Writes the velocities and displacements of the members of all islands to `bodies`, after a step of `dt` seconds.
+    pub(crate) fn store(&self, bodies: &mut BodySet, dt: f32) {
+        for DirectIsland { system, displacements, .. } in &self.islands[..self.count] {
+            for (member, displacement) in system.members.iter().zip(displacements) {
+                // Adding 0 removes negative zeros, which a body that cannot rotate may get here and a loaded snapshot never
+                // has.
+                let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
+                let depth = member.depth_velocity as f32 + 0.0;
+                bodies.states[member.index()].velocity = [x, y, spin, depth];
+                let [x, y, turned] = displacement.map(|component| component as f32);
+                bodies.delta_pose[member.index()] = [x, y, turned, depth * dt];
+            }
+        }
+    }
+}
+
+impl IslandSolver<'_> {
+    /// Returns the length unit, in the user's unit of length, > 0.
+    pub(super) fn length_unit(&self) -> f64 {
+        f64::from(self.parameters.length_unit)
+    }
+
+    /// Solves one island: as a free articulation, as an island with joints, or as an island of contacts. `history` is that of
+    /// its members. Returns Newton steps, residual and acceptance of the solution.
+    fn solve_island(&mut self, island: &mut DirectIsland, history: IslandHistory) -> SolveStats {
+        island.was_articulation = false;
+        if !island.has_joints() {
+            return self.solve_contact_island(island, history);
+        }
+        let steps = match island.is_free_articulation(self.joints) {
+            true => match self.solve_articulation(island) {
+                stats if stats.is_solved => return stats,
+                stats => stats.newton_steps,
+            },
+            false => 0,
+        };
+        let stats = self.solve_jointed_island(island, history.has_accepted_solution);
+        SolveStats { newton_steps: steps + stats.newton_steps, ..stats }
+    }
+
+    /// Returns whether an island of contacts stands by friction: with all friction coefficients 0 a body would gain speed in this
+    /// step.
+    fn stands_by_friction(&self, island: &mut DirectIsland) -> bool {
+        let (bodies, unit) = (self.bodies, self.length_unit());
+        let slop = island.load_bodies(bodies, f64::from(self.step.substeps), unit);
+        let reader = RowReader::new(bodies, self.step, slop, unit * RESTING_VELOCITY_ERROR);
+        island.make_contacts(self.constraints, &reader, false);
+        let system = &mut island.system;
+        system.contacts.iter_mut().for_each(|contact| contact.friction = 0.0);
+        let residual = system.begin_solve(reader.dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
+        system.solve(&contact_tolerances(residual, unit));
+        let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+        system.members.iter().any(|member| {
+            let [x0, y0, ..] = bodies.states[member.index()].velocity.map(f64::from);
+            let [x, y, ..] = free_velocity(bodies, member.index(), reader.substeps);
+            let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
+            speed([member.velocity[0], member.velocity[1]]) > most + reader.velocity_tolerance
+        })
+    }
+
+    /// Solves an island of contacts, without joints and springs. `history` is that of its members. Returns Newton steps,
+    /// residual and acceptance of the solution.
+    fn solve_contact_island(&mut self, island: &mut DirectIsland, history: IslandHistory) -> SolveStats {
+        let unit = self.length_unit();
+        let IslandSolver { bodies, constraints: rows, parameters, step, has_depth, choice, .. } = self;
+        let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
+        let slop = island.load_bodies(bodies, substeps, unit);
+        let velocity_tolerance =
+            unit * if history.was_iterated { MOVING_VELOCITY_ERROR } else { RESTING_VELOCITY_ERROR };
+        island.is_released = false;
+        let reader = RowReader::new(bodies, step, slop, velocity_tolerance);
+        island.apply_warm_start(rows, &reader);
+        if !*has_depth {
+            let [residual, deepest] = island.residual(rows, &reader);
+            if residual <= velocity_tolerance && deepest <= slop {
+                island.keep_solution(rows, step, substeps);
+                island.find_displacements(dt, false);
+                return SolveStats { newton_steps: 0, residual, is_solved: true };
+            }
+            island.undo_residual(rows);
+        }
+        island.make_contacts(rows, &reader, *has_depth);
+        let residual = island.system.begin_solve(dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
+        let stats = if residual > velocity_tolerance {
+            island.system.solve(&contact_tolerances(residual, unit))
+        } else {
+            SolveStats { newton_steps: 0, residual, is_solved: true }
+        };
+        let has_budget = island.has_cyclic_budget(*has_depth);
+        island.is_released = *choice != SolverChoice::Direct && !stats.is_solved && !has_budget;
+        if island.is_released {
+            island.system.scale_down_impulses(|at| {
+                let [x, y, spin, _] = free_velocity(bodies, at as usize, substeps);
+                [x, y, spin]
+            });
+        } else {
+            let has_built_cycles = island.system.has_contact_cycles() && !history.formed_by_motion;
+            let resolved_fraction =
+                if has_budget || has_built_cycles { CYCLIC_PENETRATION_FRACTION } else { 1.0 };
+            let max_speed = if has_budget {
+                CYCLIC_PENETRATION_SPEED * unit
+            } else {
+                f64::from(parameters.recovery_speed)
+            };
+            let has_corrections =
+                island.system.resolve_penetration(dt, [slop, max_speed * dt], resolved_fraction);
+            island.system.solve_lateral_friction(unit);
+            island.find_displacements(dt, has_corrections);
+        }
+        island.store_solution(rows, substeps, step.h);
+        stats
+    }
+}
+
+/// Returns the tolerances of an island of contacts. `residual` is its velocity residual before the solution, length units/s,
+/// and `unit` the length unit.
+fn contact_tolerances(residual: f64, unit: f64) -> Tolerances {
+    let acceptable = unit * ACCEPTED_VELOCITY_ERROR;
+    Tolerances {
+        initial_residual: residual,
+        acceptable: if residual > acceptable { residual } else { acceptable },
+        sufficient: unit * SOLVED_VELOCITY_ERROR,
+        exact: unit * EXACT_VELOCITY_ERROR,
+        resting: unit * RESTING_VELOCITY_ERROR,
+        moving_cycles: unit * CYCLIC_VELOCITY_ERROR,
+        max_newton_steps: 0,
+    }
+}
+
+/// Stores the Newton steps or the modelled cost of an update in the island history of each member. An island with too many
+/// Newton steps, an overdrawn budget or no accepted solution goes to the iterative solver for a pause. `histories` are indexed by
+/// body.
+///
+/// Islands that may jam get no pause below [`DEPTH_NEWTON_LIMIT`]: a direct solution in every other update is better than the
+/// iterative solver.
+fn record_stats(
+    histories: &mut [IslandHistory],
+    timer: &mut ReselectionTimer,
+    island: &DirectIsland,
+    stats: SolveStats,
+    has_depth: bool,
+) {
+    if island.has_joints() || island.has_cyclic_budget(has_depth) {
+        return update_budget(histories, timer, island, stats);
+    }
+    let SolveStats { newton_steps: steps, is_solved, .. } = stats;
+    let (system, contacts) = (&island.system, island.contact_handles.len());
+    let bodies = system.members.len();
+    let mut history = histories[system.members[0].index()];
+    history.average_newton_steps += (steps as f32 - history.average_newton_steps) / NEWTON_AVERAGE_UPDATES;
+    history.was_iterated = steps > 0;
+    let has_cycles = usize::from(contacts > bodies);
+    let by_size = NEWTON_LIMIT[has_cycles] + NEWTON_LIMIT_PER_BODY[has_cycles] * bodies as f32;
+    let max_steps = if has_depth { DEPTH_NEWTON_LIMIT } else { by_size };
+    if (history.average_newton_steps > max_steps || !is_solved) && timer.choice != SolverChoice::Direct {
+        let stays =
+            history.average_newton_steps <= DEPTH_NEWTON_LIMIT && system.may_jam(&island.contact_bodies);
+        timer.is_due |= !(is_solved && stays);
+        if !stays {
+            (history.average_newton_steps, history.pause) = (0.0, BUSY_ISLAND_PAUSE);
+            timer.has_paused = true;
+        }
+    }
+    for member in &system.members {
+        histories[member.index()] = history;
+    }
+}

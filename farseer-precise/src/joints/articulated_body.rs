@@ -1,0 +1,622 @@
+//! Articulated-body algorithm (R. Featherstone, "The calculation of robot dynamics using articulated-body inertias", 1983) for
+//! trees of planar bodies that joints connect.
+//!
+//! The algorithm solves M v' = M v + J^T l, J v' = b exactly in one pass up and one pass down the tree. M holds the masses, v
+//! and v' the velocities before and after, J the joint Jacobian, l the joint impulses and b the target velocities of the
+//! joints. The elimination has no fill-in, so its cost is linear in the number of bodies.
+//!
+//! - Backward pass ([`propagate_up`]): each body adds its inertia and momentum to those of its parent. The motions that the
+//!   joint leaves free are eliminated first.
+//! - Forward pass ([`propagate_down`]): velocities and joint impulses follow from the root to the leaves.
+//!
+//! Each body is described at its joint with the parent, a root at its centre of mass. A velocity is [v.x, v.y, w]: the linear
+//! velocity v of that point and the angular velocity w. With r the vector from one point to another and p = (-r.y, r.x), the
+//! other point moves with v + w p. An articulated inertia [A c; c^T d] of the other point is [A, c + A p; ., d + 2 c.p + p.A p]
+//! at the first.
+//!
+//! Trees that have only rigid revolute joints and no contacts use the same formulas in [`revolute_tree`](super::revolute_tree).
+//! All numbers are `f64`: along a long chain the reciprocal of the inertia loses half of its digits.
+
+/// A vector in the plane: x and y.
+pub type Vec2 = [f64; 2];
+
+/// Returns the scalar product of two vectors.
+#[inline(always)]
+pub(super) fn dot(a: Vec2, b: Vec2) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// Returns the cross product of two vectors in the plane: a.x b.y - a.y b.x.
+#[inline(always)]
+pub(super) fn cross(a: Vec2, b: Vec2) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// Returns `arm` rotated by 90 degrees, (-y, x): the velocity of the arm's end per unit of angular velocity.
+#[inline(always)]
+pub(super) fn perp(arm: Vec2) -> Vec2 {
+    [-arm[1], arm[0]]
+}
+
+/// Returns the vector rotated by an angle that is given as cosine and sine.
+#[inline(always)]
+pub(super) fn rotate([c, s]: [f64; 2], [x, y]: Vec2) -> Vec2 {
+    [c * x - s * y, s * x + c * y]
+}
+
+/// Returns a + s b.
+#[inline(always)]
+pub(super) fn add_scaled(a: Vec2, b: Vec2, s: f64) -> Vec2 {
+    [a[0] + b[0] * s, a[1] + b[1] * s]
+}
+
+/// Degrees of freedom that a joint locks between a body and its parent in the tree, or how the root of a tree is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LockedDofs {
+    /// Locks nothing: the body is the root of a free tree.
+    #[default]
+    Free,
+    /// Locks all motion of a root: the world, or a static, kinematic or sleeping body. The velocity of the root is given.
+    Fixed,
+    /// Locks the relative translation of two anchors: a revolute joint.
+    Point,
+    /// Locks the relative translation of two anchors and the relative angle: a weld joint.
+    Weld,
+    /// Locks the relative angle of the bodies alone: an angle joint.
+    Angle,
+    /// Locks the distance between two anchors: a pin or slider joint.
+    Distance,
+    /// Locks the translation across a line fixed to the first body, and the relative angle: a prismatic joint.
+    Line,
+}
+
+/// A symmetric 2x2 matrix.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SymMat2 {
+    xx: f64,
+    xy: f64,
+    yy: f64,
+}
+
+impl SymMat2 {
+    /// Returns the product of the matrix and the vector `v`.
+    #[inline(always)]
+    pub(super) fn mul_vec(&self, v: Vec2) -> Vec2 {
+        [self.xx * v[0] + self.xy * v[1], self.xy * v[0] + self.yy * v[1]]
+    }
+
+    /// Returns self + s v v^T.
+    #[inline(always)]
+    pub(super) fn with_outer_product(&self, v: Vec2, s: f64) -> Self {
+        SymMat2 {
+            xx: self.xx + s * v[0] * v[0],
+            xy: self.xy + s * v[0] * v[1],
+            yy: self.yy + s * v[1] * v[1],
+        }
+    }
+
+    /// Returns the solution x of self x = v.
+    #[inline(always)]
+    fn solve(&self, v: Vec2) -> Vec2 {
+        let inverse = 1.0 / (self.xx * self.yy - self.xy * self.xy);
+        [(self.yy * v[0] - self.xy * v[1]) * inverse, (self.xx * v[1] - self.xy * v[0]) * inverse]
+    }
+}
+
+/// Articulated inertia [A c; c^T d] of a body and the subtree below it, about a point. It maps the velocity of the point and
+/// the angular velocity to momentum.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ArticulatedInertia {
+    /// Block A of the articulated inertia [A c; c^T d]: inertia against translation of the point. Unit: mass units.
+    pub(super) mass: SymMat2,
+    /// Block c of the articulated inertia [A c; c^T d]: linear momentum per unit of angular velocity. Unit: mass units * length
+    /// units.
+    pub(super) coupling: Vec2,
+    /// Element d of the articulated inertia [A c; c^T d]: inertia against rotation about the point. Unit: mass units * length
+    /// units^2.
+    pub(super) rotational: f64,
+}
+
+/// Momentum of a body and the subtree below it, about the point of the body's [`ArticulatedInertia`].
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ArticulatedMomentum {
+    /// Linear momentum along x and y. Unit: mass units * length units/s.
+    pub(super) linear: Vec2,
+    /// Angular momentum of the body and the subtree about the point. Unit: mass units * length units^2/s.
+    pub(super) angular: f64,
+}
+
+impl ArticulatedInertia {
+    /// Returns the inertia of a single body about a point. `arm` leads from the body's centre of mass to the point, in length
+    /// units.
+    #[inline(always)]
+    pub(super) fn of_body(mass: f64, inertia: f64, arm: Vec2) -> Self {
+        let p = perp(arm);
+        ArticulatedInertia {
+            mass: SymMat2 { xx: mass, xy: 0.0, yy: mass },
+            coupling: [-mass * p[0], -mass * p[1]],
+            rotational: inertia + mass * dot(p, p),
+        }
+    }
+
+    /// Adds the inertia `other`, which refers to another point. `arm` leads from the point of `self` to the point of `other`,
+    /// in length units.
+    #[inline(always)]
+    fn add_at(&mut self, other: &ArticulatedInertia, arm: Vec2) {
+        let p = perp(arm);
+        self.add_point_mass(&other.mass, arm);
+        self.coupling = add_scaled(self.coupling, other.coupling, 1.0);
+        self.rotational += other.rotational + 2.0 * dot(other.coupling, p);
+    }
+
+    /// Adds the inertia of a point that resists translation only. `arm` leads from the point of `self` to that point, in length
+    /// units.
+    #[inline(always)]
+    pub(super) fn add_point_mass(&mut self, mass: &SymMat2, arm: Vec2) {
+        let p = perp(arm);
+        let moved = mass.mul_vec(p);
+        self.mass.xx += mass.xx;
+        self.mass.xy += mass.xy;
+        self.mass.yy += mass.yy;
+        self.coupling = add_scaled(self.coupling, moved, 1.0);
+        self.rotational += dot(moved, p);
+    }
+
+    /// Returns the velocity of a body with this inertia and momentum that no joint holds: x and y in length units/s, angular in
+    /// radians/s.
+    #[inline(always)]
+    pub(super) fn unconstrained_velocity(&self, momentum: &ArticulatedMomentum) -> [f64; 3] {
+        let (inertia, twist) = self.eliminate_translation(momentum);
+        let spin = twist / inertia;
+        let [x, y] = self.mass.solve(add_scaled(momentum.linear, self.coupling, -spin));
+        [x, y, spin]
+    }
+
+    /// Returns the inertia that remains when the point may slide freely along the unit vector `direction` (Schur complement).
+    #[inline(always)]
+    fn eliminate_slide(&self, direction: Vec2) -> ArticulatedInertia {
+        let moved = self.mass.mul_vec(direction);
+        let (inverse, coupled) = (1.0 / dot(direction, moved), dot(self.coupling, direction));
+        ArticulatedInertia {
+            mass: self.mass.with_outer_product(moved, -inverse),
+            coupling: add_scaled(self.coupling, moved, -coupled * inverse),
+            rotational: self.rotational - coupled * coupled * inverse,
+        }
+    }
+
+    /// Returns the rotational inertia (mass units * length units^2) and the angular momentum (mass units * length units^2/s)
+    /// that remain when the point may translate freely (Schur complement).
+    #[inline(always)]
+    fn eliminate_translation(&self, momentum: &ArticulatedMomentum) -> (f64, f64) {
+        let weighed = self.mass.solve(self.coupling);
+        (self.rotational - dot(self.coupling, weighed), momentum.angular - dot(weighed, momentum.linear))
+    }
+}
+
+impl ArticulatedMomentum {
+    /// Returns the momentum of a single body about a point. `arm` leads from the body's centre of mass to the point. The
+    /// velocity is that of the centre of mass: x and y in length units/s, angular in radians/s.
+    #[inline(always)]
+    pub(super) fn of_body(mass: f64, inertia: f64, arm: Vec2, [x, y, spin]: [f64; 3]) -> Self {
+        let along = [mass * x, mass * y];
+        ArticulatedMomentum { linear: along, angular: inertia * spin - cross(arm, along) }
+    }
+
+    /// Adds the linear momentum `linear` that acts at the end of `arm`, and the angular momentum `angular`.
+    #[inline(always)]
+    pub(super) fn add_at(&mut self, linear: Vec2, angular: f64, arm: Vec2) {
+        self.linear = add_scaled(self.linear, linear, 1.0);
+        self.angular += angular + cross(arm, linear);
+    }
+}
+
+/// A link: a body in a tree of joints. Parents come before their children in the list of links; a root is its own parent.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ArticulatedLink {
+    /// Index of the body into the arrays of `BodySet`; 0 for the world.
+    pub(super) body: u32,
+    /// Index of the parent in the list of links.
+    pub(super) parent: u32,
+    /// Index of the joint with the parent into `JointSystem::constraints`.
+    pub(super) joint: u32,
+    /// Degrees of freedom that the joint with the parent locks, or how a root is held.
+    pub(super) locked: LockedDofs,
+    /// Whether this body is the first body of the joint, and the parent the second.
+    pub(super) is_first: bool,
+    /// Mass of the body. Unit: mass units.
+    pub(super) mass: f64,
+    /// Moment of inertia about the centre of mass. Unit: mass units * length units^2.
+    pub(super) inertia: f64,
+    /// Excess of the geometric stiffness over the stable limit, integrated implicitly by adding it to the moment of inertia:
+    /// see [`raise_added_stiffness`](super::articulation_step). Unit: mass units * length units^2, >= 0.
+    pub(super) added_stiffness: f64,
+    /// Geometric stiffness of the body against rotation, due to the joint forces, times the square of the substep. Unit: mass
+    /// units * length units^2.
+    pub(super) geometric_stiffness: f64,
+    /// Square of the largest distance from the centre of mass to a joint of the body. Unit: length units^2.
+    pub(super) max_arm_squared: f64,
+    /// Velocity of the centre of mass, and angular velocity: x and y in length units/s, angular in radians/s.
+    pub(super) velocity: [f64; 3],
+    /// Predicted angular velocity in this substep, about which the joint errors are linearised. Unit: radians/s.
+    pub(super) predicted_spin: f64,
+    /// Change of the angular velocity by joints in the previous substep. It predicts the change in this one. Unit: radians/s.
+    pub(super) joint_spin_change: f64,
+    /// Velocity in this substep before joint impulses: x and y in length units/s, angular in radians/s.
+    pub(super) unconstrained_velocity: [f64; 3],
+    /// Velocity change by applied forces in a substep: x and y in length units/s, angular in radians/s.
+    pub(super) force_delta: [f64; 3],
+    /// Position of the centre of mass in the world. Unit: length units.
+    pub(super) position: Vec2,
+    /// Displacement since the step began: x and y in length units, rotation in radians.
+    pub(super) delta_pose: [f64; 3],
+    /// Rotation in this substep. Before the solve it is [cosine, sine minus the angle in radians], after it [cosine, sine].
+    /// Dimensionless.
+    pub(super) rotation: Vec2,
+    /// Arm: vector from the centre of mass of the body to its anchor of the joint, in world coordinates. Unit: length units.
+    pub(super) arm: Vec2,
+    /// Parent's arm: vector from the centre of mass of the parent to its anchor of the joint, in world coordinates. Unit:
+    /// length units.
+    pub(super) parent_arm: Vec2,
+    /// Unit vector in world coordinates. Distance joint: from the parent's anchor to the body's. Prismatic joint: along its
+    /// axis. Unused in other joints.
+    pub(super) axis: Vec2,
+    /// Target velocity of the body relative to its parent at the joint: x and y in length units/s, angular in radians/s. For a
+    /// distance joint the first component is the velocity along `axis`, and the others are unused.
+    pub(super) target_velocity: [f64; 3],
+    /// Distance joint: target length, in length units. Other joints: error of the angle relative to the parent when the step
+    /// begins, in radians.
+    pub(super) angle_error_or_length: f64,
+    /// Joint error when the step begins, >= 0. Linear errors are a fraction of the joint's arms plus the radius of gyration
+    /// (dimensionless), angular errors are in radians.
+    pub(super) initial_error: f64,
+    /// Impulse of the joint on the body in this substep, in the world: x and y (mass units * length units/s), angular (mass
+    /// units * length units^2/s).
+    pub(super) impulse: [f64; 3],
+    /// Sum of `impulse` over the substeps since the step began: x and y (mass units * length units/s), angular (mass units *
+    /// length units^2/s).
+    pub(super) total_impulse: [f64; 3],
+    /// Intermediate results of a solve by the articulated-body algorithm.
+    pub(super) scratch: AbaScratch,
+}
+
+/// Intermediate results of the articulated-body algorithm for one link.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct AbaScratch {
+    /// Articulated inertia of the link and its subtree, about the anchor of the joint with the parent.
+    inertia: ArticulatedInertia,
+    /// Momentum of the link and its subtree, about the anchor of the joint with the parent.
+    momentum: ArticulatedMomentum,
+    /// Vector from the parent's own joint (for a root, from the root's centre of mass) to the joint between parent and body.
+    /// Unit: length units.
+    lever: Vec2,
+    /// Velocity of the body at its joint with the parent, and angular velocity: x and y in length units/s, angular in
+    /// radians/s.
+    joint_velocity: [f64; 3],
+    /// 1 / d of the articulated inertia [A c; c^T d]: reciprocal of the rotational inertia, where the joint leaves rotation
+    /// free. Unit: 1/(mass units * length units^2).
+    inverse_rotational: f64,
+    /// A - c c^T / d of the articulated inertia [A c; c^T d]: inertia of the link and its subtree against translation, with
+    /// rotation eliminated. Unit: mass units.
+    reduced_mass: SymMat2,
+    /// Linear momentum of the link and its subtree, with rotation eliminated. Unit: mass units * length units/s.
+    reduced_momentum: Vec2,
+    /// Results for a distance joint with axis n. Let t be perpendicular to n, and B be `reduced_mass`.
+    ///
+    /// The elements are: effective mass along n (mass units); negative joint impulse along n if the parent rests (mass units *
+    /// length units/s); coupling ratio n.B t / t.B t (dimensionless).
+    along_axis: [f64; 3],
+}
+
+/// Backward pass of the articulated-body algorithm: computes inertias and momenta of all subtrees, from the leaves to the
+/// roots.
+///
+/// The function is not inlined because it has many callers.
+#[inline(never)]
+pub(super) fn propagate_up(links: &mut [ArticulatedLink]) {
+    for_each_up(links, ArticulatedLink::propagate_up);
+}
+
+/// Backward pass of the articulated-body algorithm for momenta and target velocities only, with the inertias of the last
+/// [`propagate_up`].
+#[inline(never)]
+pub(super) fn propagate_momentum_up(links: &mut [ArticulatedLink]) {
+    for_each_up(links, ArticulatedLink::propagate_momentum_up);
+}
+
+/// Forward pass of the articulated-body algorithm: computes velocities and joint impulses, from the roots to the leaves.
+#[inline(never)]
+pub(super) fn propagate_down(links: &mut [ArticulatedLink]) {
+    for_each_down(links, ArticulatedLink::propagate_down);
+}
+
+/// A node of a tree in a list in which parents come before their children.
+pub(super) trait TreeNode {
+    /// Returns the index of the parent in the list; a root returns its own index.
+    fn parent(&self) -> usize;
+}
+
+impl TreeNode for ArticulatedLink {
+    #[inline(always)]
+    fn parent(&self) -> usize {
+        self.parent as usize
+    }
+}
+
+/// Calls `visit` with each node that has a parent and with that parent, children before parents.
+#[inline(always)]
+pub(super) fn for_each_up<N: TreeNode>(links: &mut [N], mut visit: impl FnMut(&mut N, &mut N)) {
+    for at in (1..links.len()).rev() {
+        let (before, rest) = links.split_at_mut(at);
+        if let Some(parent) = before.get_mut(rest[0].parent()) {
+            visit(&mut rest[0], parent);
+        }
+    }
+}
+
+/// Calls `visit` with each node and its parent, parents before children. The parent of a root is `None`.
+#[inline(always)]
+pub(super) fn for_each_down<N: TreeNode>(links: &mut [N], mut visit: impl FnMut(&mut N, Option<&mut N>)) {
+    for at in 0..links.len() {
+        let (before, rest) = links.split_at_mut(at);
+        let parent = rest[0].parent();
+        visit(&mut rest[0], before.get_mut(parent));
+    }
+}
+
+impl LockedDofs {
+    /// Returns whether this is a joint with a parent, not the state of a root.
+    pub(super) fn is_joint(self) -> bool {
+        !matches!(self, LockedDofs::Free | LockedDofs::Fixed)
+    }
+}
+
+impl ArticulatedLink {
+    /// Adds the joint impulse of this substep to `total_impulse`, the sum of the step.
+    #[inline(always)]
+    pub(super) fn accumulate_impulse(&mut self) {
+        (0..3).for_each(|i| self.total_impulse[i] += self.impulse[i]);
+    }
+
+    /// Sets inertia and momentum in `scratch` to those of the single body, about its joint with the parent.
+    ///
+    /// `stiffness_factor` scales the added stiffness: 1 in substeps, 0 when velocities are projected at the end of a step.
+    /// Dimensionless.
+    #[inline(always)]
+    pub(super) fn init_own(&mut self, stiffness_factor: f64) {
+        self.init_own_inertia(stiffness_factor);
+        self.init_own_momentum(self.velocity, 0.0);
+    }
+
+    /// Sets the inertia in `scratch` to that of the single body about its joint with the parent, including `stiffness_factor`
+    /// (dimensionless) times the added stiffness.
+    #[inline(always)]
+    pub(super) fn init_own_inertia(&mut self, stiffness_factor: f64) {
+        self.scratch.inertia = ArticulatedInertia::of_body(
+            self.mass,
+            self.inertia + stiffness_factor * self.added_stiffness,
+            self.arm,
+        );
+    }
+
+    /// Sets the momentum in `scratch` to that of the single body about its joint with the parent. `velocity` is that of the
+    /// centre of mass: x and y in length units/s, angular in radians/s.
+    ///
+    /// `stiffness` is the amount of the added stiffness that carries angular momentum. Unit: mass units * length units^2.
+    #[inline(always)]
+    pub(super) fn init_own_momentum(&mut self, velocity: [f64; 3], stiffness: f64) {
+        self.scratch.momentum =
+            ArticulatedMomentum::of_body(self.mass, self.inertia + stiffness, self.arm, velocity);
+    }
+
+    /// Adds the inertia and momentum of the link's subtree to those of the parent. Motions that the joint leaves free are
+    /// eliminated.
+    #[inline(always)]
+    pub(super) fn propagate_up(&mut self, parent: &mut ArticulatedLink) {
+        self.propagate_inertia_up(parent);
+        self.propagate_momentum_up(parent);
+    }
+
+    /// Adds the inertia of the link's subtree to that of the parent. Motions that the joint leaves free are eliminated.
+    #[inline(always)]
+    fn propagate_inertia_up(&mut self, parent: &mut ArticulatedLink) {
+        let mut lever = add_scaled(self.parent_arm, parent.arm, -1.0);
+        if self.locked == LockedDofs::Line {
+            // A prismatic joint acts at the child's anchor.
+            lever = add_scaled(lever, self.anchor_offset(parent.position), 1.0);
+        }
+        self.scratch.lever = lever;
+        let parent_inertia = &mut parent.scratch.inertia;
+        match self.locked {
+            LockedDofs::Free | LockedDofs::Fixed => {}
+            LockedDofs::Point => {
+                self.eliminate_rotation();
+                parent_inertia.add_point_mass(&self.scratch.reduced_mass, lever);
+            }
+            LockedDofs::Distance => {
+                self.eliminate_rotation();
+                let effective_mass = self.effective_mass_along();
+                parent_inertia
+                    .add_point_mass(&SymMat2::default().with_outer_product(self.axis, effective_mass), lever);
+            }
+            LockedDofs::Weld => parent_inertia.add_at(&self.scratch.inertia, lever),
+            LockedDofs::Line => {
+                parent_inertia.add_at(&self.scratch.inertia.eliminate_slide(self.axis), lever)
+            }
+            LockedDofs::Angle => {
+                let (inertia, _) =
+                    self.scratch.inertia.eliminate_translation(&ArticulatedMomentum::default());
+                parent_inertia.rotational += inertia;
+            }
+        }
+    }
+
+    /// Adds the momentum of the link's subtree to that of the parent. Motions that the joint leaves free are eliminated.
+    #[inline(always)]
+    pub(super) fn propagate_momentum_up(&mut self, parent: &mut ArticulatedLink) {
+        let parent_momentum = &mut parent.scratch.momentum;
+        let ArticulatedInertia { mass, coupling, rotational } = self.scratch.inertia;
+        let (ArticulatedMomentum { linear, angular }, lever) = (self.scratch.momentum, self.scratch.lever);
+        let [x, y, spin] = self.target_velocity;
+        match self.locked {
+            LockedDofs::Free | LockedDofs::Fixed => {}
+            LockedDofs::Point => {
+                let load = add_scaled(linear, coupling, -angular * self.scratch.inverse_rotational);
+                self.scratch.reduced_momentum = load;
+                parent_momentum.add_at(
+                    add_scaled(
+                        self.scratch.reduced_momentum,
+                        self.scratch.reduced_mass.mul_vec([x, y]),
+                        -1.0,
+                    ),
+                    0.0,
+                    lever,
+                );
+            }
+            LockedDofs::Distance => {
+                self.scratch.reduced_momentum =
+                    add_scaled(linear, coupling, -angular * self.scratch.inverse_rotational);
+                let (n, t) = (self.axis, perp(self.axis));
+                let [effective_mass, axial_impulse, coupling_ratio] = &mut self.scratch.along_axis;
+                let load = dot(n, self.scratch.reduced_momentum)
+                    - *coupling_ratio * dot(t, self.scratch.reduced_momentum);
+                *axial_impulse = load - *effective_mass * x;
+                parent_momentum.add_at([n[0] * *axial_impulse, n[1] * *axial_impulse], 0.0, lever);
+            }
+            LockedDofs::Weld => {
+                let impulse = add_scaled(add_scaled(linear, mass.mul_vec([x, y]), -1.0), coupling, -spin);
+                parent_momentum.add_at(impulse, angular - dot(coupling, [x, y]) - rotational * spin, lever);
+            }
+            LockedDofs::Line => {
+                let held = self.scratch.inertia.eliminate_slide(self.axis);
+                let slide = dot(self.axis, linear) / dot(self.axis, mass.mul_vec(self.axis));
+                let impulse = add_scaled(linear, mass.mul_vec(self.axis), -slide);
+                let impulse =
+                    add_scaled(add_scaled(impulse, held.mass.mul_vec([x, y]), -1.0), held.coupling, -spin);
+                let angular = angular - dot(coupling, self.axis) * slide;
+                parent_momentum.add_at(
+                    impulse,
+                    angular - dot(held.coupling, [x, y]) - held.rotational * spin,
+                    lever,
+                );
+            }
+            LockedDofs::Angle => {
+                let (inertia, angular) = self.scratch.inertia.eliminate_translation(&self.scratch.momentum);
+                parent_momentum.angular += angular - inertia * spin;
+            }
+        }
+    }
+
+    /// Eliminates the rotation about the joint, which the joint leaves free: computes `inverse_rotational` and `reduced_mass`
+    /// in `scratch`.
+    #[inline(always)]
+    fn eliminate_rotation(&mut self) {
+        let ArticulatedInertia { mass, coupling, rotational } = self.scratch.inertia;
+        self.scratch.inverse_rotational = 1.0 / rotational;
+        self.scratch.reduced_mass = mass.with_outer_product(coupling, -self.scratch.inverse_rotational);
+    }
+
+    /// Returns the effective mass along the axis of a distance joint, in mass units, and stores it in `scratch`. The joint
+    /// leaves translation across the axis free.
+    #[inline(always)]
+    fn effective_mass_along(&mut self) -> f64 {
+        let (rest, n, t) = (self.scratch.reduced_mass, self.axis, perp(self.axis));
+        let along_t = rest.mul_vec(t);
+        let coupling_ratio = dot(n, along_t) / dot(t, along_t);
+        let effective_mass = dot(n, rest.mul_vec(n)) - coupling_ratio * dot(n, along_t);
+        // The joint impulse on the body is the effective mass times the parent's velocity along the axis, minus the second
+        // entry of `along_axis`.
+        self.scratch.along_axis = [effective_mass, 0.0, coupling_ratio];
+        effective_mass
+    }
+
+    /// Computes the velocity of a root from the momentum and inertia of its tree; a fixed root keeps its velocity.
+    #[inline(always)]
+    fn solve_root(&mut self) {
+        if self.locked == LockedDofs::Free {
+            self.velocity = self.scratch.inertia.unconstrained_velocity(&self.scratch.momentum);
+        }
+        self.scratch.joint_velocity = self.velocity;
+    }
+
+    /// Computes the velocity of the body, and the joint impulse, from the parent's velocity. A root has no parent (`None`) and
+    /// gets the velocity of a free body.
+    #[inline(always)]
+    pub(super) fn propagate_down(&mut self, parent: Option<&mut ArticulatedLink>) {
+        let Some(parent) = parent else { return self.solve_root() };
+        let [x, y, spin] = parent.scratch.joint_velocity;
+        let at_parent = add_scaled([x, y], perp(self.scratch.lever), spin);
+        let at_joint = add_scaled(at_parent, [self.target_velocity[0], self.target_velocity[1]], 1.0);
+        let ArticulatedInertia { mass, coupling, rotational } = self.scratch.inertia;
+        let ArticulatedMomentum { linear, angular } = self.scratch.momentum;
+        match self.locked {
+            LockedDofs::Free | LockedDofs::Fixed => {}
+            LockedDofs::Point => {
+                let [x, y] = add_scaled(
+                    self.scratch.reduced_mass.mul_vec(at_joint),
+                    self.scratch.reduced_momentum,
+                    -1.0,
+                );
+                self.impulse = [x, y, 0.0];
+                self.solve_rotation(at_joint);
+            }
+            LockedDofs::Distance => self.propagate_distance_down(at_parent),
+            LockedDofs::Weld | LockedDofs::Line => {
+                let spin = spin + self.target_velocity[2];
+                let mut at_joint = at_joint;
+                if self.locked == LockedDofs::Line {
+                    // The impulse along the line is 0.
+                    let free = add_scaled(add_scaled(linear, mass.mul_vec(at_joint), -1.0), coupling, -spin);
+                    let slide = dot(self.axis, free) / dot(self.axis, mass.mul_vec(self.axis));
+                    at_joint = add_scaled(at_joint, self.axis, slide);
+                }
+                let [fx, fy] = add_scaled(add_scaled(mass.mul_vec(at_joint), coupling, spin), linear, -1.0);
+                self.impulse = [fx, fy, dot(coupling, at_joint) + rotational * spin - angular];
+                self.set_joint_velocity(at_joint, spin);
+            }
+            LockedDofs::Angle => {
+                let spin = spin + self.target_velocity[2];
+                let (inertia, angular) = self.scratch.inertia.eliminate_translation(&self.scratch.momentum);
+                self.impulse = [0.0, 0.0, inertia * spin - angular];
+                self.set_joint_velocity(mass.solve(add_scaled(linear, coupling, -spin)), spin);
+            }
+        }
+    }
+
+    /// Computes velocity and joint impulse of a body with a distance joint. `at_parent` is the velocity of the parent at the
+    /// joint, along x and y in length units/s.
+    #[inline(always)]
+    fn propagate_distance_down(&mut self, at_parent: Vec2) {
+        let AbaScratch {
+            along_axis: [effective_mass, axial_impulse, coupling_ratio],
+            reduced_mass: rest,
+            reduced_momentum: load,
+            ..
+        } = self.scratch;
+        let (n, t) = (self.axis, perp(self.axis));
+        let along = dot(n, at_parent);
+        let impulse = effective_mass * along - axial_impulse;
+        let along = along + self.target_velocity[0];
+        // The impulse across the axis is 0.
+        let across = dot(t, load) / dot(t, rest.mul_vec(t)) - coupling_ratio * along;
+        self.impulse = [n[0] * impulse, n[1] * impulse, 0.0];
+        self.solve_rotation([n[0] * along + t[0] * across, n[1] * along + t[1] * across]);
+    }
+
+    /// Sets the velocity of a body whose joint leaves rotation free. `at_joint` is the velocity of the body at the joint, along
+    /// x and y in length units/s.
+    #[inline(always)]
+    fn solve_rotation(&mut self, at_joint: Vec2) {
+        let angular = self.scratch.momentum.angular - dot(self.scratch.inertia.coupling, at_joint);
+        let spin = angular * self.scratch.inverse_rotational;
+        self.set_joint_velocity(at_joint, spin);
+    }
+
+    /// Sets the velocity of the body's centre of mass. `at_joint` is the velocity of the body at its joint in length units/s,
+    /// `spin` the angular velocity in radians/s.
+    #[inline(always)]
+    fn set_joint_velocity(&mut self, at_joint: Vec2, spin: f64) {
+        self.scratch.joint_velocity = [at_joint[0], at_joint[1], spin];
+        let [x, y] = add_scaled(at_joint, perp(self.arm), -spin);
+        self.velocity = [x, y, spin];
+    }
+}

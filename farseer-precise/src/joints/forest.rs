@@ -1,0 +1,228 @@
+//! Spanning forest of the joint graph: which joints form trees, and in which order the bodies of a tree are listed.
+//!
+//! Joints are taken in the order of the list. A joint becomes an edge of a tree if its bodies are not connected yet
+//! (union-find, as in Kruskal's algorithm), else it closes a loop. Bounded joints never become edges. The module reads
+//! [`JointEdge`]s and writes [`ArticulationPlan`]s.
+
+use super::joint_constraint::JointEdge;
+use crate::island::union_find::UnionFind;
+
+/// Value instead of a tree index for a body that is in no tree.
+pub(super) const NO_TREE_INDEX: u32 = u32::MAX;
+
+/// Entry of a body in the list of an articulation's tree entries.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TreeEntry {
+    /// Index of the body into the arrays of `BodySet`; 0 for the world.
+    pub(super) body: u32,
+    /// Index of the parent's entry, which comes earlier in the list; for a root, the index of the root's own entry.
+    pub(super) parent: u32,
+    /// Index of the joint between the body and its parent; `None` for a root. A root with body index 0 is the world.
+    pub(super) joint: Option<u32>,
+}
+
+/// An articulation: dynamic bodies that joints connect. Joints with the world do not connect bodies with each other.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ArticulationPlan {
+    /// Entries of the articulation's trees, one tree after the other, parents before children.
+    pub(super) entries: Vec<TreeEntry>,
+    /// Indices of all joints of the articulation.
+    pub(super) joints: Vec<u32>,
+    /// Indices of the joints that are in no tree, because they close a loop or are bounded.
+    pub(super) non_tree_joints: Vec<u32>,
+}
+
+impl ArticulationPlan {
+    /// Replaces each joint index i in the plan by `names[i]`, an index into the list of all joints.
+    pub(super) fn map_joint_indices(&mut self, names: &[u32]) {
+        let of_entries = self.entries.iter_mut().filter_map(|entry| entry.joint.as_mut());
+        for at in of_entries.chain(&mut self.joints).chain(&mut self.non_tree_joints) {
+            *at = names[*at as usize];
+        }
+    }
+}
+
+/// Trees and articulations of a list of joints.
+#[derive(Debug, Clone, Default)]
+pub(super) struct SpanningForest {
+    /// Articulations in the order of their first joints.
+    pub(super) articulations: Vec<ArticulationPlan>,
+    /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`].
+    pub(super) tree_index_of: Vec<u32>,
+}
+
+/// Edges of the trees by body.
+struct TreeNeighbours {
+    /// For each body index: index into `edges` of the first edge of the body; the last element is the length of `edges`.
+    starts: Vec<u32>,
+    /// Edges of the trees from each of their two bodies, as (joint index, index of the body on the other side). They are sorted
+    /// by body, then by joint.
+    edges: Vec<(u32, u32)>,
+}
+
+impl TreeNeighbours {
+    /// Returns the neighbours of `bodies` bodies in the trees. A joint of `edges` is an edge of a tree unless `is_non_tree`.
+    fn new(edges: &[JointEdge], is_non_tree: &[bool], bodies: usize) -> Self {
+        let of_trees = || edges.iter().enumerate().filter(|&(at, _)| !is_non_tree[at]);
+        let mut ends = vec![0; bodies + 1];
+        for body in of_trees().flat_map(|(_, edge)| edge.bodies) {
+            ends[body as usize + 1] += 1;
+        }
+        for at in 0..bodies {
+            ends[at + 1] += ends[at];
+        }
+        let starts = ends.clone();
+        let mut neighbours = vec![(0, 0); starts[bodies] as usize];
+        for (at, &JointEdge { bodies: [a, b], .. }) in of_trees() {
+            for [body, other] in [[a, b], [b, a]] {
+                let end = &mut ends[body as usize];
+                neighbours[*end as usize] = (at as u32, other);
+                *end += 1;
+            }
+        }
+        TreeNeighbours { starts, edges: neighbours }
+    }
+
+    /// Returns the range in `edges` of the edges of a body.
+    fn edges_of(&self, body: u32) -> std::ops::Range<usize> {
+        self.starts[body as usize] as usize..self.starts[body as usize + 1] as usize
+    }
+}
+
+/// Builder of the tree entries of all articulations.
+struct ForestBuilder<'a> {
+    /// Joints in the order of the list of joints.
+    edges: &'a [JointEdge],
+    /// Edges of the trees by body.
+    neighbours: TreeNeighbours,
+    /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`].
+    tree_index_of: Vec<u32>,
+}
+
+impl SpanningForest {
+    /// Returns the forest of the joints `edges`, for body indices below `bodies`.
+    ///
+    /// Index 0 is the world. A second joint with the world closes a loop if a tree connects its body with the first one's.
+    /// Without joints no body has an entry, and the list of entries by body is empty.
+    pub(super) fn new(edges: &[JointEdge], bodies: usize) -> Self {
+        if edges.is_empty() {
+            return SpanningForest::default();
+        }
+        let (mut in_trees, mut in_articulations) = (UnionFind::new(bodies), UnionFind::new(bodies));
+        let mut is_non_tree = vec![false; edges.len()];
+        for (at, edge) in edges.iter().enumerate() {
+            let [a, b] = edge.bodies;
+            if a != 0 && b != 0 {
+                in_articulations.unite(a, b);
+            }
+            is_non_tree[at] = edge.is_bounded || !in_trees.unite(a, b);
+        }
+        let neighbours = TreeNeighbours::new(edges, &is_non_tree, bodies);
+        let mut members_of: Vec<Vec<u32>> = Vec::new();
+        let mut articulation_of = vec![None; bodies];
+        for (at, key) in edges.iter().enumerate() {
+            let root = in_articulations.find(key.bodies[0].max(key.bodies[1]));
+            let articulation = *articulation_of[root as usize].get_or_insert_with(|| {
+                members_of.push(Vec::new());
+                members_of.len() - 1
+            });
+            members_of[articulation].push(at as u32);
+        }
+        let mut builder = ForestBuilder { edges, neighbours, tree_index_of: vec![NO_TREE_INDEX; bodies] };
+        let groups =
+            members_of.iter().map(|members| builder.build_articulation(members, &is_non_tree)).collect();
+        SpanningForest { articulations: groups, tree_index_of: builder.tree_index_of }
+    }
+}
+
+impl ForestBuilder<'_> {
+    /// Returns the articulation of the joints with the indices `members`: first the trees at the world, then the free trees.
+    fn build_articulation(&mut self, members: &[u32], is_non_tree: &[bool]) -> ArticulationPlan {
+        let mut articulation = ArticulationPlan::default();
+        // A tree has one body more than joints; each tree at the world has an entry of the world.
+        articulation.entries.reserve(members.len() + 1);
+        for &at in members.iter().filter(|&&at| !is_non_tree[at as usize]) {
+            let [a, b] = self.edges[at as usize].bodies;
+            if a == 0 || b == 0 {
+                let root = articulation.entries.len() as u32;
+                articulation.entries.push(TreeEntry { body: 0, parent: root, joint: None });
+                self.add_entry(&mut articulation, a.max(b), root, Some(at));
+                self.grow_tree(&mut articulation);
+            }
+        }
+        for body in members.iter().flat_map(|&at| self.edges[at as usize].bodies) {
+            if body != 0 && self.tree_index_of[body as usize] == NO_TREE_INDEX {
+                let root = articulation.entries.len() as u32;
+                self.add_entry(&mut articulation, body, root, None);
+                self.grow_tree(&mut articulation);
+            }
+        }
+        articulation.joints = members.to_vec();
+        articulation.non_tree_joints =
+            members.iter().copied().filter(|&at| is_non_tree[at as usize]).collect();
+        articulation
+    }
+
+    /// Appends an entry for a body to the articulation.
+    fn add_entry(&mut self, articulation: &mut ArticulationPlan, body: u32, parent: u32, joint: Option<u32>) {
+        self.tree_index_of[body as usize] = articulation.entries.len() as u32;
+        articulation.entries.push(TreeEntry { body, parent, joint });
+    }
+
+    /// Appends the entries of all bodies below the last entry of the articulation, breadth first.
+    fn grow_tree(&mut self, articulation: &mut ArticulationPlan) {
+        let mut at = articulation.entries.len() - 1;
+        while let Some(&entry) = articulation.entries.get(at) {
+            for edge in self.neighbours.edges_of(entry.body) {
+                let (joint, body) = self.neighbours.edges[edge];
+                if body != 0 && self.tree_index_of[body as usize] == NO_TREE_INDEX {
+                    self.add_entry(articulation, body, at as u32, Some(joint));
+                }
+            }
+            at += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{JointEdge, SpanningForest};
+
+    fn plan(pairs: &[[u32; 2]], bodies: usize) -> SpanningForest {
+        let edges: Vec<JointEdge> =
+            pairs.iter().map(|&bodies| JointEdge { bodies, is_bounded: false }).collect();
+        SpanningForest::new(&edges, bodies)
+    }
+
+    fn entries(forest: &SpanningForest, articulation: usize) -> Vec<(u32, u32)> {
+        forest.articulations[articulation].entries.iter().map(|entry| (entry.body, entry.parent)).collect()
+    }
+
+    #[test]
+    fn a_hanging_chain_is_one_tree_in_joint_order() {
+        let forest = plan(&[[1, 2], [0, 1], [2, 3]], 4);
+        assert_eq!(entries(&forest, 0), [(0, 0), (1, 0), (2, 1), (3, 2)]);
+        assert!(forest.articulations[0].non_tree_joints.is_empty());
+    }
+
+    #[test]
+    fn a_loop_closure_is_in_no_tree() {
+        assert_eq!(plan(&[[0, 1], [1, 2], [2, 0]], 3).articulations[0].non_tree_joints, [2]);
+        assert_eq!(plan(&[[1, 2], [2, 3], [3, 1]], 4).articulations[0].non_tree_joints, [2]);
+    }
+
+    #[test]
+    fn joints_with_the_world_connect_no_articulations() {
+        let forest = plan(&[[0, 1], [0, 2]], 3);
+        assert_eq!(forest.articulations.len(), 2);
+        assert_eq!((entries(&forest, 0), entries(&forest, 1)), (vec![(0, 0), (1, 0)], vec![(0, 0), (2, 0)]));
+    }
+
+    #[test]
+    fn a_loop_closure_connects_two_trees_to_one_articulation() {
+        let forest = plan(&[[0, 1], [0, 2], [1, 2]], 3);
+        assert_eq!(forest.articulations.len(), 1);
+        assert_eq!(entries(&forest, 0), [(0, 0), (1, 0), (0, 2), (2, 2)]);
+        assert_eq!(forest.articulations[0].non_tree_joints, [2]);
+    }
+}

@@ -1,0 +1,177 @@
+//! Builds the groups of joints in three axes, and the sparsity pattern of their rows.
+
+use super::super::super::bodies::BodySet;
+use super::super::articulated_body::LockedDofs;
+use super::super::forest::NO_TREE_INDEX;
+use super::super::joint_constraint::JointConstraint;
+use super::constraint_row::{JointSide, JointState, RowKind, SpatialJointRow};
+use super::group_solver::{OffDiagonal, SpatialJointGroup};
+use super::sparse_ldlt::SparseLdlt;
+use crate::island::union_find::UnionFind;
+use crate::parameters::spatial_joints::GROUP_MAX_FACTOR_PRODUCTS;
+use crate::storage::order::{packed_key, sort_by_number};
+
+/// Returns the groups of joints in three axes, and the indices of the joints outside of these groups. A group is a connected
+/// component of the joint graph that contains a distance joint.
+///
+/// The groups are in the order of their first joints. Static and kinematic bodies do not connect joints.
+pub(in super::super) fn spatial_groups(
+    joints: &[JointConstraint],
+    bodies: &BodySet,
+) -> (Vec<SpatialJointGroup>, Vec<u32>) {
+    let mut unions = UnionFind::new(bodies.states.len());
+    for [a, b] in joints.iter().map(|hold| hold.anchors.map(|end| end.body)) {
+        if a != 0 && b != 0 {
+            unions.unite(a, b);
+        }
+    }
+    let mut root_of = |hold: &JointConstraint| unions.find(hold.anchors[0].body.max(hold.anchors[1].body));
+    let roots: Vec<u32> = joints.iter().map(&mut root_of).collect();
+    let mut groups: Vec<Vec<u32>> = Vec::new();
+    let distances = joints.iter().zip(&roots).filter(|(hold, _)| hold.locked == LockedDofs::Distance);
+    let mut has_distance: Vec<u32> = distances.map(|(_, &root)| root).collect();
+    has_distance.sort_unstable();
+    has_distance.dedup();
+    let (mut group_of, mut others) = (vec![None; has_distance.len()], Vec::new());
+    for (at, root) in (0..).zip(&roots) {
+        match has_distance.binary_search(root) {
+            Ok(of) => {
+                let group = *group_of[of].get_or_insert_with(|| {
+                    groups.push(Vec::new());
+                    groups.len() - 1
+                });
+                groups[group].push(at);
+            }
+            Err(_) => others.push(at),
+        }
+    }
+    (groups.iter().map(|members| SpatialJointGroup::new(members, joints, bodies)).collect(), others)
+}
+
+impl SpatialJointGroup {
+    /// Returns the group of the joints with the indices `members` into `joints`.
+    fn new(members: &[u32], joints: &[JointConstraint], bodies: &BodySet) -> Self {
+        let mut body_indices: Vec<u32> = members
+            .iter()
+            .flat_map(|&at| joints[at as usize].anchors.map(|end| end.body))
+            .filter(|&body| body != 0)
+            .collect();
+        body_indices.sort_unstable();
+        body_indices.dedup();
+        let closing = find_loop_closures(members, joints, &body_indices);
+        let mut group =
+            SpatialJointGroup { has_loops: closing.contains(&true), ..SpatialJointGroup::default() };
+        for (&at, closes_loop) in members.iter().zip(closing) {
+            let hold = &joints[at as usize];
+            let joint_index = group.joints.len() as u32;
+            let sides = hold.anchors.map(|end| JointSide {
+                node: body_indices.binary_search(&end.body).map_or(NO_TREE_INDEX, |node| node as u32),
+                ground_velocity: [0.0; 4],
+                origin: [0.0; 3],
+                arm: [0.0; 2],
+                rotation: 0.0,
+            });
+            let state = JointState {
+                joint: at,
+                link: hold.locked,
+                sides,
+                direction: [1.0, 0.0, 0.0],
+                axis: [1.0, 0.0],
+                total_impulse: [0.0; 4],
+                anchors_at_origins: false,
+            };
+            group.joints.push(state);
+            group.rows.extend(
+                row_kinds(hold).into_iter().map(|what| SpatialJointRow::new(joint_index, what, closes_loop)),
+            );
+        }
+        let inverses = body_indices.iter().map(|&body| {
+            let [mass, inertia] = bodies.inverse_mass_inertia[body as usize].map(f64::from);
+            [mass, mass, inertia, mass]
+        });
+        group.inverse_masses = inverses.collect();
+        group.velocities = vec![[0.0; 4]; body_indices.len()];
+        group.velocity_errors = vec![0.0; group.rows.len()];
+        group.bodies = body_indices;
+        group.find_off_diagonals();
+        group
+    }
+
+    /// Finds the pairs of rows that share a body, chooses the elimination order of the sparse factorisation, and stores the
+    /// index of each matrix element.
+    ///
+    /// The group gets no factorisation if one would need more than [`GROUP_MAX_FACTOR_PRODUCTS`] products.
+    fn find_off_diagonals(&mut self) {
+        let mut holders = vec![Vec::new(); self.bodies.len()];
+        for (at, row) in self.rows.iter().enumerate() {
+            for (side, of) in self.joints[row.joint as usize]
+                .sides
+                .iter()
+                .enumerate()
+                .filter(|(_, of)| of.node != NO_TREE_INDEX)
+            {
+                holders[of.node as usize].push((at as u32, side as u8));
+            }
+        }
+        let of_two = |of: &Vec<(u32, u8)>| of.len() * of.len().saturating_sub(1) / 2;
+        // Each pair of rows at a body costs one product or more.
+        if holders.iter().map(of_two).sum::<usize>() > GROUP_MAX_FACTOR_PRODUCTS {
+            return;
+        }
+        let mut ties = Vec::new();
+        for (node, holders) in holders.iter().enumerate() {
+            for (at, &(row, side)) in holders.iter().enumerate() {
+                for &(other, other_side) in &holders[at + 1..] {
+                    ties.push([row, other]);
+                    let (rows, sides) = ([row, other], [side, other_side]);
+                    self.off_diagonals.push(OffDiagonal { body: node as u32, rows, sides, entry: 0 });
+                }
+            }
+        }
+        sort_by_number(&mut ties, |&tie| packed_key(tie));
+        ties.dedup();
+        self.ldlt = SparseLdlt::plan(self.rows.len(), &ties, GROUP_MAX_FACTOR_PRODUCTS);
+        match &self.ldlt {
+            Some(sparse) => {
+                self.off_diagonals
+                    .iter_mut()
+                    .for_each(|of| of.entry = sparse.entry_index(of.rows[0], of.rows[1]));
+            }
+            None => self.off_diagonals.clear(),
+        }
+    }
+}
+
+/// Returns for each joint of `members` whether it closes a loop of the joint graph, in which all static and kinematic bodies
+/// are one node.
+fn find_loop_closures(members: &[u32], joints: &[JointConstraint], bodies: &[u32]) -> Vec<bool> {
+    let mut unions = UnionFind::new(bodies.len() + 1);
+    // Node 0 is the world.
+    let node_of = |body: u32| bodies.binary_search(&body).map_or(0, |place| place as u32 + 1);
+    let ends = members.iter().map(|&at| joints[at as usize].anchors.map(|end| node_of(end.body)));
+    let closes_loop = ends.map(|[a, b]| {
+        let is_joined = unions.find(a) == unions.find(b);
+        unions.unite(a, b);
+        is_joined
+    });
+    closes_loop.collect()
+}
+
+/// Returns the kinds of the rows of a joint: one entry for each row.
+fn row_kinds(joint: &JointConstraint) -> Vec<RowKind> {
+    let mut kinds = match joint.locked {
+        LockedDofs::Free | LockedDofs::Fixed => vec![],
+        LockedDofs::Point => vec![RowKind::AnchorAxis(0), RowKind::AnchorAxis(1), RowKind::DepthVelocity],
+        LockedDofs::Weld => {
+            vec![RowKind::AnchorAxis(0), RowKind::AnchorAxis(1), RowKind::Angle, RowKind::DepthVelocity]
+        }
+        LockedDofs::Angle => vec![RowKind::Angle],
+        LockedDofs::Distance => vec![RowKind::Distance],
+        LockedDofs::Line => vec![RowKind::LineOffset, RowKind::Angle, RowKind::DepthVelocity],
+    };
+    if let Some(drive) = joint.drive {
+        kinds.extend(drive.motor.map(RowKind::Motor));
+        kinds.extend(drive.limits.map(RowKind::Limits));
+    }
+    kinds
+}

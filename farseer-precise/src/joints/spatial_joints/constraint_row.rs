@@ -1,0 +1,555 @@
+//! Scalar rows of joints in three axes: value, target velocity and Jacobian.
+//!
+//! The value of a row is a position error, a distance, an angle, or the coordinate that motor and limits act on. Velocities and
+//! Jacobians have four components: x, y, angular about z, and z, along the depth axis.
+
+use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
+use super::super::articulation_step::cos_sin;
+use super::super::forest::NO_TREE_INDEX;
+use super::super::joint_constraint::{JointConstraint, Limits, Motor};
+use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, MAX_POSITION_CORRECTION};
+
+/// Velocity, change of momentum, or row of a Jacobian, of one body: x, y, angular about z, z.
+pub(super) type Velocity4 = [f64; 4];
+
+/// Kind of a row: the quantity that the row constrains.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum RowKind {
+    /// Constrains the offset between the anchors along x (0) or y (1), in length units.
+    AnchorAxis(usize),
+    /// Makes the velocities of both bodies along the depth axis equal. Unit: length units/s.
+    DepthVelocity,
+    /// Constrains the angle of body B relative to A, in radians.
+    Angle,
+    /// Constrains the distance of the anchors in three axes, in length units.
+    Distance,
+    /// Constrains the distance of anchor B from the axis of a prismatic joint, in length units.
+    LineOffset,
+    /// Drives the speed of the joint's coordinate: length units/s along the axis of a prismatic joint, else radians/s.
+    Motor(Motor),
+    /// Keeps the joint's coordinate between limits: length units along the axis of a prismatic joint, else radians.
+    Limits(Limits),
+}
+
+impl RowKind {
+    /// Returns whether the value of the row is an angle. `link` are the degrees of freedom that the joint locks.
+    fn is_angular(self, link: LockedDofs) -> bool {
+        match self {
+            RowKind::Angle => true,
+            RowKind::Motor(_) | RowKind::Limits(_) => link != LockedDofs::Line,
+            _ => false,
+        }
+    }
+}
+
+/// Phase of a substep, which determines the target velocities of the rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SolvePhase {
+    /// Before bodies move: rows seek velocities with which the values of the rows at the end of the substep equal the present
+    /// ones.
+    HoldPosition,
+    /// Before bodies move: rows seek velocities with which the position errors at the end of the substep are smaller, by the
+    /// amount that a substep corrects.
+    CorrectPosition,
+    /// After bodies have moved: rows seek velocities that do not change the values of the rows.
+    Relax,
+}
+
+/// One side of a joint: a body or the world, with pose and velocity.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct JointSide {
+    /// Index of the body in the group's list of bodies, or [`NO_TREE_INDEX`] for static and kinematic bodies and the world.
+    pub(super) node: u32,
+    /// Velocity of a static or kinematic body: x, y and z in length units/s, angular in radians/s; 0 for the world. Unused for
+    /// dynamic bodies.
+    pub(super) ground_velocity: Velocity4,
+    /// Position of the body's centre of mass in the world: x, y and z, length units.
+    pub(super) origin: [f64; 3],
+    /// Arm: vector from the centre of mass to the anchor in world coordinates, length units. It has no z component.
+    pub(super) arm: Vec2,
+    /// Rotation of the body since the start of the step, radians.
+    pub(super) rotation: f64,
+}
+
+/// Pose of one side of a joint: the present pose, or the predicted pose at the end of a substep.
+#[derive(Debug, Clone, Copy)]
+struct PosedAnchor {
+    /// Position of the anchor in the world, x, y and z, length units.
+    point: [f64; 3],
+    /// Arm: vector from the centre of mass to the anchor in world coordinates, length units.
+    arm: Vec2,
+    /// Rotation of the body since the start of the step, radians.
+    rotation: f64,
+    /// Rotation from the present pose to this one, as [cosine, sine], dimensionless.
+    rotation_in_h: Vec2,
+}
+
+impl JointSide {
+    /// Returns the velocity of the body on this side of the joint: x, y and z in length units/s, angular in radians/s.
+    /// `velocities` are those of the group's bodies.
+    pub(super) fn velocity(&self, velocities: &[Velocity4]) -> Velocity4 {
+        if self.node == NO_TREE_INDEX { self.ground_velocity } else { velocities[self.node as usize] }
+    }
+
+    /// Returns the inverse mass of the body on this side of the joint, 1/(mass units); 0 for static and kinematic bodies.
+    /// `inverses` are those of the group's bodies.
+    pub(super) fn inverse_mass(&self, inverses: &[Velocity4]) -> f64 {
+        if self.node == NO_TREE_INDEX { 0.0 } else { inverses[self.node as usize][0] }
+    }
+
+    /// Returns the pose of this side of the joint after `h` seconds with the given velocity (x, y, angular, z).
+    fn predicted_anchor(&self, [x, y, spin, z]: Velocity4, h: f64) -> PosedAnchor {
+        let turn = cos_sin(spin * h);
+        let arm = rotate(turn, self.arm);
+        let [px, py, pz] = self.origin;
+        PosedAnchor {
+            point: [px + x * h + arm[0], py + y * h + arm[1], pz + z * h],
+            arm,
+            rotation: self.rotation + spin * h,
+            rotation_in_h: turn,
+        }
+    }
+
+    /// Moves this side of the joint for `h` seconds with the given velocity (x, y, angular, z).
+    pub(super) fn advance(&mut self, [x, y, spin, z]: Velocity4, h: f64) {
+        let [px, py, pz] = self.origin;
+        (self.origin, self.rotation) = ([px + x * h, py + y * h, pz + z * h], self.rotation + spin * h);
+        if self.arm != [0.0; 2] {
+            self.arm = rotate(cos_sin(spin * h), self.arm);
+        }
+    }
+}
+
+/// A joint of a group in three axes, with its present pose.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct JointState {
+    /// Index of the joint into the list of all joints.
+    pub(super) joint: u32,
+    pub(super) link: LockedDofs,
+    pub(super) sides: [JointSide; 2],
+    /// Unit vector from anchor A to anchor B in the world, dimensionless. Coincident anchors keep the last direction.
+    pub(super) direction: [f64; 3],
+    /// Axis of a prismatic joint in world coordinates, a unit vector. Unused in other joints.
+    pub(super) axis: Vec2,
+    /// Sum of the impulses on body B since the step began: x, y and z in mass units * length units/s, angular in mass units *
+    /// length units^2/s.
+    pub(super) total_impulse: Velocity4,
+    /// Whether both anchors are the centres of mass of their bodies. Such joints have shorter formulas.
+    pub(super) anchors_at_origins: bool,
+}
+
+impl JointState {
+    /// Returns the vector from the centre of mass of A to that of B in the world: x, y and z, length units.
+    fn origin_offset(&self) -> [f64; 3] {
+        let [a, b] = self.sides.each_ref().map(|side| side.origin);
+        [b[0] - a[0], b[1] - a[1], b[2] - a[2]]
+    }
+
+    /// Returns the distance of the centres of mass of A and B after `h` seconds with these velocities, length units.
+    fn predicted_origin_distance(&self, velocities: &[Velocity4], h: f64) -> f64 {
+        let [a, b] = self.sides.each_ref().map(|side| side.velocity(velocities));
+        let [x, y, z] = self.origin_offset();
+        norm([x + h * (b[0] - a[0]), y + h * (b[1] - a[1]), z + h * (b[3] - a[3])])
+    }
+
+    /// Returns the poses of both sides of the joint after `h` seconds with the velocities of the group's bodies.
+    fn predicted_anchors(&self, velocities: &[Velocity4], h: f64) -> [PosedAnchor; 2] {
+        self.sides.each_ref().map(|side| side.predicted_anchor(side.velocity(velocities), h))
+    }
+
+    /// Returns the present poses of both sides of the joint.
+    fn anchors(&self) -> [PosedAnchor; 2] {
+        self.sides.each_ref().map(|side| side.predicted_anchor([0.0; 4], 0.0))
+    }
+
+    /// Returns the distance of the anchors in three axes, length units.
+    pub(super) fn distance(&self) -> f64 {
+        norm(anchor_offset(&self.anchors()))
+    }
+
+    /// Sets `direction` to the unit vector between the anchors at the present poses.
+    pub(super) fn update_direction(&mut self) {
+        let apart =
+            if self.anchors_at_origins { self.origin_offset() } else { anchor_offset(&self.anchors()) };
+        let distance = norm(apart);
+        if distance > 0.0 {
+            self.direction = apart.map(|part| part / distance);
+        }
+    }
+
+    /// Moves the joint for `h` seconds with the velocities of the group's bodies.
+    pub(super) fn advance(&mut self, velocities: &[Velocity4], h: f64) {
+        if self.link == LockedDofs::Line {
+            let [_, _, spin, _] = self.sides[0].velocity(velocities);
+            self.axis = rotate(cos_sin(spin * h), self.axis);
+        }
+        for side in &mut self.sides {
+            side.advance(side.velocity(velocities), h);
+        }
+        self.update_direction();
+    }
+
+    /// Returns the value of a row at the poses `anchors`: radians for angles, else length units. The value of motor and depth
+    /// velocity rows is 0.
+    fn value(&self, kind: RowKind, anchors: &[PosedAnchor; 2], joint: &JointConstraint) -> f64 {
+        let [x, y, _] = anchor_offset(anchors);
+        let line = || rotate(anchors[0].rotation_in_h, self.axis);
+        match kind {
+            RowKind::AnchorAxis(0) => x,
+            RowKind::AnchorAxis(_) => y,
+            RowKind::Distance => norm(anchor_offset(anchors)),
+            RowKind::LineOffset => dot(perp(line()), [x, y]),
+            RowKind::Limits(_) if self.link == LockedDofs::Line => dot(line(), [x, y]),
+            RowKind::Limits(_) => {
+                self.angle(anchors, joint) - joint.drive.map_or(0.0, |drive| f64::from(drive.reference))
+            }
+            RowKind::Angle => self.angle(anchors, joint),
+            RowKind::DepthVelocity | RowKind::Motor(_) => 0.0,
+        }
+    }
+
+    /// Returns the angle of B relative to A at the poses `anchors`, radians.
+    fn angle(&self, anchors: &[PosedAnchor; 2], joint: &JointConstraint) -> f64 {
+        joint.angle + anchors[1].rotation - anchors[0].rotation
+    }
+}
+
+/// Returns the vector from anchor A to anchor B in the world: x, y and z, length units.
+fn anchor_offset([a, b]: &[PosedAnchor; 2]) -> [f64; 3] {
+    [b.point[0] - a.point[0], b.point[1] - a.point[1], b.point[2] - a.point[2]]
+}
+
+/// Returns the length of the vector, in the unit of its components.
+fn norm([x, y, z]: [f64; 3]) -> f64 {
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// A scalar row of a joint. Impulses are those of one substep: mass units * length units/s in linear rows, mass units * length
+/// units^2/s in angular rows.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SpatialJointRow {
+    /// Index of the joint in the group's list of joints.
+    pub(super) joint: u32,
+    /// Quantity that the row constrains.
+    pub(super) kind: RowKind,
+    /// Whether the joint of the row closes a loop of the joint graph.
+    pub(super) closes_loop: bool,
+    /// Row of the Jacobian for A and B: x, y, angular, z. A unit impulse of the row changes the momenta of the bodies by these
+    /// components.
+    pub(super) jacobian: [Velocity4; 2],
+    /// Accumulated impulse of a substep: mass units * length units/s in linear rows, mass units * length units^2/s in angular
+    /// rows.
+    pub(super) impulse: f64,
+    /// Accumulated impulse after the solve without position correction, at which the relaxation starts: mass units * length
+    /// units/s in linear rows, mass units * length units^2/s in angular rows.
+    pub(super) position_impulse: f64,
+    /// Lower and upper bound of `impulse` in a substep: mass units * length units/s in linear rows, mass units * length
+    /// units^2/s in angular rows.
+    pub(super) impulse_bounds: [f64; 2],
+    /// Limit that the row acts on, dimensionless: 1 for the lower limit, -1 for the upper limit, 0 for a bilateral row.
+    active_limit: f64,
+    /// Velocity per impulse of a compliant row: 1/(mass units) in linear rows, 1/(mass units * length units^2) in angular rows;
+    /// 0 for rigid rows.
+    pub(super) compliance: f64,
+    /// Correction velocity per position error of a compliant row, 1/s, >= 0.
+    pub(super) bias_rate: f64,
+    /// Whether the row is in the active set: the solve changes its impulse.
+    pub(super) is_active: bool,
+    /// Largest absolute value of `impulse` in a substep, >= 0: mass units * length units/s in linear rows, mass units * length
+    /// units^2/s in angular rows.
+    max_impulse: f64,
+    /// Least and greatest allowed value of the row: radians in angular rows, else length units. Both are equal for a bilateral
+    /// row.
+    range: [f64; 2],
+    /// Violation of a limit that is not corrected, >= 0: radians in angular rows, else length units.
+    slop: f64,
+    /// Position error that counts as 1: the length unit in length units for linear rows, 1 radian for angular rows.
+    error_unit: f64,
+    /// Value of the row at the start of the phase: radians in angular rows, else length units.
+    value: f64,
+    /// Inverse effective mass, J M^-1 J^T: 1/(mass units) in linear rows, 1/(mass units * length units^2) in angular rows.
+    pub(super) inverse_effective_mass: f64,
+}
+
+impl SpatialJointRow {
+    /// Returns a row without an impulse. `joint` is the index of the joint in the group's list of joints.
+    pub(super) fn new(joint: u32, kind: RowKind, closes_loop: bool) -> Self {
+        SpatialJointRow {
+            closes_loop,
+            joint,
+            kind,
+            jacobian: [[0.0; 4]; 2],
+            impulse: 0.0,
+            position_impulse: 0.0,
+            impulse_bounds: [f64::MIN, f64::MAX],
+            active_limit: 0.0,
+            compliance: 0.0,
+            bias_rate: 0.0,
+            is_active: false,
+            max_impulse: f64::MAX,
+            range: [0.0; 2],
+            slop: 0.0,
+            error_unit: 1.0,
+            value: 0.0,
+            inverse_effective_mass: 0.0,
+        }
+    }
+
+    /// Returns least and greatest allowed value of the row: radians in angular rows, else length units. Both are equal for a
+    /// bilateral row.
+    fn allowed_range(&self, joint: &JointConstraint) -> [f64; 2] {
+        let [low, high] = match self.kind {
+            RowKind::Distance | RowKind::Angle => joint.range,
+            RowKind::Limits(limits) => [f64::from(limits.lower), f64::from(limits.upper)],
+            _ => [0.0; 2],
+        };
+        if low < high { [low, high] } else { [high; 2] }
+    }
+
+    /// Sets limits, motor, compliance and largest impulse of the row for a step, from the joint.
+    ///
+    /// `dt` and `h` are the seconds of the step and of a part of a substep; a substep has `substep_parts` parts. `length_unit`
+    /// is the length unit of the simulator.
+    pub(super) fn prepare(
+        &mut self,
+        state: &JointState,
+        joint: &JointConstraint,
+        ([dt, h], length_unit): ([f64; 2], f64),
+        substep_parts: f64,
+    ) {
+        let drive = joint.drive.unwrap_or_default();
+        match &mut self.kind {
+            // The game may edit a motor in every step.
+            RowKind::Motor(motor) => {
+                *motor = drive.motor.unwrap_or(Motor { speed: 0.0, greatest_effort: 0.0 })
+            }
+            RowKind::Limits(limits) => *limits = drive.limits.unwrap_or(*limits),
+            _ => {}
+        }
+        let is_compliant = match self.kind {
+            RowKind::AnchorAxis(_) => state.link == LockedDofs::Point,
+            RowKind::Distance => true,
+            _ => false,
+        };
+        // A joint's `softness` and `bias_factor` are per update. An impulse of a substep is h / dt of that of an update.
+        (self.compliance, self.bias_rate) =
+            if is_compliant { (joint.softness * dt / h, joint.bias_factor / dt) } else { (0.0, 0.0) };
+        let max_impulse = match self.kind {
+            RowKind::Motor(motor) => f64::from(motor.greatest_effort) * h,
+            // The largest impulse of a weld limits its angular row alone.
+            RowKind::AnchorAxis(_) if state.link == LockedDofs::Weld => f64::MAX,
+            RowKind::DepthVelocity | RowKind::LineOffset | RowKind::Limits(_) => f64::MAX,
+            _ => joint.max_impulse / substep_parts,
+        };
+        self.max_impulse = max_impulse;
+        (self.range, self.slop) = (self.allowed_range(joint), joint.slop);
+        // Angular errors are compared in radians.
+        self.error_unit = if self.kind.is_angular(state.link) { 1.0 } else { length_unit };
+        self.set_active_limit(0.0);
+        (self.impulse, self.position_impulse) = (0.0, 0.0);
+    }
+
+    /// Sets the limit that the row acts on: 1 lower, -1 upper, 0 none. Sets the impulse bounds that follow: one-sided for a
+    /// limit, symmetric for a bilateral row.
+    fn set_active_limit(&mut self, limit: f64) {
+        self.active_limit = limit;
+        self.impulse_bounds = [
+            if limit > 0.0 { 0.0 } else { -self.max_impulse },
+            if limit < 0.0 { 0.0 } else { self.max_impulse },
+        ];
+    }
+
+    /// Chooses the limit that the value is nearer to at the end of a substep of `h` seconds. A distance with the lower limit 0
+    /// has the upper limit only.
+    pub(super) fn choose_limit(
+        &mut self,
+        state: &JointState,
+        joints: &[JointConstraint],
+        velocities: &[Velocity4],
+        h: f64,
+    ) {
+        let [low, high] = self.range;
+        if low < high && self.compliance == 0.0 {
+            let is_upper = self.kind == RowKind::Distance && low <= 0.0 || {
+                let ahead = self.predicted_value(state, joints, velocities, h);
+                ahead - low >= high - ahead
+            };
+            self.set_active_limit(if is_upper { -1.0 } else { 1.0 });
+        }
+    }
+
+    /// Lowers the largest impulse of the row to `limit`, if it is greater: mass units * length units/s in linear rows, mass
+    /// units * length units^2/s in angular rows.
+    pub(super) fn lower_max_impulse(&mut self, limit: f64) {
+        self.max_impulse = self.max_impulse.min(limit);
+        self.set_active_limit(self.active_limit);
+    }
+
+    /// Computes value, Jacobian and inverse effective mass of the row at the present poses.
+    pub(super) fn update_jacobian(
+        &mut self,
+        state: &JointState,
+        joint: &JointConstraint,
+        inverse_masses: &[Velocity4],
+    ) {
+        if state.anchors_at_origins && self.kind == RowKind::Distance {
+            let [nx, ny, nz] = state.direction;
+            self.jacobian = [[-nx, -ny, 0.0, -nz], [nx, ny, 0.0, nz]];
+            self.value = norm(state.origin_offset());
+        } else {
+            self.update_anchor_jacobian(state, joint);
+        }
+        self.inverse_effective_mass = 0.0;
+        for (side, push) in
+            state.sides.iter().zip(self.jacobian).filter(|(side, _)| side.node != NO_TREE_INDEX)
+        {
+            self.inverse_effective_mass += delassus_term(push, push, inverse_masses[side.node as usize]);
+        }
+    }
+
+    /// Computes value and Jacobian of a row for anchors anywhere on the bodies, not only at the centres of mass.
+    fn update_anchor_jacobian(&mut self, state: &JointState, joint: &JointConstraint) {
+        let [a, b] = state.anchors();
+        let [x, y, _] = anchor_offset(&[a, b]);
+        let along = |[nx, ny, nz]: [f64; 3], arm_a: Vec2| {
+            let angular = |arm: Vec2| dot(perp(arm), [nx, ny]);
+            [[-nx, -ny, -angular(arm_a), -nz], [nx, ny, angular(b.arm), nz]]
+        };
+        // A prismatic joint acts on both bodies at anchor B.
+        let arm_a_to_b = add_scaled(a.arm, [x, y], 1.0);
+        let [lx, ly] = state.axis;
+        let turning = [[0.0, 0.0, -1.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+        self.jacobian = match self.kind {
+            RowKind::AnchorAxis(0) => along([1.0, 0.0, 0.0], a.arm),
+            RowKind::AnchorAxis(_) => along([0.0, 1.0, 0.0], a.arm),
+            RowKind::DepthVelocity => [[0.0, 0.0, 0.0, -1.0], [0.0, 0.0, 0.0, 1.0]],
+            RowKind::Distance => along(state.direction, a.arm),
+            RowKind::LineOffset => along([-ly, lx, 0.0], arm_a_to_b),
+            RowKind::Motor(_) | RowKind::Limits(_) if state.link == LockedDofs::Line => {
+                along([lx, ly, 0.0], arm_a_to_b)
+            }
+            RowKind::Angle | RowKind::Motor(_) | RowKind::Limits(_) => turning,
+        };
+        self.value = state.value(self.kind, &[a, b], joint);
+    }
+
+    /// Returns the rate of the row's value for the velocities of the group's bodies, J v: radians/s in angular rows, else
+    /// length units/s.
+    fn relative_velocity(&self, state: &JointState, velocities: &[Velocity4]) -> f64 {
+        let of = |side: usize| {
+            let (push, velocity) = (self.jacobian[side], state.sides[side].velocity(velocities));
+            (0..4).map(|i| push[i] * velocity[i]).sum::<f64>()
+        };
+        of(0) + of(1)
+    }
+
+    /// Returns the value of the row after `h` seconds with the velocities of the group's bodies: radians in angular rows, else
+    /// length units.
+    fn predicted_value(
+        &self,
+        state: &JointState,
+        joints: &[JointConstraint],
+        velocities: &[Velocity4],
+        h: f64,
+    ) -> f64 {
+        if state.anchors_at_origins && self.kind == RowKind::Distance {
+            state.predicted_origin_distance(velocities, h)
+        } else {
+            state.value(self.kind, &state.predicted_anchors(velocities, h), &joints[state.joint as usize])
+        }
+    }
+
+    /// Returns the velocity of the row minus the target velocity of the phase: radians/s in angular rows, else length units/s.
+    ///
+    /// In the phases before bodies move, the velocity is the nonlinear change of the value in the substep, divided by `h`
+    /// seconds.
+    pub(super) fn velocity_error(
+        &self,
+        (state, joints): (&JointState, &[JointConstraint]),
+        velocities: &[Velocity4],
+        (h, phase): (f64, SolvePhase),
+    ) -> f64 {
+        match self.kind {
+            RowKind::DepthVelocity => return self.relative_velocity(state, velocities),
+            RowKind::Motor(motor) => {
+                return self.relative_velocity(state, velocities) - f64::from(motor.speed);
+            }
+            _ => {}
+        }
+        let [low, high] = self.range;
+        if self.compliance > 0.0 {
+            let speed = self.relative_velocity(state, velocities);
+            return speed + (self.value - high) * self.bias_rate + self.compliance * self.impulse;
+        }
+        let distance = if self.active_limit > 0.0 { self.value - low } else { high - self.value };
+        match (phase, self.active_limit == 0.0) {
+            (SolvePhase::Relax, true) => self.relative_velocity(state, velocities),
+            (SolvePhase::Relax, false) => {
+                self.relative_velocity(state, velocities) + self.active_limit * distance.max(0.0) / h
+            }
+            (_, is_exact) => {
+                let target = if !is_exact && distance >= 0.0 {
+                    self.value - self.active_limit * distance
+                } else if phase == SolvePhase::HoldPosition {
+                    self.value
+                } else {
+                    self.value - self.corrected_error()
+                };
+                (self.predicted_value(state, joints, velocities, h) - target) / h
+            }
+        }
+    }
+
+    /// Returns the amount of the position error that the substep corrects, with the sign of the error: radians in angular rows,
+    /// else length units.
+    pub(super) fn corrected_error(&self) -> f64 {
+        let [low, high] = self.range;
+        match self.kind {
+            RowKind::DepthVelocity | RowKind::Motor(_) => 0.0,
+            _ if self.compliance > 0.0 => 0.0,
+            _ if self.active_limit == 0.0 => {
+                corrected_part(self.value - high, self.error_unit, self.closes_loop)
+            }
+            _ => {
+                let distance = if self.active_limit > 0.0 { self.value - low } else { high - self.value };
+                -self.active_limit * corrected_part((-distance - self.slop).max(0.0), self.error_unit, true)
+            }
+        }
+    }
+
+    /// Returns the absolute position error that the substep corrects, as a multiple of `error_unit`, dimensionless.
+    pub(super) fn relative_corrected_error(&self) -> f64 {
+        self.corrected_error().abs() / self.error_unit
+    }
+
+    /// Adds the impulse of the row on body B to `total`: x, y and z in mass units * length units/s, angular in mass units *
+    /// length units^2/s.
+    ///
+    /// Linear rows add no angular impulse.
+    pub(super) fn accumulate_impulse(&self, link: LockedDofs, total: &mut Velocity4) {
+        let [x, y, turning, z] = self.jacobian[1];
+        // The moment of a force at the anchor is no torque of the joint.
+        let turning = if self.kind.is_angular(link) { turning } else { 0.0 };
+        for (total, push) in total.iter_mut().zip([x, y, turning, z]) {
+            *total += push * self.impulse;
+        }
+    }
+}
+
+/// Returns the contribution of one body to an element of the Delassus matrix J M^-1 J^T: the sum of `a` * `b` *
+/// `inverse_masses` over the components.
+///
+/// `a` and `b` are the elements of two rows of the Jacobian for the body. The unit is 1/(mass units); each angular row divides
+/// it by length units.
+pub(super) fn delassus_term(a: Velocity4, b: Velocity4, inverse_masses: Velocity4) -> f64 {
+    (0..4).map(|i| a[i] * b[i] * inverse_masses[i]).sum()
+}
+
+/// Returns the amount of a position error that a substep corrects, limited to [`MAX_POSITION_CORRECTION`] times `error_unit`:
+/// radians in angular rows, else length units.
+///
+/// With `is_baumgarte` it is the fraction [`LOOP_BAUMGARTE_FACTOR`] of the limited error.
+fn corrected_part(error: f64, error_unit: f64, is_baumgarte: bool) -> f64 {
+    let clamped = error.clamp(-MAX_POSITION_CORRECTION * error_unit, MAX_POSITION_CORRECTION * error_unit);
+    if is_baumgarte { LOOP_BAUMGARTE_FACTOR * clamped } else { clamped }
+}

@@ -1,0 +1,487 @@
+//! Solver for a group of bodies with joints in three axes.
+//!
+//! Each substep has two solves. The first finds velocities with which the rows hold at the *end* of the substep, by Newton
+//! iterations with the Jacobian of its start (SHAKE). The second, after bodies have moved, makes the velocities satisfy the
+//! rows (RATTLE); for both see [`articulation_step`](super::super::articulation_step). Position corrections move bodies but are
+//! removed from their velocities, so that contradicting joints add no energy.
+//!
+//! The Delassus matrix J M^-1 J^T is sparse: two rows are coupled if they share a body. It is [factorised](super::sparse_ldlt)
+//! for each phase. Bounded rows, such as ropes, are solved by an active set: a row whose impulse reaches a bound leaves it, a
+//! violated row joins it. Groups that are too large for a factorisation use Gauss-Seidel sweeps.
+
+use super::super::super::bodies::BodySet;
+use super::super::forest::NO_TREE_INDEX;
+use super::super::joint_constraint::JointConstraint;
+use super::constraint_row::{JointState, RowKind, SolvePhase, SpatialJointRow, Velocity4, delassus_term};
+use super::sparse_ldlt::SparseLdlt;
+use crate::parameters::spatial_joints::{
+    ACTIVE_SET_MAX_ITERATIONS, GROUP_ERROR_CONVERGED, GROUP_ERROR_FLOOR, GROUP_GAUSS_SEIDEL_SWEEPS,
+    LOOP_COMPLIANCE, LOOP_MAX_LATERAL_STIFFNESS, LOOP_MIN_VELOCITY_ITERATIONS, MERGED_CORRECTION_MAX_ERROR,
+    TREE_MIN_VELOCITY_ITERATIONS,
+};
+use crate::reusing_clone;
+
+/// A group of connected joints in three axes with a distance joint among them, and the bodies that they connect.
+#[derive(Debug, Default)]
+pub(in super::super) struct SpatialJointGroup {
+    /// Indices of the dynamic bodies into the arrays of `BodySet`, sorted. Other fields of the group refer to a body by its
+    /// position in this list.
+    pub(super) bodies: Vec<u32>,
+    /// Inverse masses of the bodies: x, y and z in 1/(mass units), angular in 1/(mass units * length units^2).
+    pub(super) inverse_masses: Vec<Velocity4>,
+    /// Velocities of the bodies: x, y and z in length units/s, angular in radians/s.
+    pub(super) velocities: Vec<Velocity4>,
+    /// Velocities of this substep that only correct positions: x, y and z in length units/s, angular in radians/s. They are
+    /// contained in `velocities`, and subtracted after bodies have moved.
+    pub(super) correction_velocities: Vec<Velocity4>,
+    /// The joints of the group, with present poses.
+    pub(super) joints: Vec<JointState>,
+    /// The rows of all joints of the group.
+    pub(super) rows: Vec<SpatialJointRow>,
+    /// Couplings of rows that share a body: contributions to the off-diagonal elements of the Delassus matrix.
+    pub(super) off_diagonals: Vec<OffDiagonal>,
+    /// Factorisation of the Delassus matrix J M^-1 J^T; `None` if it needs too many products.
+    pub(super) ldlt: Option<SparseLdlt>,
+    /// Workspace, one number per row. Before a solve: velocity errors, in radians/s for angular rows, else length units/s.
+    /// After it: amounts by which impulses decrease, in mass units * length units^2/s for angular rows, else mass units *
+    /// length units/s.
+    pub(super) velocity_errors: Vec<f64>,
+    /// Whether a joint of the group closes a loop.
+    pub(super) has_loops: bool,
+    /// Length unit of the simulator with `Methods::Precise`, > 0, in the user's unit.
+    pub(super) length_unit: f64,
+    /// Whether no body of the group has a contact. The group then moves through the whole step by itself, with divided
+    /// substeps.
+    pub(super) is_contact_free: bool,
+    /// Number of parts into which the group divides each substep, >= 1; 1 with contacts.
+    pub(super) substep_parts: u32,
+    /// Displacements of the bodies since the start of the step, in a group without contacts: x, y and z in length units, angle
+    /// in radians.
+    pub(super) displacements: Vec<Velocity4>,
+    /// The joints at the start of a step without contacts, for its repetition with more parts.
+    pub(super) initial_joints: Vec<JointState>,
+    /// Velocities of the bodies in a substep before the joints act: x, y and z in length units/s, angular in radians/s.
+    pub(super) unconstrained_velocities: Vec<Velocity4>,
+    /// Whether the joints add no energy: the group has no motor, and no joint with a moving kinematic body.
+    pub(super) is_passive: bool,
+}
+
+reusing_clone! {
+    SpatialJointGroup { bodies, inverse_masses, velocities, correction_velocities, joints, rows, off_diagonals, ldlt, velocity_errors, has_loops, length_unit, is_contact_free, substep_parts, displacements,
+        initial_joints, unconstrained_velocities, is_passive }
+}
+
+/// Contribution of one body to an off-diagonal element of the Delassus matrix J M^-1 J^T. Two rows act on that body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OffDiagonal {
+    /// Index of the body in the group's list of bodies.
+    pub(super) body: u32,
+    /// Indices of the two rows in the group's list of rows.
+    pub(super) rows: [u32; 2],
+    /// For each row, the index of the joint side that is the body: 0 (A) or 1 (B).
+    pub(super) sides: [u8; 2],
+    /// Index of the element in the sparse factorisation.
+    pub(super) entry: u32,
+}
+
+impl SpatialJointGroup {
+    /// Returns the indices of the group's dynamic bodies into the arrays of `BodySet`.
+    pub(in super::super) fn bodies(&self) -> &[u32] {
+        &self.bodies
+    }
+
+    /// Returns the indices of the group's joints in the list of all joints.
+    pub(in super::super) fn joint_indices(&self) -> impl Iterator<Item = usize> + '_ {
+        self.joints.iter().map(|tie| tie.joint as usize)
+    }
+
+    /// Returns whether no body of the group has a contact.
+    pub(in super::super) fn is_contact_free(&self) -> bool {
+        self.is_contact_free
+    }
+
+    /// Returns the number of parts into which the last step divided each substep.
+    pub(in super::super) fn substep_parts(&self) -> u32 {
+        self.substep_parts
+    }
+
+    /// Sets `is_contact_free`. `is_touched` returns whether contacts or springs act on a body.
+    pub(in super::super) fn update_contact_free(&mut self, is_touched: impl Fn(usize) -> bool) {
+        self.is_contact_free = !self.bodies.iter().any(|&body| is_touched(body as usize));
+    }
+
+    /// Prepares the group for a step of `dt` seconds with substeps of `h` seconds: sets poses, velocities of static and
+    /// kinematic bodies, and rows.
+    ///
+    /// `depth_of` returns the z position of the body on a side (0 or 1) of a joint, by its index, in length units.
+    pub(in super::super) fn prepare(
+        &mut self,
+        joints: &[JointConstraint],
+        bodies: &BodySet,
+        [dt, h]: [f64; 2],
+        length_unit: f64,
+        depth_of: impl Fn(usize, usize) -> f32,
+    ) {
+        self.length_unit = length_unit;
+        for state in &mut self.joints {
+            let joint = &joints[state.joint as usize];
+            for (at, side) in state.sides.iter_mut().enumerate() {
+                let (end, z) = (&joint.anchors[at], f64::from(depth_of(state.joint as usize, at)));
+                (side.origin, side.arm, side.rotation) =
+                    ([end.position[0], end.position[1], z], end.arm, 0.0);
+                let along_z =
+                    bodies.states.get(end.pose_body as usize).map_or(0.0, |hot| f64::from(hot.velocity[3]));
+                let [x, y, spin] = end.velocity;
+                side.ground_velocity = [x, y, spin, if end.pose_body == 0 { 0.0 } else { along_z }];
+            }
+            (state.axis, state.total_impulse, state.direction) = (joint.axis, [0.0; 4], [1.0, 0.0, 0.0]);
+            state.anchors_at_origins = state.sides.iter().all(|side| side.arm == [0.0; 2]);
+            state.update_direction();
+        }
+        self.is_passive =
+            self.joints.iter().all(|tie| tie.sides.iter().all(|side| side.ground_velocity == [0.0; 4]))
+                && !self.rows.iter().any(|row| matches!(row.kind, RowKind::Motor(_)));
+        let parts = if self.is_contact_free { self.required_parts(joints, [dt, h]) } else { 1 };
+        self.prepare_rows(joints, [dt, h], parts);
+    }
+
+    /// Prepares the rows for a step of `dt` seconds with substeps of `h` seconds, each divided into `substep_parts` parts.
+    pub(super) fn prepare_rows(&mut self, joints: &[JointConstraint], [dt, h]: [f64; 2], substep_parts: u32) {
+        self.substep_parts = substep_parts;
+        let (parts, unit) = (f64::from(substep_parts), self.length_unit);
+        for row in &mut self.rows {
+            let state = &self.joints[row.joint as usize];
+            row.prepare(state, &joints[state.joint as usize], ([dt, h / parts], unit), parts);
+        }
+        if self.has_loops {
+            self.cap_loop_impulses(h / parts);
+        }
+    }
+
+    /// Changes the velocities of the bodies so that the joints hold at the end of a substep of `h` seconds (SHAKE).
+    pub(in super::super) fn solve_positions(
+        &mut self,
+        joints: &[JointConstraint],
+        bodies: &mut BodySet,
+        h: f64,
+    ) {
+        self.load_velocities(bodies);
+        if !self.solve_position_velocities(joints, h, true) {
+            self.solve_velocities_only(joints, h);
+        }
+        self.store_velocities(bodies);
+    }
+
+    /// Computes the velocities of the group with which the joints hold at the end of a substep of `h` seconds (SHAKE). Returns
+    /// whether the solve has converged.
+    ///
+    /// With `accepts_residual`, or in a group with loops, a solve that has not increased the largest error counts as converged.
+    /// Position errors above [`MERGED_CORRECTION_MAX_ERROR`] are corrected by a second solve. Its correction velocities are
+    /// removed in the relaxation.
+    pub(super) fn solve_position_velocities(
+        &mut self,
+        joints: &[JointConstraint],
+        h: f64,
+        accepts_residual: bool,
+    ) -> bool {
+        self.unconstrained_velocities.clone_from(&self.velocities);
+        self.rows.iter_mut().for_each(|row| row.impulse = 0.0);
+        self.update_rows(joints);
+        for row in &mut self.rows {
+            row.choose_limit(&self.joints[row.joint as usize], joints, &self.velocities, h);
+        }
+        let has_errors =
+            self.rows.iter().any(|row| row.relative_corrected_error() > MERGED_CORRECTION_MAX_ERROR);
+        let phase = if has_errors { SolvePhase::HoldPosition } else { SolvePhase::CorrectPosition };
+        if !self.solve(joints, h, (phase, accepts_residual)) {
+            return false;
+        }
+        self.rows.iter_mut().for_each(|row| row.position_impulse = row.impulse);
+        self.correction_velocities.clear();
+        self.correction_velocities.resize(self.velocities.len(), [0.0; 4]);
+        if has_errors {
+            self.correction_velocities.copy_from_slice(&self.velocities);
+            let is_solved = self.solve(joints, h, (SolvePhase::CorrectPosition, true));
+            for (undoing, velocity) in self.correction_velocities.iter_mut().zip(&mut self.velocities) {
+                let uncorrected = *undoing;
+                *undoing =
+                    std::array::from_fn(|i| if is_solved { velocity[i] - uncorrected[i] } else { 0.0 });
+                if !is_solved {
+                    *velocity = uncorrected;
+                }
+            }
+        }
+        true
+    }
+
+    /// Computes velocities that satisfy the rows at the start of the substep of `h` seconds: the fallback after a failed
+    /// position solve.
+    ///
+    /// Such velocities add no energy. The position errors that they leave are corrected in later substeps.
+    pub(super) fn solve_velocities_only(&mut self, joints: &[JointConstraint], h: f64) {
+        self.velocities.clone_from(&self.unconstrained_velocities);
+        self.rows.iter_mut().for_each(|row| row.impulse = 0.0);
+        self.solve(joints, h, (SolvePhase::Relax, true));
+        self.rows.iter_mut().for_each(|row| row.position_impulse = row.impulse);
+        self.correction_velocities.clear();
+        self.correction_velocities.resize(self.velocities.len(), [0.0; 4]);
+    }
+
+    /// Copies the velocities of the bodies into the group, and moves its anchors by them for `h` seconds.
+    pub(in super::super) fn update_anchors(&mut self, bodies: &BodySet, h: f64) {
+        self.load_velocities(bodies);
+        self.advance_joints(h);
+    }
+
+    /// Moves the anchors of the joints for `h` seconds with the group's velocities.
+    pub(super) fn advance_joints(&mut self, h: f64) {
+        let velocities = &self.velocities;
+        self.joints.iter_mut().for_each(|tie| tie.advance(velocities, h));
+    }
+
+    /// Changes the velocities of the bodies so that they satisfy the joints, after bodies have moved in a substep of `h`
+    /// seconds (RATTLE).
+    pub(in super::super) fn solve_velocities(
+        &mut self,
+        joints: &[JointConstraint],
+        bodies: &mut BodySet,
+        h: f64,
+    ) {
+        self.load_velocities(bodies);
+        self.relax_velocities(joints, h);
+        self.store_velocities(bodies);
+    }
+
+    /// Removes the correction velocities from the group's velocities, and solves the velocities for the joints (RATTLE). Adds
+    /// the impulses of the substep of `h` seconds to the sums of the step.
+    pub(super) fn relax_velocities(&mut self, joints: &[JointConstraint], h: f64) {
+        for (undoing, velocity) in self.correction_velocities.iter().zip(&mut self.velocities) {
+            (0..4).for_each(|i| velocity[i] -= undoing[i]);
+        }
+        self.rows.iter_mut().for_each(|row| row.impulse = row.position_impulse);
+        self.update_rows(joints);
+        self.solve(joints, h, (SolvePhase::Relax, true));
+        for row in &self.rows {
+            let state = &mut self.joints[row.joint as usize];
+            row.accumulate_impulse(state.link, &mut state.total_impulse);
+        }
+    }
+
+    /// Stores the mean forces and torques of a step of `dt` seconds in the joints. Stores velocities and displacements of a
+    /// group without contacts in `bodies`.
+    pub(in super::super) fn store_forces(
+        &self,
+        joints: &mut [JointConstraint],
+        bodies: &mut BodySet,
+        dt: f64,
+    ) {
+        self.store_free_step(bodies);
+        for state in &self.joints {
+            let [x, y, turning, z] = state.total_impulse.map(|impulse| impulse / dt);
+            let joint = &mut joints[state.joint as usize];
+            (joint.force, joint.force_along_depth) = ([x, y, turning], z as f32);
+        }
+    }
+
+    /// Copies the velocities of the bodies into `velocities` of the group.
+    pub(super) fn load_velocities(&mut self, bodies: &BodySet) {
+        for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
+            *velocity = bodies.states[body as usize].velocity.map(f64::from);
+        }
+    }
+
+    /// Stores the velocities of the group in the bodies.
+    ///
+    /// The change is added to the warm-started velocity as well, so that the next warm start does not apply it again.
+    fn store_velocities(&self, bodies: &mut BodySet) {
+        for (velocity, &body) in self.velocities.iter().zip(&self.bodies) {
+            let (now, begun) = (
+                &mut bodies.states[body as usize].velocity,
+                &mut bodies.warm_started_velocity[body as usize],
+            );
+            for i in 0..4 {
+                let next = velocity[i] as f32;
+                begun[i] += next - now[i];
+                now[i] = next;
+            }
+        }
+    }
+
+    /// Computes value, Jacobian and inverse effective mass of all rows at the present poses.
+    fn update_rows(&mut self, joints: &[JointConstraint]) {
+        for row in &mut self.rows {
+            let state = &self.joints[row.joint as usize];
+            row.update_jacobian(state, &joints[state.joint as usize], &self.inverse_masses);
+        }
+    }
+
+    /// Solves the rows for the target velocities of a phase, in a substep of `h` seconds. Returns whether the solve has
+    /// converged.
+    ///
+    /// With `accepts_residual`, or in a group with loops, a solve that has not increased the largest error counts as converged,
+    /// too.
+    fn solve(
+        &mut self,
+        joints: &[JointConstraint],
+        h: f64,
+        (phase, accepts_residual): (SolvePhase, bool),
+    ) -> bool {
+        let Some(mut sparse) = self.ldlt.take() else {
+            self.gauss_seidel(joints, h, phase);
+            return self.velocities.iter().flatten().all(|velocity| velocity.is_finite());
+        };
+        let least = if self.has_loops { LOOP_MIN_VELOCITY_ITERATIONS } else { TREE_MIN_VELOCITY_ITERATIONS };
+        let mut has_clamped = false;
+        let (mut first, mut last) = (0.0, 0.0);
+        for iteration in 0..ACTIVE_SET_MAX_ITERATIONS {
+            // In the second half of the iterations no row joins the active set, so that the set cannot cycle.
+            let (worst, is_set_changed) =
+                self.find_velocity_errors(joints, (h, phase), iteration < ACTIVE_SET_MAX_ITERATIONS / 2);
+            last = worst;
+            if iteration == 0 {
+                first = worst;
+            }
+            if !has_clamped
+                && (worst * h <= GROUP_ERROR_FLOOR * self.length_unit
+                    || (iteration >= least && !is_set_changed))
+            {
+                break;
+            }
+            if iteration == 0 || is_set_changed {
+                self.assemble(&mut sparse);
+            }
+            sparse.solve(&mut self.velocity_errors);
+            has_clamped = self.apply_active_set();
+        }
+        self.ldlt = Some(sparse);
+        if has_clamped {
+            self.gauss_seidel(joints, h, phase);
+            (last, _) = self.find_velocity_errors(joints, (h, phase), true);
+        }
+        let is_found = last * h <= GROUP_ERROR_CONVERGED * self.length_unit;
+        if is_found || (!accepts_residual && !self.has_loops) { is_found } else { last <= first }
+    }
+
+    /// Limits the impulses of distance rows that close a loop, for substeps of `h` seconds.
+    ///
+    /// A tension T gives a distance joint of length l the lateral stiffness T / l. Beyond [`LOOP_MAX_LATERAL_STIFFNESS`] it is
+    /// unstable in a substep. The tension of a tree follows from the load on it; that of a loop which cannot close is
+    /// unbounded.
+    fn cap_loop_impulses(&mut self, h: f64) {
+        let of_distance = self.rows.iter().filter(|row| row.kind == RowKind::Distance);
+        let inverse_inertia_per_length = of_distance.map(|row| {
+            let state = &self.joints[row.joint as usize];
+            let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
+            inverse / state.distance().max(GROUP_ERROR_FLOOR * self.length_unit)
+        });
+        let max_impulse = LOOP_MAX_LATERAL_STIFFNESS / (h * inverse_inertia_per_length.fold(0.0, f64::max));
+        for row in self.rows.iter_mut().filter(|row| row.closes_loop && row.kind == RowKind::Distance) {
+            row.lower_max_impulse(max_impulse);
+        }
+    }
+
+    /// Computes the velocity errors of all rows and updates the active set. Returns the largest absolute error (radians/s in
+    /// angular rows, else length units/s), and whether the set has changed.
+    ///
+    /// Errors of inactive rows are set to 0. A row joins the set only if `may_activate` holds.
+    fn find_velocity_errors(
+        &mut self,
+        joints: &[JointConstraint],
+        (h, phase): (f64, SolvePhase),
+        may_activate: bool,
+    ) -> (f64, bool) {
+        let (mut worst, mut is_set_changed) = (0.0_f64, false);
+        for (row, missing) in self.rows.iter_mut().zip(&mut self.velocity_errors) {
+            let state = &self.joints[row.joint as usize];
+            *missing = row.velocity_error((state, joints), &self.velocities, (h, phase));
+            let [low, high] = row.impulse_bounds;
+            let is_bound = (row.impulse <= low && *missing > 0.0) || (row.impulse >= high && *missing < 0.0);
+            let is_active = !is_bound
+                && (may_activate || row.is_active)
+                && row.inverse_effective_mass + row.compliance > 0.0;
+            is_set_changed |= std::mem::replace(&mut row.is_active, is_active) != is_active;
+            if is_active {
+                // This comparison also keeps a NaN.
+                worst = if missing.abs() <= worst { worst } else { missing.abs() };
+            } else {
+                *missing = 0.0;
+            }
+        }
+        (worst, is_set_changed)
+    }
+
+    /// Assembles and factorises the Delassus matrix of the active rows. Inactive rows have a diagonal element of 1.
+    fn assemble(&self, sparse: &mut SparseLdlt) {
+        sparse.clear();
+        for (at, row) in self.rows.iter().enumerate() {
+            let own = row.inverse_effective_mass;
+            // A motor and a limit share one coordinate and may contradict each other; a loop may contradict itself. Compliance
+            // keeps the matrix regular.
+            let yields = row.closes_loop || matches!(row.kind, RowKind::Motor(_));
+            let own = if yields { own * (1.0 + LOOP_COMPLIANCE) } else { own };
+            sparse.set_diagonal(at, if row.is_active { own + row.compliance } else { 1.0 });
+        }
+        for &OffDiagonal { body: node, rows: [a, b], sides: [of_a, of_b], entry } in &self.off_diagonals {
+            let (a, b) = (&self.rows[a as usize], &self.rows[b as usize]);
+            if a.is_active && b.is_active {
+                let (a, b) = (a.jacobian[of_a as usize], b.jacobian[of_b as usize]);
+                sparse.add_lower(entry, delassus_term(a, b, self.inverse_masses[node as usize]));
+            }
+        }
+        sparse.factorise();
+    }
+
+    /// Applies the impulse changes in `velocity_errors` to the active rows. Returns whether one of these changes would leave
+    /// the bounds of its row.
+    ///
+    /// If so, only the rows whose changes leave their bounds are changed, and clamped to their bounds. The solution of the
+    /// other rows assumed the unclamped impulses.
+    fn apply_active_set(&mut self) -> bool {
+        let exceeds_bounds = |row: &SpatialJointRow, decrease: f64| {
+            let wanted = row.impulse - decrease;
+            row.is_active && !(row.impulse_bounds[0]..=row.impulse_bounds[1]).contains(&wanted)
+        };
+        let has_clamped =
+            self.rows.iter().zip(&self.velocity_errors).any(|(row, &less)| exceeds_bounds(row, less));
+        for at in 0..self.rows.len() {
+            let (row, less) = (&self.rows[at], self.velocity_errors[at]);
+            if row.is_active && (!has_clamped || exceeds_bounds(row, less)) {
+                self.apply_impulse(at, less);
+            }
+        }
+        has_clamped
+    }
+
+    /// Subtracts `decrease` from the accumulated impulse of a row, clamps the result to the impulse bounds of the row, and
+    /// updates the velocities of its bodies.
+    ///
+    /// `decrease` is in mass units * length units/s for linear rows and mass units * length units^2/s for angular rows.
+    fn apply_impulse(&mut self, index: usize, decrease: f64) {
+        let row = &mut self.rows[index];
+        let impulse = (row.impulse - decrease).clamp(row.impulse_bounds[0], row.impulse_bounds[1]);
+        let change = impulse - std::mem::replace(&mut row.impulse, impulse);
+        for (side, push) in self.joints[row.joint as usize].sides.iter().zip(row.jacobian) {
+            if side.node != NO_TREE_INDEX {
+                let node = side.node as usize;
+                (0..4).for_each(|i| {
+                    self.velocities[node][i] += change * push[i] * self.inverse_masses[node][i]
+                });
+            }
+        }
+    }
+
+    /// Solves the rows one after the other in [`GROUP_GAUSS_SEIDEL_SWEEPS`] sweeps, in a substep of `h` seconds.
+    fn gauss_seidel(&mut self, joints: &[JointConstraint], h: f64, phase: SolvePhase) {
+        for _ in 0..GROUP_GAUSS_SEIDEL_SWEEPS {
+            for at in 0..self.rows.len() {
+                let row = &self.rows[at];
+                let state = &self.joints[row.joint as usize];
+                let missing = row.velocity_error((state, joints), &self.velocities, (h, phase));
+                let own = row.inverse_effective_mass + row.compliance;
+                if own > 0.0 {
+                    self.apply_impulse(at, missing / own);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! Sparse symmetric matrix of scalars, and its factorisation L D L^T.
+//!
+//! [`SparseLdlt::plan`] chooses a minimum-degree ordering and allocates the fill-in. Later factorisations of the same pattern
+//! reuse both.
+
+use crate::reusing_clone;
+use crate::sparse_ordering::SymbolicFactor;
+
+/// A sparse symmetric matrix of scalars. [`factorise`](Self::factorise) replaces it by its factors L D L^T. Rows and columns
+/// are in the order of elimination.
+#[derive(Debug, Default)]
+pub(super) struct SparseLdlt {
+    /// Order of elimination, and positions of the elements below the diagonal.
+    symbolic: SymbolicFactor,
+    /// For each product of two elements of a column, in the order of the elimination: index into `lower` of the element from
+    /// which the product is subtracted.
+    product_targets: Vec<u32>,
+    /// Diagonal of the matrix; after the factorisation, diagonal of D^-1.
+    diagonal: Vec<f64>,
+    /// Elements below the diagonal column by column: of the matrix; after the factorisation, of L.
+    lower: Vec<f64>,
+    /// Workspace of the factorisation: the column that is being eliminated.
+    column: Vec<f64>,
+    /// Workspace of the triangular solves: the vector in the order of elimination.
+    solution: Vec<f64>,
+}
+
+reusing_clone! { SparseLdlt { symbolic, product_targets, diagonal, lower, column, solution } }
+
+impl SparseLdlt {
+    /// Returns a matrix of `count` rows whose off-diagonal elements at `edges` may be nonzero. Returns `None` if its
+    /// factorisation needs more than `max_products` products.
+    ///
+    /// Each edge is a pair of row indices and occurs once, with the smaller index first; edges are sorted.
+    pub(super) fn plan(count: usize, edges: &[[u32; 2]], max_products: usize) -> Option<Self> {
+        let mut elimination = SymbolicFactor::default();
+        // The products that update the diagonal count too.
+        let products = |degree: usize| degree * (degree + 1) / 2;
+        elimination.analyse(count, edges, products, max_products).then(|| SparseLdlt {
+            diagonal: vec![0.0; count],
+            solution: vec![0.0; count],
+            lower: vec![0.0; elimination.rows.len()],
+            column: vec![0.0; elimination.max_column_length()],
+            product_targets: product_targets(&elimination),
+            symbolic: elimination,
+        })
+    }
+
+    /// Returns the number of products that one factorisation computes below the diagonal.
+    pub(super) fn product_count(&self) -> usize {
+        self.product_targets.len()
+    }
+
+    /// Returns the index of the off-diagonal element of the rows `a` and `b`, for [`add_lower`](Self::add_lower).
+    pub(super) fn entry_index(&self, a: u32, b: u32) -> u32 {
+        self.symbolic.matrix_entries[self.symbolic.matrix_entry_of(a, b).0 as usize]
+    }
+
+    /// Sets all elements of the matrix to 0.
+    pub(super) fn clear(&mut self) {
+        self.diagonal.fill(0.0);
+        self.lower.fill(0.0);
+    }
+
+    /// Sets the diagonal element of a row to `value`.
+    pub(super) fn set_diagonal(&mut self, row: usize, value: f64) {
+        self.diagonal[self.symbolic.positions[row] as usize] = value;
+    }
+
+    /// Adds `value` to the off-diagonal element with the index `entry`.
+    pub(super) fn add_lower(&mut self, entry: u32, value: f64) {
+        self.lower[entry as usize] += value;
+    }
+
+    /// Replaces the matrix by its factors L D L^T. The diagonal then holds D^-1.
+    pub(super) fn factorise(&mut self) {
+        let mut target = 0;
+        for place in 0..self.diagonal.len() {
+            let column = self.symbolic.column(place);
+            let inverse = 1.0 / self.diagonal[place];
+            self.diagonal[place] = inverse;
+            for (kept, below) in self.column.iter_mut().zip(&mut self.lower[column.clone()]) {
+                *kept = *below;
+                *below *= inverse;
+            }
+            for at in 0..column.len() {
+                let factor = self.lower[column.start + at];
+                self.diagonal[self.symbolic.rows[column.start + at] as usize] -= factor * self.column[at];
+                for above in 0..at {
+                    self.lower[self.product_targets[target] as usize] -= factor * self.column[above];
+                    target += 1;
+                }
+            }
+        }
+    }
+
+    /// Solves the linear system with the right-hand side `values`, and writes the solution to `values`. Needs the factors.
+    pub(super) fn solve(&mut self, values: &mut [f64]) {
+        let SparseLdlt { symbolic: elimination, diagonal, lower: below, solution, .. } = self;
+        let SymbolicFactor { positions: places, rows, .. } = &*elimination;
+        values.iter().zip(places.iter()).for_each(|(&value, &place)| solution[place as usize] = value);
+        let columns = || (0..places.len()).map(|place| (place, elimination.column(place)));
+        for (place, column) in columns() {
+            let value = solution[place];
+            column.for_each(|at| solution[rows[at] as usize] -= below[at] * value);
+        }
+        for (place, column) in columns().rev() {
+            let rest: f64 = column.map(|at| below[at] * solution[rows[at] as usize]).sum();
+            solution[place] = solution[place] * diagonal[place] - rest;
+        }
+        values.iter_mut().zip(places.iter()).for_each(|(value, &place)| *value = solution[place as usize]);
+    }
+}
+
+/// Returns the target of each product of two elements of a column, in the order of the elimination, as an index into the list of
+/// entries. The target is the entry in the column of the first element, at the row of the second.
+///
+/// By the fill-in rule the target's column contains the rows of all later entries of the column, so one pass down the target's
+/// column finds them in order.
+fn product_targets(elimination: &SymbolicFactor) -> Vec<u32> {
+    let mut targets = vec![0; elimination.product_count];
+    let mut first = 0;
+    for place in 0..elimination.order.len() {
+        let of_column = &elimination.rows[elimination.column(place)];
+        for (above, &place) in of_column.iter().enumerate() {
+            let mut entry = elimination.column(place as usize).start;
+            for (at, &row) in of_column.iter().enumerate().skip(above + 1) {
+                while elimination.rows[entry] != row {
+                    entry += 1;
+                }
+                targets[first + at * (at - 1) / 2 + above] = entry as u32;
+            }
+        }
+        first += of_column.len() * of_column.len().saturating_sub(1) / 2;
+    }
+    targets
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Solves a diagonally dominant matrix with these off-diagonal elements and checks the residual.
+    fn check(count: u32, ties: &[[u32; 2]]) {
+        let mut sparse = SparseLdlt::plan(count as usize, ties, usize::MAX).unwrap();
+        let value = |at: usize| 1.0 + 0.3 * at as f64;
+        let mut dense = vec![vec![0.0; count as usize]; count as usize];
+        sparse.clear();
+        for (at, row) in dense.iter_mut().enumerate() {
+            row[at] = 40.0 + at as f64;
+            sparse.set_diagonal(at, row[at]);
+        }
+        for (at, &[a, b]) in ties.iter().enumerate() {
+            sparse.add_lower(sparse.entry_index(a, b), value(at));
+            (dense[a as usize][b as usize], dense[b as usize][a as usize]) = (value(at), value(at));
+        }
+        sparse.factorise();
+        let right: Vec<f64> = (0..count).map(|at| f64::from(at % 5) - 2.0).collect();
+        let mut solution = right.clone();
+        sparse.solve(&mut solution);
+        for (row, right) in dense.iter().zip(right) {
+            let left: f64 = row.iter().zip(&solution).map(|(a, b)| a * b).sum();
+            assert!((left - right).abs() < 1e-12, "{left} is not {right}");
+        }
+    }
+
+    #[test]
+    fn the_solution_satisfies_the_linear_system() {
+        check(4, &[[0, 1], [1, 2], [2, 3]]);
+        check(4, &[[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]]);
+        let net: Vec<[u32; 2]> =
+            (0..25).flat_map(|at| [[at, at + 1], [at, at + 5]]).filter(|ties| ties[1] < 25).collect();
+        check(25, &net);
+    }
+
+    #[test]
+    fn a_chain_has_no_fill_in() {
+        let ties: Vec<[u32; 2]> = (0..49).map(|at| [at, at + 1]).collect();
+        assert_eq!(SparseLdlt::plan(50, &ties, usize::MAX).unwrap().lower.len(), 49);
+    }
+
+    #[test]
+    fn plan_refuses_more_products_than_allowed() {
+        let all: Vec<[u32; 2]> = (0..30).flat_map(|a| (a + 1..30).map(move |b| [a, b])).collect();
+        assert!(SparseLdlt::plan(30, &all, 1000).is_none());
+    }
+}

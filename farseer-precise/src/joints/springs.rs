@@ -1,0 +1,202 @@
+//! Springs as rows of the solvers.
+//!
+//! A spring at a body with joints or contacts is a row with stiffness k and damping c, integrated with implicit Euler. With
+//! stretch x at the start of the step and its rate u at the end, the impulse is
+//!
+//! ```text
+//! l = -dt (k (x + dt u) + c u) = -s (u + dt k x / s),   s = dt (c + dt k)
+//! ```
+//!
+//! (D. Baraff and A. Witkin, "Large steps in cloth simulation", 1998). An explicit force would accelerate a light body too much
+//! if other rows hold it, since these rows change its effective mass. A spring whose bodies have neither joints nor contacts
+//! stays an explicit force: implicit Euler would damp its oscillation.
+//!
+//! The adapter makes this choice for each spring when it acts. A spring that the
+//! direct solver does not solve in this step is solved by the [iterative solver](super::soft_spring).
+//!
+//! | spring | rows of the direct solver |
+//! |---|---|
+//! | linear, fixed linear | along the line between its anchors; across it for geometric stiffness beyond the stable limit |
+//! | angle | the angle; its damping acts on the angular velocity of each body and adds to their inertia |
+//! | fixed angle | the angle |
+
+use super::super::bodies::BodySet;
+use super::super::direct_solver::constraint::{BodyIndices, FIXED};
+use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
+use super::articulated_body::LockedDofs;
+use super::frame::JointFrame;
+use super::joint_constraint::{JointAnchor, JointCandidate};
+use crate::reusing_clone;
+
+/// Springs that solvers treat as rows in this update, instead of explicit forces.
+#[derive(Debug, Default)]
+pub struct SpringRows {
+    /// Springs that are rows and act on a dynamic body, with poses and coefficients in this step.
+    constraints: Vec<SpringConstraint>,
+    /// For each body index whether a spring of `constraints` acts on the body. Unused between steps.
+    is_body_attached: Vec<bool>,
+}
+
+reusing_clone! { SpringRows { constraints, is_body_attached } }
+
+/// A spring with its pose and coefficients in one step.
+#[derive(Debug, Clone, Copy)]
+pub struct SpringConstraint {
+    /// Anchors on the bodies A and B, or on the world.
+    pub ends: [JointAnchor; 2],
+    /// Whether the row is along the line between the anchors; else it is angular.
+    pub is_linear: bool,
+    /// Stiffness k, >= 0: mass units/s^2 in linear springs, mass units * length units^2/s^2 per radian in angle springs.
+    pub stiffness: f64,
+    /// Damping c, >= 0: mass units/s in linear springs, mass units * length units^2/s in angle springs.
+    pub damping: f64,
+    /// Torque on each body per angular velocity of that body, mass units * length units^2/s, >= 0. It damps angle springs
+    /// between two bodies, whose `damping` is 0.
+    pub spin_damping: f64,
+    /// Stretch at the start of the step: length units in linear springs, radians in angle springs.
+    pub stretch: f64,
+    /// Largest torque, mass units * length units^2/s^2, > 0; infinite for linear springs.
+    pub max_torque: f64,
+    /// Accelerations that the explicit force of the spring would give to A and B: x and y in length units/s^2, angular in
+    /// radians/s^2.
+    pub accelerations: [[f32; 3]; 2],
+    /// Whether the direct solver has solved the spring in this step.
+    pub is_solved: bool,
+}
+
+impl SpringRows {
+    /// Returns whether no spring is a row in this step.
+    pub fn is_empty(&self) -> bool {
+        self.constraints.is_empty()
+    }
+
+    /// Removes all springs from the list of this step.
+    pub fn clear(&mut self) {
+        self.constraints.clear();
+    }
+
+    /// Adds a spring to the list of this step.
+    pub fn push(&mut self, spring: SpringConstraint) {
+        self.constraints.push(spring);
+    }
+
+    /// Begins a step of `dt` seconds with the springs of the list: finds the bodies on which they act.
+    ///
+    /// Adds half the acceleration by each explicit force times dt^2 to `force_position_delta` of its bodies. With this term the
+    /// force moves bodies by the symplectic Euler method, as in the faithful set.
+    pub fn begin_step(&mut self, bodies: &mut BodySet, dt: f32) {
+        let SpringRows { constraints, is_body_attached } = self;
+        if constraints.is_empty() && is_body_attached.is_empty() {
+            return;
+        }
+        is_body_attached.clear();
+        is_body_attached.resize(if constraints.is_empty() { 0 } else { bodies.states.len() }, false);
+        for hold in constraints.iter() {
+            for (end, accelerations) in hold.ends.iter().zip(hold.accelerations) {
+                if end.body != 0 {
+                    is_body_attached[end.body as usize] = true;
+                    let position_delta = &mut bodies.force_position_delta[end.body as usize];
+                    (0..3).for_each(|axis| position_delta[axis] += accelerations[axis] * (0.5 * dt * dt));
+                }
+            }
+        }
+    }
+
+    /// Returns the springs of this step as candidates for islands of the direct solver.
+    pub(crate) fn candidates(&self) -> impl Iterator<Item = JointCandidate> + '_ {
+        self.constraints.iter().enumerate().map(|(at, hold)| JointCandidate {
+            joint: at as u32,
+            bodies: hold.ends.map(|end| end.body),
+            is_free_articulation: false,
+            has_rows: true,
+            error: 0.0,
+        })
+    }
+
+    /// Returns the spring at `index` of the list of this step.
+    pub(crate) fn constraint(&self, index: u32) -> &SpringConstraint {
+        &self.constraints[index as usize]
+    }
+
+    /// Marks the spring at `index` as solved by the direct solver, so that the iterative solver leaves it out.
+    pub(crate) fn mark_solved(&mut self, index: u32) {
+        self.constraints[index as usize].is_solved = true;
+    }
+
+    /// Returns the springs that the direct solver has not solved.
+    pub(super) fn unsolved(&self) -> impl Iterator<Item = &SpringConstraint> + '_ {
+        self.constraints.iter().filter(|hold| !hold.is_solved)
+    }
+
+    /// Returns whether the direct solver has solved all springs of this step.
+    pub(crate) fn are_all_solved(&self) -> bool {
+        self.unsolved().next().is_none()
+    }
+
+    /// Returns whether a spring of this step acts on the body with the index `body`.
+    pub fn is_attached_to(&self, body: usize) -> bool {
+        self.is_body_attached.get(body) == Some(&true)
+    }
+}
+
+impl SpringConstraint {
+    /// Returns the rows of the spring in a step of `dt` seconds, for the direct solver.
+    ///
+    /// `lever` converts angular errors to linear ones where errors are compared, length units per radian.
+    pub(crate) fn constraint_rows(&self, body_indices: BodyIndices, dt: f64, lever: f64) -> JointRows {
+        let frame = self.frame();
+        let row = if self.is_linear { ALONG } else { ANGLE };
+        let prescribed = [0, 1]
+            .map(|side| if body_indices.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] });
+        let mut rows = JointRows::new(body_indices, frame.jacobian(), [0.0; 3], prescribed, lever);
+        let SpringConstraint { stiffness, damping, stretch, .. } = *self;
+        rows.add_spring_row(row, SpringDamper { stiffness, damping, stretch }, [dt, self.max_torque * dt]);
+        if self.is_linear {
+            let distance = frame.distance();
+            let tension = if distance > 0.0 { stretch / distance } else { 1.0 };
+            rows.add_transverse_stiffness(dt * dt * stiffness * tension);
+        }
+        rows
+    }
+
+    /// Returns the relative pose of the spring's bodies. For an angle spring, the angle of the pose is the spring's stretch in
+    /// radians.
+    pub(super) fn frame(&self) -> JointFrame {
+        let link = if self.is_linear { LockedDofs::Distance } else { LockedDofs::Angle };
+        JointFrame::between(link, &self.ends, self.stretch)
+    }
+
+    /// Returns the anchors of the spring on the bodies A and B, or on the world.
+    pub(super) fn ends(&self) -> &[JointAnchor; 2] {
+        &self.ends
+    }
+
+    /// Returns the torque on each body per angular velocity of that body, mass units * length units^2/s; 0 for linear springs.
+    pub(crate) fn spin_damping(&self) -> f64 {
+        self.spin_damping
+    }
+}
+
+impl SpringConstraint {
+    /// Moves `damping` of an angle spring to `spin_damping`, which acts on the angular velocities of its bodies. A spring at
+    /// its torque limit has no damping.
+    ///
+    /// An angle spring damps the angular velocity of each body, not the relative one. `angular_velocity` returns that of an
+    /// anchor's body in radians/s.
+    pub fn set_spin_damping(&mut self, angular_velocity: impl Fn(&JointAnchor) -> f32) {
+        let damping = std::mem::take(&mut self.damping);
+        let is_bounded = |end: &JointAnchor, sign: f64| {
+            end.body != 0
+                && (sign * self.stiffness * self.stretch - damping * f64::from(angular_velocity(end))).abs()
+                    >= self.max_torque
+        };
+        if !(is_bounded(&self.ends[0], 1.0) || is_bounded(&self.ends[1], -1.0)) {
+            self.spin_damping = damping;
+        }
+    }
+}
+
+/// Returns the distance of the anchors on the bodies A and B, or on the world, in length units.
+pub fn anchor_distance(ends: &[JointAnchor; 2]) -> f64 {
+    JointFrame::between(LockedDofs::Distance, ends, 0.0).distance()
+}

@@ -1,0 +1,186 @@
+//! Narrow phase: builds the contact constraint of a pair from its cached manifold, in the plane and in three axes.
+//!
+//! A constraint has one normal row for each contact point, with the effective mass and the lever arms, and friction rows at the
+//! mean of the points. It also stores the combined friction and restitution coefficients, and the surface velocity of conveyor
+//! belts.
+
+use super::{NarrowPhase, ProxyPair};
+use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ};
+use crate::broad_phase::proxies::{BodyType, Proxy};
+use crate::constraint_graph::{ContactConstraint, ContactConstraintZ, ContactPoint, tangents};
+use crate::depth::interface::HingeFeature;
+use crate::depth::state::DepthState;
+use crate::math::plane::{Vector, cross, difference, dot, rotate, scaled, sum};
+use crate::surface::{mix_friction, mix_restitution};
+
+impl NarrowPhase<'_> {
+    /// Returns the contact constraint of a pair, built from its cached manifold. All impulses of the constraint are 0.
+    pub(super) fn build_constraint(&self, pair: usize, two: ProxyPair<'_>) -> ContactConstraint {
+        let cached = &self.pairs.manifolds[pair];
+        let is_fixed = self.is_fixed(two.a);
+        let [[mass_a, inertia_a], [mass_b, inertia_b]] =
+            [two.a, two.b].map(|proxy| self.bodies.inverse_mass_inertia[proxy.body as usize]);
+        let normal = cached.normal;
+        let effective_mass = |arm_a: f32, arm_b: f32| {
+            let inverse = mass_a + mass_b + inertia_a * arm_a * arm_a + inertia_b * arm_b * arm_b;
+            if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
+        };
+        let mut points =
+            [ContactPoint { separation: self.parameters.length_unit, ..ContactPoint::default() }; 2];
+        let (mut tangent_a, mut tangent_b) = (0.0, 0.0);
+        let lead_rotation =
+            [1.0 - 0.5 * cached.arm_lead_angle * cached.arm_lead_angle, cached.arm_lead_angle];
+        for (at, point) in points.iter_mut().enumerate().take(cached.count as usize) {
+            let [ax, ay, bx, by] = cached.anchors[at];
+            // The contact point of a rounded vertex keeps its direction from the vertex while the body rotates.
+            let round_offset = scaled(normal, two.b.shape.radius);
+            let [bx, by] = difference(rotate(lead_rotation, sum([bx, by], round_offset)), round_offset);
+            let (arm_a, arm_b) = (cross([ax, ay], normal), cross([bx, by], normal));
+            tangent_a -= dot([ax, ay], normal);
+            tangent_b -= dot([bx, by], normal);
+            *point = ContactPoint {
+                normal_arm_a: arm_a,
+                normal_arm_b: arm_b,
+                normal_mass: effective_mass(arm_a, arm_b),
+                separation: cached.separations[at],
+                ..ContactPoint::default()
+            };
+        }
+        let inverse_count = 1.0 / cached.count as f32;
+        let tangent_arms = [tangent_a * inverse_count, tangent_b * inverse_count];
+        let constraint = ContactConstraint {
+            a: if is_fixed { 0 } else { two.a.body },
+            b: two.b.body,
+            pair: pair as u32,
+            normal,
+            inverse_masses: [mass_a, mass_b],
+            inverse_inertias: [inertia_a, inertia_b],
+            // The mixed coefficient of very large ones may overflow.
+            friction: mix_friction(self.friction, two.a.friction, two.b.friction).min(f32::MAX),
+            tangent_arms,
+            tangent_mass: effective_mass(tangent_arms[0], tangent_arms[1]),
+            tangent_impulse: 0.0,
+            tangent_speed: tangent_surface_speed(two.a, normal, cached.anchors[0]).clamp(f32::MIN, f32::MAX),
+            restitution: mix_restitution(two.a.restitution, two.b.restitution).clamp(f32::MIN, f32::MAX),
+            points,
+            depth: ContactConstraintZ::default(),
+        };
+        match &self.depth {
+            None => constraint,
+            Some(space) => self.build_constraint_3d(space, pair, two, constraint),
+        }
+    }
+
+    /// Returns a contact constraint with the data of the depth axis added: lever arms of both friction directions, rolling
+    /// radii, patch radius for friction about the normal, and surface velocity along z.
+    fn build_constraint_3d(
+        &self,
+        space: &DepthState,
+        pair: usize,
+        two: ProxyPair<'_>,
+        constraint: ContactConstraint,
+    ) -> ContactConstraint {
+        let CachedManifold {
+            normal: [x, y],
+            count,
+            anchors,
+            depth: CachedManifoldZ { normal_z, patch_radius, points_z, .. },
+            ..
+        } = self.pairs.manifolds[pair];
+        let (tangent, [ux, uy, uz]) = tangents([x, y, normal_z]);
+        let points = &anchors[..count as usize];
+        let arms = |along: Vector| {
+            let sum = points.iter().fold([0.0; 2], |[of_a, of_b], &[ax, ay, bx, by]| {
+                [of_a + cross([ax, ay], along), of_b + cross([bx, by], along)]
+            });
+            sum.map(|arm| arm / count as f32)
+        };
+        let (mut points_3d, mut tangent_arms, mut across_arms) =
+            (constraint.points, arms(tangent), arms([ux, uy]));
+        if self.rotates_about_y(two.a) {
+            // A unit angular velocity about the upright axis gives a point at r the velocity (-r.z, 0, r.x).
+            let arm = |at: usize, [x, _, z]: [f32; 3]| anchors[at][0] * z - points_z[at] * x;
+            let mean = |axis| (0..count as usize).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
+            for (at, point) in points_3d.iter_mut().enumerate().take(count as usize) {
+                point.normal_arm_a = arm(at, [x, y, normal_z]);
+                if HingeFeature::ENABLED && two.a.body_type == BodyType::Hinged {
+                    point.normal_mass = constraint.effective_mass(point);
+                }
+            }
+            tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
+            across_arms[0] = mean([ux, uy, uz]);
+        }
+        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        let [friction, restitution] = space.combined_surface([at_a, at_b], [two.a, two.b], self.friction);
+        ContactConstraint {
+            friction,
+            restitution,
+            tangent_arms,
+            points: points_3d,
+            tangent_speed: tangent_surface_speed(two.a, [-tangent[1], tangent[0]], anchors[0])
+                .clamp(f32::MIN, f32::MAX),
+            depth: ContactConstraintZ {
+                normal_z,
+                across_arms,
+                radii: [space.rolling_radius(at_a, two.a), space.rolling_radius(at_b, two.b)],
+                across_speed: (tangent_surface_speed(two.a, [-uy, ux], anchors[0])
+                    + uz * two.a.surface_velocity[3])
+                    .clamp(f32::MIN, f32::MAX),
+                spread: patch_radius,
+                ..ContactConstraintZ::default()
+            },
+            ..constraint
+        }
+    }
+
+    /// Returns the surface parameters of a pair before handlers of the game change them: friction coefficient and restitution
+    /// coefficient (dimensionless), and tangent speed of the belt (length units/s).
+    pub(crate) fn surface_parameters(&self, pair: usize) -> [f32; 3] {
+        let ContactConstraint { friction, restitution, tangent_speed, .. } =
+            self.build_constraint(pair, self.proxy_pair(pair));
+        [friction, restitution, tangent_speed]
+    }
+
+    /// Restores friction, restitution and tangent speed of a pair's contact constraint after a handler of the game has changed
+    /// them.
+    pub(crate) fn reset_surface_parameters(&mut self, pair: usize) {
+        let state = self.pairs.all[pair];
+        let Some(handle) = state.constraint else { return };
+        let [friction, restitution, tangent_speed] = self.surface_parameters(pair);
+        let constraint = ContactConstraint {
+            friction,
+            restitution,
+            tangent_speed,
+            ..self.constraints.get(state.kind, handle)
+        };
+        self.constraints.set(state.kind, handle, &constraint);
+    }
+}
+
+/// Warm start of friction: stores the accumulated friction impulses of the old contact constraint in the new one. The old
+/// impulse, a vector, is projected onto the tangents of the new constraint.
+pub(super) fn transfer_friction_impulse(constraint: &mut ContactConstraint, old: &ContactConstraint) {
+    constraint.tangent_impulse = old.tangent_impulse;
+    (constraint.depth.twist_impulse, constraint.depth.totals) = (old.depth.twist_impulse, old.depth.totals);
+    let (along, across) = (old.tangent_impulse, old.depth.across_impulse);
+    let is_same = constraint.depth.normal_z == old.depth.normal_z && constraint.normal == old.normal;
+    if across == 0.0 && (is_same || constraint.depth.normal_z == 0.0) {
+        return;
+    }
+    let of = |constraint: &ContactConstraint| {
+        tangents([constraint.normal[0], constraint.normal[1], constraint.depth.normal_z])
+    };
+    let (([tx, ty], [ux, uy, uz]), (tangent, second)) = (of(old), of(constraint));
+    let [x, y, z] = [along * tx + across * ux, along * ty + across * uy, across * uz];
+    constraint.tangent_impulse = dot([x, y], tangent);
+    constraint.depth.across_impulse = dot([x, y], [second[0], second[1]]) + z * second[2];
+}
+
+/// Returns the speed of a conveyor belt on the surface of A along the tangent (normal y, -normal x), in length units/s. The
+/// speed is that at the point [ax, ay], given relative to the origin of A's body. Friction drives the tangential velocity of B
+/// relative to A to this speed.
+fn tangent_surface_speed(a: &Proxy, normal: Vector, [ax, ay, ..]: [f32; 4]) -> f32 {
+    let [x, y, spin, _] = a.surface_velocity;
+    let at = [x - spin * ay, y + spin * ax];
+    dot(at, [normal[1], -normal[0]])
+}

@@ -1,0 +1,326 @@
+//! Narrow phase: computes the contacts of pairs and hands them to the solver as contact constraints.
+//!
+//! A pair is updated only after its bodies have moved far enough to change something ([`RecheckTrigger`]). The update of a
+//! pair:
+//!
+//! 1. contact recycling keeps the manifold while the relative pose has changed little ([`contact_recycling`]);
+//! 2. else the manifold is computed ([`manifold`]), or in three axes by [`depth`](super::depth);
+//! 3. filters remove ghost collisions ([`ghost_filter`], [`flush_geoms`], [`rim_ghost_filter`]) and contacts with one-way
+//!    geoms ([`one_way`]);
+//! 4. the manifold becomes a contact constraint ([`build_constraint`]), which is added, changed or removed
+//!    ([`constraint_lifetime`]);
+//! 5. begin and end of touch are listed for the adapter ([`touch_state`]).
+
+mod box_prefilter;
+mod build_constraint;
+pub(crate) mod capsule;
+mod circle_contacts;
+pub(crate) mod constraint_lifetime;
+pub mod contact_reader;
+mod contact_recycling;
+pub(crate) mod flush_geoms;
+pub(crate) mod ghost_filter;
+mod handler_changes;
+mod kinematic_sweep;
+pub mod manifold;
+pub(crate) mod one_way;
+pub mod pair_lifetime;
+mod residual_penetration;
+mod rim_ghost_filter;
+mod rolling_contacts;
+pub mod shape_dispatch;
+pub(crate) mod shape_pair;
+pub(crate) mod static_sensor_pairs;
+mod touch_state;
+
+use super::bodies::BodySet;
+use super::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint};
+use super::depth::feature_gate::FeatureGate;
+use super::depth::prism_collision::{ContactMargins, PreviousAxis};
+use super::depth::sphere_sphere::collide_spheres;
+use super::depth::state::DepthState;
+use super::direct_solver::DirectSolver;
+use super::scaled_parameters::Parameters;
+use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ, Pairs, RecheckTrigger, UPDATED_BY_SOLVER};
+use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use crate::contact_solver::rolling::RollingContact;
+use crate::island::sleep::SleepState;
+use crate::math::plane::{Pose, Vector, difference, length, rotate_inverse, rotation, translation};
+use crate::math::scalar::nearest_finite;
+use crate::narrow_phase::flush_geoms::FlushFilter;
+use crate::narrow_phase::manifold::Manifold;
+use crate::narrow_phase::shape_dispatch::collide;
+use crate::parameters::broad_phase::SEPARATED_PAIR_MAX_SLACK;
+use crate::surface::FrictionType;
+use build_constraint::transfer_friction_impulse;
+use kinematic_sweep::ApproachDistances;
+pub use touch_state::TouchEvent;
+
+/// The narrow phase: references to the state of the simulator that it reads and writes.
+pub struct NarrowPhase<'a> {
+    pub(crate) bodies: &'a BodySet,
+    pub(crate) proxies: &'a Proxies,
+    pub(crate) pairs: &'a mut Pairs,
+    pub(crate) constraints: &'a mut ConstraintGraph,
+    pub(crate) palette: &'a mut ColorUsage,
+    pub(crate) sleep: &'a mut SleepState,
+    pub(crate) direct: &'a mut DirectSolver,
+    pub(crate) depth: Option<FeatureGate<&'a DepthState>>,
+    pub(crate) parameters: &'a Parameters,
+    pub(crate) friction: FrictionType,
+    /// Largest number of contact points of two convex pieces, 1 or 2. Further points of a manifold are dropped, the shallowest
+    /// first.
+    pub(crate) max_contacts: usize,
+    /// Length of the step, in seconds.
+    pub(crate) dt: f32,
+    /// Velocity change by gravity in the step, for a body of gravity scale 1, in length units/s.
+    pub(crate) gravity_delta: Vector,
+    /// Events of pairs of geoms that have begun or ceased to touch since the last report to the game.
+    pub(crate) touch_events: &'a mut Vec<TouchEvent>,
+    /// Contacts with static or kinematic bodies that have ended, in worlds with a depth axis: index of the dynamic body, and
+    /// the penetration at the end in length units, >= 0.
+    pub(crate) ended_static_contacts: &'a mut Vec<(u32, f32)>,
+    pub(crate) stats: &'a mut NarrowPhaseStats,
+    /// Workspace: indices of the pairs to update; empty between updates of contacts.
+    pub(crate) dirty_pairs: &'a mut Vec<u32>,
+    /// Contacts of polygons that roll over a static face in this step. The solver updates these contacts in its substeps.
+    pub(crate) rolling_contacts: &'a mut Vec<RollingContact>,
+}
+
+/// Numbers of pairs with contacts that the narrow phase has updated: those computed anew, and those recycled.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct NarrowPhaseStats {
+    /// Number of updated pairs whose manifold was computed anew.
+    pub computed: usize,
+    /// Number of updated pairs whose cached manifold was recycled.
+    pub recycled: usize,
+}
+
+/// The proxies A and B of a pair, with the world poses of their bodies.
+#[derive(Clone, Copy)]
+pub(crate) struct ProxyPair<'a> {
+    pub(crate) a: &'a Proxy,
+    pub(crate) b: &'a Proxy,
+    pub(crate) pose_a: Pose,
+    pub(crate) pose_b: Pose,
+}
+
+impl ProxyPair<'_> {
+    /// Returns the pose of B's body in the frame of A's body: x and y in length units, cosine and sine of the angle.
+    pub(crate) fn relative_pose(&self) -> [f32; 4] {
+        let (qa, qb) = (rotation(self.pose_a), rotation(self.pose_b));
+        let [x, y] = rotate_inverse(qa, self.offset());
+        let [c, s] = rotate_inverse(qa, qb);
+        [x, y, c, s]
+    }
+
+    /// Returns the vector from the origin of A's body to the origin of B's body, in world axes, length units.
+    pub(crate) fn offset(&self) -> Vector {
+        difference(translation(self.pose_b), translation(self.pose_a))
+    }
+}
+
+impl<'a> NarrowPhase<'a> {
+    /// Returns the proxies of a pair with the present poses of their bodies.
+    #[inline(always)]
+    fn proxy_pair(&self, pair: usize) -> ProxyPair<'a> {
+        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let pose = |proxy: &Proxy| self.bodies.poses[proxy.body as usize];
+        ProxyPair { a, b, pose_a: pose(a), pose_b: pose(b) }
+    }
+
+    /// Returns the sum of the [`travel`](Proxies::travel) counters of both proxies of a pair: the path lengths of A and B, in
+    /// 2^-26 length units, wrapping. [`RecheckTrigger::motion_at_check`] stores such a sum.
+    #[inline(always)]
+    pub(crate) fn total_travel(&self, trigger: &RecheckTrigger) -> u32 {
+        let [a, b] = trigger.proxies.map(|proxy| self.proxies.travel[proxy as usize]);
+        a.wrapping_add(b)
+    }
+
+    /// Updates the contacts of all awake pairs whose bodies have moved by more than the pair's tolerance. Returns the number of
+    /// these pairs.
+    pub(crate) fn update_contacts(&mut self) -> usize {
+        let mut dirty = std::mem::take(self.dirty_pairs);
+        let dirty_count = self.collect_dirty_pairs(&mut dirty);
+        if self.depth.is_none() && self.proxies.one_way_count == 0 {
+            self.reject_separated_boxes(&mut dirty);
+        }
+        dirty.drain(..).for_each(|pair| self.update_contact(pair as usize));
+        *self.dirty_pairs = dirty;
+        dirty_count
+    }
+
+    /// Writes the indices of the awake pairs that need an update to `dirty`, and returns their number. The loop has no branch
+    /// on the motion, since the processor cannot predict which pairs have moved.
+    fn collect_dirty_pairs(&self, dirty: &mut Vec<u32>) -> usize {
+        let (awake, mut count) = (self.pairs.awake_count, 0);
+        dirty.resize(awake, 0);
+        for (pair, trigger) in self.pairs.triggers[..awake].iter().enumerate() {
+            let moved = self.total_travel(trigger).wrapping_sub(trigger.motion_at_check);
+            dirty[count] = pair as u32;
+            count += usize::from(
+                (moved >= trigger.motion_tolerance) & (trigger.motion_tolerance != UPDATED_BY_SOLVER),
+            );
+        }
+        dirty.truncate(count);
+        count
+    }
+
+    /// Updates the manifold, the contact constraint and the touch state of a pair.
+    pub(crate) fn update_contact(&mut self, pair: usize) {
+        let two = self.proxy_pair(pair);
+        let is_known = self.pairs.manifolds[pair].count > 0
+            && self.pairs.triggers[pair].motion_tolerance != UPDATED_BY_SOLVER;
+        self.pairs.triggers[pair].motion_at_check = self.total_travel(&self.pairs.triggers[pair]);
+        if is_known && self.may_recycle(pair, two) && self.recycle_contact(pair, two) {
+            self.stats.recycled += 1;
+            self.update_touch_state(pair, two);
+            return;
+        }
+        let margin = self.contact_margin(two);
+        let mut manifold = self.collide(pair, two, margin);
+        manifold.keep_deepest(self.max_contacts);
+        let is_open = self.proxies.one_way_count > 0 && self.is_passable(pair, two, &manifold);
+        if !manifold.has_finite_contact() {
+            self.end_contact(pair, manifold.gap - margin);
+        } else if is_open || self.is_passable_3d(pair, two) {
+            self.end_contact(pair, 0.0);
+        } else {
+            self.stats.computed += 1;
+            self.store_manifold(pair, two, &manifold, ApproachDistances::default());
+            self.update_touch_state(pair, two);
+        }
+    }
+
+    /// Returns the ghost filter between flush geoms, for the present poses.
+    fn flush_filter(&self) -> FlushFilter<'_> {
+        let NarrowPhase { bodies, proxies, pairs, parameters, dt, .. } = self;
+        FlushFilter { bodies, proxies, pairs, parameters, dt: *dt, time: 0.0 }
+    }
+
+    /// Returns the contact constraint that the cached manifold of a pair gives. All impulses of the constraint are 0.
+    pub(crate) fn current_constraint(&self, pair: usize) -> ContactConstraint {
+        self.build_constraint(pair, self.proxy_pair(pair))
+    }
+
+    /// Returns the separation below which a pair has contact points, in length units. It is the speculative distance. For
+    /// moving world boxes in three axes it also includes the distance by which the box and the other body can approach in the
+    /// step.
+    fn contact_margin(&self, two: ProxyPair<'_>) -> f32 {
+        let (Some(space), BodyType::Kinematic | BodyType::Hinged) = (self.depth, two.a.body_type) else {
+            return self.parameters.speculative_distance;
+        };
+        let sweep_of_a = space.sweep_distance(two.a, self.bodies, self.parameters, self.dt);
+        let displacement_of_b = || {
+            let [x, y, _, z] = self.bodies.states[two.b.body as usize].velocity;
+            length([length([x, y]), z]) * self.dt
+        };
+        self.parameters.speculative_distance
+            + if sweep_of_a > 0.0 { nearest_finite(sweep_of_a + displacement_of_b()) } else { 0.0 }
+    }
+
+    /// Computes the manifold of a pair in the plane or in three axes, without ghost collisions. `margin`: contact margin in
+    /// length units.
+    fn collide(&self, pair: usize, two: ProxyPair<'_>, margin: f32) -> Manifold {
+        let shape_of = |proxy: &Proxy| self.proxies.vertices.shape_ref(proxy.shape);
+        let Some(space) = self.depth else {
+            let manifold = collide(shape_of(two.a), shape_of(two.b), two.pose_a, two.pose_b, margin);
+            if two.a.body_type != BodyType::Dynamic && manifold.count > 0 && two.a.shape.vertex_count > 0 {
+                return self.flush_filter().filter_manifold(pair, manifold, margin);
+            }
+            let is_new = manifold.count > 0 && !self.pairs.all[pair].is_touching;
+            return if is_new && self.are_both_circles(two) {
+                self.circle_contact_at_toi(two, manifold)
+            } else {
+                manifold
+            };
+        };
+        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        if let Some([a, b]) = space.dynamic_spheres([at_a, at_b], [two.a, two.b], (self.bodies, self.dt)) {
+            return collide_spheres(a, b, self.pairs.manifolds[pair].count == 0, margin);
+        }
+        let solid =
+            |at: u32, proxy: &'a Proxy| space.posed_solid(at, proxy, shape_of(proxy), (self.bodies, self.dt));
+        let CachedManifold { count, features, depth: CachedManifoldZ { normal_z, .. }, .. } =
+            self.pairs.manifolds[pair];
+        let previous_axis = match normal_z {
+            _ if count == 0 => PreviousAxis::NoContact,
+            _ if space.had_vertical_axis([at_a, at_b], features[0]) => PreviousAxis::Vertical,
+            1.0 | -1.0 => PreviousAxis::Depth(normal_z),
+            _ => PreviousAxis::Plane,
+        };
+        let all = &self.proxies.all;
+        let (a, b) = (solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]));
+        let a = space.with_yaw_displacement(a, two.a, &b, (self.bodies, self.dt));
+        let previous_penetration = self.previous_penetration(pair, two);
+        let limits = ContactMargins::new(
+            [margin, self.parameters.speculative_distance],
+            self.is_fixed(two.a),
+            previous_penetration,
+        );
+        let manifold = space.collide(a, b, previous_axis, limits);
+        if self.is_hidden_rim(pair, two, [a, b], &manifold) { Manifold::separated(0.0) } else { manifold }
+    }
+
+    /// Removes the contact of a pair, and emits an end-touch event if the pair touched. The separation exceeds the contact
+    /// margin by `extra_distance`, in length units. The next update of the pair follows after its bodies have moved that far.
+    fn end_contact(&mut self, pair: usize, extra_distance: f32) {
+        self.record_separation(pair);
+        self.remove_constraint(pair);
+        if self.pairs.all[pair].is_touching {
+            self.emit_touch_event(pair, false);
+        }
+        // Most of these pairs had no contacts, and their cached manifold is default already.
+        if self.pairs.manifolds[pair].count > 0 {
+            self.pairs.manifolds[pair] = CachedManifold::default();
+        }
+        let slack = extra_distance.clamp(0.0, SEPARATED_PAIR_MAX_SLACK * self.parameters.length_unit);
+        self.pairs.triggers[pair].motion_tolerance = (slack * self.parameters.travel_scale()) as u32;
+    }
+
+    /// Caches a manifold and adds or updates the contact constraint, with a warm start from the old one. `approach` holds the
+    /// distances by which the bodies approach each other until the time of the manifold; 0 for a manifold in the present poses.
+    fn store_manifold(
+        &mut self,
+        pair: usize,
+        two: ProxyPair<'_>,
+        manifold: &Manifold,
+        approach: ApproachDistances,
+    ) {
+        let state = self.pairs.all[pair];
+        let old = state.constraint.map(|handle| self.constraints.get(state.kind, handle));
+        let matched = self.match_points(pair, two, manifold);
+        let previous_normal = self.pairs.manifolds[pair].normal;
+        self.cache_manifold(pair, two, manifold);
+        self.pairs.manifolds[pair].depth.z_offset += approach.z;
+        if !state.has_response() {
+            return;
+        }
+        let old = old.unwrap_or_default();
+        if let Some(is_fast) = self.rolling_speed_class(pair, two) {
+            self.rolling_contacts.push(RollingContact::new(self.pairs.triggers[pair].proxies, is_fast));
+        }
+        let mut constraint = self.build_constraint(pair, two);
+        transfer_friction_impulse(&mut constraint, &old);
+        for (point, approach) in constraint.points.iter_mut().zip(approach.points) {
+            point.separation += approach;
+        }
+        for (at, point) in constraint.points.iter_mut().enumerate().take(manifold.count) {
+            if let Some(from) = matched[at] {
+                (point.normal_impulse, point.rest_impulse) =
+                    (old.points[from].normal_impulse, old.points[from].rest_impulse);
+            }
+        }
+        self.direct.timer.is_due |=
+            self.is_heavy_on_light(pair, manifold.normal) && !self.is_heavy_on_light(pair, previous_normal);
+        match state.constraint {
+            Some(handle) => self.constraints.set(state.kind, handle, &constraint),
+            None => self.add_constraint(pair, &constraint),
+        }
+    }
+
+    /// Returns whether the body of a proxy is static.
+    fn is_fixed(&self, proxy: &Proxy) -> bool {
+        proxy.body as usize >= self.bodies.first_static()
+    }
+}

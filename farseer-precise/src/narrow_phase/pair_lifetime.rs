@@ -1,0 +1,83 @@
+//! Narrow phase: adds pairs that the broad phase has found, and removes pairs whose fat AABBs have separated.
+
+use super::NarrowPhase;
+use super::one_way::PairMotion;
+use crate::broad_phase::pair_finder::{fat_aabbs_overlap, is_pair_reported};
+use crate::broad_phase::pairs::{OneWayState, Pairs};
+use crate::broad_phase::proxies::Proxies;
+use crate::constraint_graph::ConstraintKind;
+
+impl NarrowPhase<'_> {
+    /// Removes the pairs of these proxies whose fat AABBs do not overlap any more. `refitted` holds indices of proxies with a
+    /// new fat AABB.
+    pub(crate) fn remove_separated_pairs(&mut self, refitted: &[u32]) {
+        let mut separated = std::mem::take(self.dirty_pairs);
+        let NarrowPhase { proxies, pairs, depth, .. } = self;
+        for &proxy in refitted {
+            let is_separated =
+                |&pair: &usize| !fat_aabbs_overlap(proxies, *depth, pairs.triggers[pair].proxies);
+            separated.extend(pairs.pairs_of(proxy).filter(is_separated).map(|pair| pair as u32));
+        }
+        // Removal from the last pair on keeps the indices of the others valid.
+        separated.sort_unstable();
+        separated.dedup();
+        for pair in separated.drain(..).rev() {
+            self.record_separation(pair as usize);
+            self.remove_pair(pair as usize);
+        }
+        *self.dirty_pairs = separated;
+    }
+
+    /// Adds a pair of the proxies A and B without contacts to the awake pairs, and returns its index.
+    pub fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
+        let all = self.proxies;
+        let [a, b] = proxies.map(|proxy| &all.all[proxy as usize]);
+        let (responds, is_reported) = (a.responds && b.responds, is_pair_reported(all, proxies));
+        let is_static_sensor = !(a.body_type.takes_impulses() || b.body_type.takes_impulses());
+        let pair = self.pairs.push(proxies, self.constraint_kind(proxies), responds, is_reported);
+        self.pairs.set_static_sensor(pair, is_static_sensor);
+        self.pairs.all[pair].is_on_ground =
+            self.depth.as_ref().is_some_and(|space| space.ground_proxy == proxies[0]);
+        self.pairs.all[pair].one_way_state = initial_one_way_state(all, self.pairs, pair);
+        if self.pairs.all[pair].one_way_state != OneWayState::Closed {
+            let motion = PairMotion {
+                bodies: self.bodies,
+                proxies: all,
+                pairs: self.pairs,
+                speculative_distance: self.parameters.speculative_distance,
+                is_after_step: false,
+            };
+            let state = motion.state_of_group(pair);
+            self.pairs.all[pair].one_way_state = state;
+        }
+        self.wake_pair(pair)
+    }
+
+    /// Returns the kind of the contact constraint of a pair [A, B]: whether it has two points, whether A is static, and whether
+    /// there is a depth axis.
+    fn constraint_kind(&self, proxies: [u32; 2]) -> ConstraintKind {
+        let [a, b] = proxies.map(|proxy| self.proxies.all[proxy as usize].shape);
+        let is_fixed = proxies[0] as usize >= self.proxies.first_fixed;
+        match &self.depth {
+            None => ConstraintKind {
+                has_two_points: a.vertex_count > 0 && b.vertex_count > 0,
+                is_static: is_fixed,
+                is_3d: false,
+            },
+            Some(space) => {
+                let has_two_points = !proxies.iter().any(|&proxy| space.is_sphere(proxy));
+                ConstraintKind { has_two_points, is_static: is_fixed, is_3d: true }
+            }
+        }
+    }
+}
+
+/// Returns the one-way state of a new pair: `Apart` if the pair has collision response and a one-way geom, else `Closed`.
+pub fn initial_one_way_state(proxies: &Proxies, pairs: &Pairs, pair: usize) -> OneWayState {
+    let is_one_way = |proxy: u32| proxies.all[proxy as usize].one_way.is_some();
+    if pairs.all[pair].responds && pairs.triggers[pair].proxies.into_iter().any(is_one_way) {
+        OneWayState::Apart
+    } else {
+        OneWayState::Closed
+    }
+}

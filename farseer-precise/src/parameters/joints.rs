@@ -1,0 +1,187 @@
+//! Parameters of the joints in the plane: free articulations, and the soft rows of the iterative solver.
+//!
+//! A free articulation divides its step into substeps of its own, called *parts* in the names of the constants. Effects of half
+//! or twice a value are those of the sensitivity report, docs/measured/sensitivity/report.md: "no measured row changes" means
+//! that none of the report's measurements does.
+
+/// Greatest speed at which position errors of articulations are corrected. Unit: length units/s, and radians/s for angles.
+///
+/// Other joints leave a fraction of the correction speed in the velocity of their bodies, and light bodies between heavy ones
+/// move at a multiple of it. The value is that of contacts,
+/// [`PENETRATION_RECOVERY_MAX_SPEED`](super::contacts::PENETRATION_RECOVERY_MAX_SPEED). No measured row changes from half to
+/// twice the value.
+pub(crate) const JOINT_CORRECTION_SPEED: f64 = 3.0;
+
+/// Largest number of dynamic bodies of a free articulation that gets an energy balance (scaling of velocities against energy
+/// errors). Unit: number of bodies.
+///
+/// Such articulations divide their step into at least [`MIN_ARTICULATION_PARTS`] substeps of their own. Half of the force
+/// impulse acts at each end of the step. Measured: with an energy balance chains of 20 take 1.7 times as long, more than in
+/// Box2D; chains of 12 and fewer gained up to 50 % energy without it.
+pub(crate) const MAX_BALANCED_ARTICULATION_BODIES: u32 = 12;
+
+/// Number of bodies of a free articulation above which its geometric stiffness adds no substeps to its step. Unit: number of
+/// bodies.
+///
+/// It bounds the cost of large articulations, whose excess stiffness is integrated implicitly. They also have at most as many
+/// substeps of their own as the solver has. No measured row depends on it from half to twice the value.
+pub(crate) const LARGE_ARTICULATION_BODIES: u32 = 50;
+
+/// Fewest substeps into which a free articulation with an energy balance divides its step. Unit: number of parts.
+///
+/// Measured: with 1, pendulums of one to three links deviate three times as far from the motion at fine steps as with 2.
+pub(crate) const MIN_ARTICULATION_PARTS: u32 = 2;
+
+/// Fewest intervals into which the direct solver divides the step of a free articulation of up to
+/// [`MAX_BALANCED_ARTICULATION_BODIES`] bodies. Unit: number of parts.
+///
+/// The direct solver does not correct energy errors by scaling velocities, so that it needs more intervals. Measured: a double
+/// pendulum with limits keeps its energy within 1 % at 60 steps/s.
+pub(crate) const MIN_DIRECT_PARTS: u32 = 3;
+
+/// Most substeps of a free articulation per substep of the solver. Unit: number of parts.
+///
+/// It bounds the cost of fast and stiff articulations. Measured: with 1 the energy error of a chain of 20 is 1.6e-2 instead of
+/// 1.8e-3; no measured row changes with 4.
+pub(crate) const ARTICULATION_SUBSTEP_PARTS: u32 = 2;
+
+/// Most substeps of a free articulation per substep of the solver, when its step is repeated for an energy error. Unit: number
+/// of parts.
+///
+/// Measured: chains of 12 at 30 steps/s need this many when they whip.
+pub(crate) const MAX_REPEATED_SUBSTEP_PARTS: u32 = 4;
+
+/// Energy error above which the step of a free articulation is repeated with more substeps. Unit: fraction of the kinetic
+/// energy plus the work of forces, dimensionless.
+///
+/// Measured: energies and times of chains are the same from 0.005 to 0.02.
+pub(crate) const MAX_STEP_ENERGY_ERROR: f64 = 0.01;
+
+/// Energy that joints of a free articulation may remove at the start of a step, because velocities violate the joints. Unit:
+/// fraction of the kinetic energy plus the work of forces, dimensionless.
+///
+/// Above this limit the energy balance does not replace lost energy. A step leaves 1e-9 by rounding; an impulse from outside
+/// leaves more.
+pub(crate) const MAX_INELASTIC_LOSS: f64 = 1e-4;
+
+/// Bound on the rounding error of the positions of both bodies of a joint. Unit: fraction of the coordinates, dimensionless.
+///
+/// Derived: four units in the last place of an `f32`.
+pub(crate) const MAX_POSITION_ROUNDING: f64 = 2.5e-7;
+
+/// Bound on the rounding error of a rotation of up to a hundred turns. Unit: radians.
+///
+/// Derived: half a unit in the last place of an `f32` at 628 radians is 3.05e-5.
+pub(crate) const MAX_ROTATION_ROUNDING: f64 = 3e-5;
+
+/// Largest joint error at the start of a step that counts as left by an ordinary step. Unit: fraction of the joint's arms
+/// (vectors from the centres of mass to the anchors), dimensionless; for angles radians.
+///
+/// A larger error at a joint with the world or a static or kinematic body shows that the anchor was moved, which does work.
+/// Then the energy is not balanced. Value chosen; its sensitivity is not measured.
+pub(crate) const MAX_STEP_JOINT_ERROR: f64 = 0.002;
+
+/// Largest joint error at the start of a step that counts as left by a step in which a chain whips. Unit: fraction of the
+/// joint's arms (vectors from the centres of mass to the anchors), dimensionless; for angles radians.
+///
+/// A larger error between the bodies of an articulation comes from an edit; closing it may cost energy. Value chosen; its
+/// sensitivity is not measured.
+pub(crate) const MAX_WHIP_JOINT_ERROR: f64 = 0.1;
+
+/// Largest factor by which the energy balance scales velocities up. Dimensionless, > 1. Larger energy losses stay, because the
+/// step is too coarse for the motion. Energy gains are removed entirely. Value chosen; its sensitivity is not measured. Unit:
+/// dimensionless.
+pub(crate) const MAX_ENERGY_VELOCITY_SCALE: f64 = 1.1;
+
+/// Largest deviation of a body's rotation from its prediction in a substep of a free articulation; a larger one repeats the
+/// solve. Unit: radians; half of the value applies to articulations with an energy balance.
+///
+/// The position error that stays, as a fraction of the arm from the centre of mass to the anchor, is this value times the angle
+/// of rotation. Measured: chains with an energy balance move the same with 0.0015; longer ones take 18 % more time with half
+/// the value.
+pub(crate) const PREDICTED_ROTATION_ERROR: f64 = 0.01;
+
+/// Most repetitions of the solve of a substep of a free articulation after a jump of its geometric stiffness. Unit: number of
+/// repetitions.
+///
+/// It bounds the cost where a chain snaps taut. No measured row depends on it from half to twice the value.
+pub(crate) const STIFFNESS_JUMP_RETRIES: usize = 3;
+
+/// Largest rotation of a body in a substep of a free articulation; faster rotation adds substeps. Unit: radians.
+///
+/// Position errors of the linearised joints grow with it. Measured: no verdict changes from half to 1.2 times the value; with
+/// twice, the scene Ball and Chain stretches at 1/30 s.
+pub(crate) const ROTATION_PER_PART: f64 = 0.15;
+
+/// Multiple of the stable limit up to which a free articulation integrates geometric stiffness implicitly. Dimensionless. The
+/// stable limit is [`STABLE_STIFFNESS`](super::direct::STABLE_STIFFNESS) times the moment of inertia about the farthest joint.
+/// A stiffness above the multiple adds substeps. Fewer substeps cost less. Measured: a swinging chain of 20 loses less than 1 %
+/// of its energy in ten seconds. Unit: dimensionless.
+pub(crate) const IMPLICIT_STIFFNESS_RATIO: f64 = 5.0;
+
+/// Fraction of a small added stiffness that carries momentum in a free articulation. Dimensionless, 0..=1. Added stiffness is
+/// the excess of the geometric stiffness over the stable limit. A smaller fraction loses energy of rotation, a larger one gains
+/// energy in whips: see
+/// [`momentum_conserving_stiffness`](crate::joints::articulation_step::momentum_conserving_stiffness). No measured row
+/// changes with half the value. Unit: dimensionless, at most 1.
+pub(crate) const MOMENTUM_SHARE_OF_STIFFNESS: f64 = 0.9;
+
+/// Added stiffness at which the fraction [`MOMENTUM_SHARE_OF_STIFFNESS`] has halved, as a multiple of the stable stiffness.
+/// Dimensionless. Larger added stiffnesses must lose energy, since they would gain energy otherwise. No measured row changes
+/// with twice the value. Unit: dimensionless.
+pub(crate) const MOMENTUM_SHARE_HALVED_AT: f64 = 8.0;
+
+/// Greatest speed of bodies whose joints the iterative solver solves. Unit: length units/s.
+///
+/// Joints that contradict each other would accelerate their bodies without bound. The value is that of all bodies in Box2D 3
+/// (E. Catto, `maximumLinearSpeed`, 400 m/s). No measured row depends on it from half to twice the value.
+pub(crate) const JOINTED_BODY_SPEED: f32 = 400.0;
+
+/// Greatest rotation of bodies whose joints the iterative solver solves in a substep. Unit: radians.
+///
+/// The value is that of Box2D 3 (`B2_MAX_ROTATION`): 188 radians/s at 240 substeps/s. No measured row changes with twice the
+/// value.
+pub(crate) const JOINTED_BODY_ROTATION: f32 = std::f32::consts::FRAC_PI_4;
+
+/// Velocity jump that the first solve of a soft row may cause by removing impulse which the direct solver has found. Unit:
+/// length units/s.
+///
+/// A soft row removes a fraction of an exact impulse at once. An impulse that would cause a larger jump is scaled down to this
+/// limit before the solve. No measured row changes with twice the value.
+pub(crate) const HANDED_OVER_IMPULSE_LOSS: f32 = 0.25;
+
+/// Addition to the limit [`HANDED_OVER_IMPULSE_LOSS`] per unit of the speed at which a soft row corrects its position error.
+/// Dimensionless. It lets rows of the iterative solver at rest lose as much impulse as the correction gives them. Measured:
+/// with half or twice the value, the scene of 20 ragdolls does not come to rest. Unit: dimensionless.
+pub(crate) const HANDED_OVER_LOSS_PER_CORRECTION: f32 = 4.0;
+
+/// Length that converts angular velocities to speeds when velocity errors of joint rows are compared. Unit: length units.
+///
+/// It is the size of a distance inside of a body. No measured row changes from half to twice the value.
+pub(crate) const SOFT_ROW_ARM: f32 = 0.3;
+
+/// Frequency of soft joint rows. Unit: Hz.
+///
+/// It is twice the frequency of contacts beside joints, as in Box2D 3. Measured: 90 and 120 Hz at 240 substeps/s gain energy in
+/// cantilevers and nets.
+pub(crate) const JOINT_FREQUENCY: f64 = 60.0;
+
+/// Greatest frequency of soft joint rows as a fraction of the substep rate. Dimensionless. It keeps soft rows stable in long
+/// substeps. The value is twice the fraction of contacts beside joints, as in Box2D 3. Unit: dimensionless.
+pub(crate) const JOINT_FREQUENCY_PER_RATE: f64 = 0.25;
+
+/// Damping ratio of soft joint rows. Dimensionless. Measured: with 2, bridges come to rest later; with 10, spinning chains
+/// stretch more. Unit: dimensionless.
+pub(crate) const JOINT_DAMPING_RATIO: f64 = 5.0;
+
+/// Largest angle error that a soft joint row corrects in proportion; larger errors are clamped to it. Unit: radians.
+///
+/// It bounds the angular velocity of a correction, which has no other bound: 32 radians/s at 240 substeps/s. No measured row
+/// changes with twice the value.
+pub(crate) const SOFT_ROW_ANGLE_ERROR: f64 = 1.0;
+
+/// Smallest pivot in the factorisation of the 3x3 effective mass of a joint, as a fraction of the diagonal element.
+/// Dimensionless. A smaller pivot is rounding: the row depends linearly on the rows before it, and gets no impulse. The angle
+/// of a weld whose anchor is 10,000 times as far away as its bodies reach has the pivot 1e-8. No measured row depends on the
+/// value from half to twice. Unit: dimensionless.
+pub(crate) const BLOCK_PIVOT_FLOOR: f64 = 1e-12;

@@ -1,0 +1,4 @@
+//! Sorting by integer keys, and cloning into existing lists.
+
+pub mod order;
+pub mod reusing_clone;
