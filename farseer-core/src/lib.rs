@@ -542,6 +542,7 @@ mod object_id;
 mod objects;
 mod path;
 mod pipeline;
+#[cfg_attr(not(feature = "precise"), path = "no_precise.rs")]
 mod precise;
 mod report;
 mod simulator;
@@ -561,15 +562,18 @@ pub use controllers::{
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use factories::{BodyFactory, GeomFactory, JointFactory, SpringFactory};
+#[cfg(feature = "precise")]
 #[doc(hidden)]
 pub use farseer_precise::depth::interface::{
     DepthBodyState, DepthShape, DepthTarget, FilterNumbers, HingeFeature, VerticalShape, WorldBox,
     WorldBoxHinge, WorldBoxMotion,
 };
+#[cfg(feature = "precise")]
 #[doc(hidden)]
 pub use farseer_precise::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
 #[doc(hidden)]
 pub use farseer_precise::footprint_corners::FootprintCorners;
+pub use farseer_precise::island_report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
 pub use farseer_precise::surface::{FrictionType, SurfaceCoefficients};
 #[allow(deprecated)]
 pub use former_names::*;
@@ -591,10 +595,10 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
+#[cfg(feature = "precise")]
 #[doc(hidden)]
 pub use precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget};
-pub use precise::{AwakeReason, Island, IslandCost, IslandResidual, IslandSolver, SolverReason};
-pub use report::{Event, StepCounters, StepTimes};
+pub use report::{AwakeReason, Event, Island, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
 pub use simulator::{
     Context, EventHandler, ExternalConstraints, PhysicsSimulator, SavedSimulator, SolverBodiesView,

@@ -35,7 +35,9 @@ pub enum Methods {
     ///
     /// The guide has chapters on its [`settings`](crate::guide::settings), [`solvers`](crate::guide::solvers),
     /// [`joints`](crate::guide::joints), [sleeping and continuous collision](crate::guide::sleep_and_ccd) and
-    /// [`events`](crate::guide::events); [`choosing`](crate::guide::choosing) says where it fails.
+    /// [`events`](crate::guide::events); [`choosing`](crate::guide::choosing) says where it fails. Absent without the
+    /// cargo feature `precise`, which is on by default.
+    #[cfg(feature = "precise")]
     Precise {
         /// Size of the objects that a player looks at, in the user's length units, > 0. Thresholds of distance and speed scale with it.
         /// 32 for games in px, 1 for games in metres; bodies of a thirtieth to three hundred times this size behave well.
@@ -50,42 +52,49 @@ impl Default for Methods {
 }
 
 impl Methods {
-    /// The precise set for games in px.
+    /// The precise set for games in px. Absent without the cargo feature `precise`.
+    #[cfg(feature = "precise")]
     pub const PRECISE: Self = Methods::Precise { length_unit: 32.0 };
 
-    pub(crate) fn broad(self) -> BroadPhaseCollider {
+    /// Broad and narrow phase of the faithful set; `None` for the precise set.
+    fn faithful(self) -> Option<(BroadPhaseCollider, NarrowPhaseCollider)> {
         match self {
-            Methods::Faithful { broad, .. } => broad,
-            Methods::Precise { .. } => BroadPhaseCollider::default(),
+            Methods::Faithful { broad, narrow } => Some((broad, narrow)),
+            #[cfg(feature = "precise")]
+            Methods::Precise { .. } => None,
         }
+    }
+
+    /// Length unit of the precise set, in the user's length units; `None` for the faithful set.
+    pub(crate) fn length_unit(self) -> Option<f32> {
+        match self {
+            Methods::Faithful { .. } => None,
+            #[cfg(feature = "precise")]
+            Methods::Precise { length_unit } => Some(length_unit),
+        }
+    }
+
+    pub(crate) fn broad(self) -> BroadPhaseCollider {
+        self.faithful().map_or_else(Default::default, |(broad, _)| broad)
     }
 
     /// The precise set asks no distance grids.
     pub(crate) fn narrow(self) -> NarrowPhaseCollider {
-        match self {
-            Methods::Faithful { narrow, .. } => narrow,
-            Methods::Precise { .. } => NarrowPhaseCollider::Sat,
-        }
+        self.faithful().map_or(NarrowPhaseCollider::Sat, |(_, narrow)| narrow)
     }
 
     /// With another broad phase, if it is the faithful set.
     pub(crate) fn with_broad(self, broad: BroadPhaseCollider) -> Self {
-        match self {
-            Methods::Faithful { narrow, .. } => Methods::Faithful { broad, narrow },
-            Methods::Precise { .. } => self,
-        }
+        self.faithful().map_or(self, |(_, narrow)| Methods::Faithful { broad, narrow })
     }
 
     /// With another narrow phase, if it is the faithful set.
     pub(crate) fn with_narrow(self, narrow: NarrowPhaseCollider) -> Self {
-        match self {
-            Methods::Faithful { broad, .. } => Methods::Faithful { broad, narrow },
-            Methods::Precise { .. } => self,
-        }
+        self.faithful().map_or(self, |(broad, _)| Methods::Faithful { broad, narrow })
     }
 
     pub(crate) fn is_precise(self) -> bool {
-        matches!(self, Methods::Precise { .. })
+        self.length_unit().is_some()
     }
 
     /// Refuses a joint that these methods cannot solve.
@@ -125,16 +134,14 @@ impl Methods {
     }
 
     pub(crate) fn check(self) -> Result<Self> {
-        match self {
-            Methods::Faithful { broad, .. } => {
-                broad.check()?;
-            }
-            Methods::Precise { length_unit } => {
-                // Within these all numbers that follow from it have all their digits.
-                if !(1e-20..=1e20).contains(&length_unit) {
-                    return Err(Error::invalid("length_unit", length_unit, "1e-20 to 1e20"));
-                }
-            }
+        if let Some((broad, _)) = self.faithful() {
+            broad.check()?;
+        }
+        // Within these all numbers that follow from it have all their digits.
+        if let Some(length_unit) = self.length_unit()
+            && !(1e-20..=1e20).contains(&length_unit)
+        {
+            return Err(Error::invalid("length_unit", length_unit, "1e-20 to 1e20"));
         }
         Ok(self)
     }

@@ -21,7 +21,8 @@ impl Seam {
     /// An edge inside of the outline, which makes no contact.
     pub(crate) const INTERNAL: Self = Seam { is_internal: true, neighbours: [[0.0; 2]; 2] };
 
-    pub(crate) fn rotated(self, q: Rot) -> Self {
+    /// Adjacency of the same edge, rotated by `q`.
+    pub fn rotated(self, q: Rot) -> Self {
         Seam { neighbours: self.neighbours.map(|normal| rotate(q, normal)), ..self }
     }
 }

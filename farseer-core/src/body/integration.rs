@@ -37,13 +37,6 @@ impl Body {
         self.linear_velocity.x * 0.0 + self.linear_velocity.y * 0.0 + self.angular_velocity * 0.0 == 0.0
     }
 
-    /// Factor by which the simulator's gravity acts on the body, dimensionless. 0 if the body ignores gravity or is
-    /// immovable.
-    #[inline]
-    pub(crate) fn effective_gravity_scale(&self) -> f32 {
-        if self.ignore_gravity || self.is_immovable() { 0.0 } else { self.gravity_scale }
-    }
-
     /// Adds gravity to the accumulated force. A gravity scale of 1 changes no bit.
     #[inline]
     pub(crate) fn accumulate_gravity(&mut self, gravity: Vector2) {
@@ -80,38 +73,6 @@ impl Body {
         self.angular_velocity += self.torque * self.inverse_moment_of_inertia * dt;
         self.force = Vector2::zeros();
         self.torque = 0.0;
-    }
-
-    /// Returns linear and angular acceleration for a step of the precise set, in length units/s² and rad/s². They are
-    /// those of the accumulated force and torque, which are cleared, and of quadratic drag.
-    pub(crate) fn take_accelerations(&mut self) -> (Vector2, f32) {
-        let mut force = std::mem::replace(&mut self.force, Vector2::zeros());
-        if self.is_quadratic_drag_enabled {
-            force -= self.linear_velocity * (length(self.linear_velocity) * self.quadratic_drag_coefficient);
-        }
-        let torque = std::mem::take(&mut self.torque);
-        (force * self.inverse_mass, torque * self.inverse_moment_of_inertia)
-    }
-
-    /// Fractions of the linear and of the angular velocity that drag takes per second (1/s), at the present angular
-    /// velocity.
-    pub(crate) fn drag_rates(&self) -> (f32, f32) {
-        let spin_drag = self.rotational_drag_coefficient * self.angular_velocity.abs();
-        (self.linear_drag_coefficient * self.inverse_mass, spin_drag * self.inverse_moment_of_inertia)
-    }
-
-    /// Stores the result of a step of the precise set: pose and velocities.
-    #[inline]
-    pub(crate) fn end_step(&mut self, position: [f32; 2], turned_by: f32, velocity: [f32; 2], spin: f32) {
-        // As single numbers, which the compiler keeps in registers.
-        [self.position.x, self.position.y] = position;
-        self.normalize_rotation(self.rotation + turned_by);
-        [self.linear_velocity.x, self.linear_velocity.y] = velocity;
-        self.angular_velocity = spin;
-        self.has_moved = true;
-        if self.is_kinematic {
-            self.finish_move();
-        }
     }
 
     /// Moves the body over `dt` seconds and returns whether its pose changed.

@@ -130,18 +130,6 @@ impl Body {
         ((target.position - self.position) / dt, shorter / dt)
     }
 
-    /// Whether the next update moves the body, if it is kinematic.
-    pub(crate) fn will_move(&self) -> bool {
-        let is_due = self.target.is_some_and(|target| target.progress != Progress::Reached);
-        let moves = self.linear_velocity != Vector2::zeros() || self.angular_velocity != 0.0;
-        is_due || (moves && self.target.is_none())
-    }
-
-    /// Discards the target: the body stays where it is.
-    pub(crate) fn clear_target(&mut self) {
-        self.target = None;
-    }
-
     /// Sets the exact target pose at the end of the step that led to it.
     #[cold]
     pub(crate) fn finish_move(&mut self) {
@@ -154,5 +142,21 @@ impl Body {
         (self.position, self.rotation) = (target.position, target.rotation);
         self.revolutions = self.revolutions.wrapping_add(turns);
         self.total_rotation = self.rotation + self.revolutions as f32 * TWO_PI;
+    }
+}
+
+/// Queries and changes that the precise set needs.
+#[cfg(feature = "precise")]
+impl Body {
+    /// Whether the next update moves the body, if it is kinematic.
+    pub(crate) fn will_move(&self) -> bool {
+        let is_due = self.target.is_some_and(|target| target.progress != Progress::Reached);
+        let moves = self.linear_velocity != Vector2::zeros() || self.angular_velocity != 0.0;
+        is_due || (moves && self.target.is_none())
+    }
+
+    /// Discards the target: the body stays where it is.
+    pub(crate) fn clear_target(&mut self) {
+        self.target = None;
     }
 }

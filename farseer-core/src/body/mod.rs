@@ -11,9 +11,10 @@ mod kinematic;
 mod mass;
 pub(crate) mod missing_body;
 mod motion;
+#[cfg(feature = "precise")]
+mod precise_step;
 mod rejected_arguments;
 mod save;
-mod sleep_state;
 
 pub(crate) use self::motion::Pose;
 use self::rejected_arguments::BodyArguments;

@@ -53,6 +53,7 @@ pub struct ArbiterRef<'a> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum ContactSource<'a> {
     Stored(&'a [Contact]),
+    #[cfg(feature = "precise")]
     Copied([Contact; 2], usize),
 }
 
@@ -60,6 +61,7 @@ impl ContactSource<'_> {
     fn as_slice(&self) -> &[Contact] {
         match self {
             ContactSource::Stored(contacts) => contacts,
+            #[cfg(feature = "precise")]
             ContactSource::Copied(contacts, count) => &contacts[..*count],
         }
     }

@@ -8,7 +8,6 @@ use wide::f32x4;
 use crate::body::BodyId;
 use crate::geom::distance_grid::DistanceGrid;
 use crate::geom::outline::Outline;
-use crate::geom::pieces::pieces;
 use crate::geom::{Geom, GeomId};
 use crate::math::{Matrix, Vector2, scalar};
 use crate::shape::{Aabb, Vertices};
@@ -291,11 +290,6 @@ impl GeomEntry {
         self.aabb = self.box_around(&self.local_vertices, Vector2::zeros());
         self.refresh_is_due = true;
         self.update_grid_fits_outline();
-    }
-
-    /// The convex parts of the outline.
-    pub(crate) fn pieces(&self) -> &Arc<[Piece]> {
-        self.pieces.get_or_init(|| pieces(self))
     }
 
     /// Sets the distance grid.

@@ -7,7 +7,6 @@ use crate::body::entry::Bodies;
 use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, Geoms};
 use crate::methods::CollisionCategory;
-use farseer_precise::depth::interface::FilterNumbers;
 
 /// Filter settings of a [`Geom`](crate::Geom) in one value: which others it may collide with, and whether its contacts
 /// exert impulses. Engines on top use it also for objects that are not geoms of the core.
@@ -55,22 +54,6 @@ impl CollisionFilter {
     }
 }
 
-impl From<CollisionFilter> for FilterNumbers {
-    fn from(filter: CollisionFilter) -> Self {
-        let CollisionFilter { categories, collides_with, group, is_enabled, responds } = filter;
-        let (categories, collides_with) = (categories.bits(), collides_with.bits());
-        FilterNumbers { categories, collides_with, group, is_enabled, responds }
-    }
-}
-
-impl From<FilterNumbers> for CollisionFilter {
-    fn from(numbers: FilterNumbers) -> Self {
-        let FilterNumbers { categories, collides_with, group, is_enabled, responds } = numbers;
-        let [categories, collides_with] = [categories, collides_with].map(CollisionCategory::from_bits);
-        CollisionFilter { categories, collides_with, group, is_enabled, responds }
-    }
-}
-
 /// Geoms and bodies, for the tests of pairs.
 #[derive(Clone, Copy)]
 pub(crate) struct Filter<'a> {
@@ -84,13 +67,8 @@ impl Filter<'_> {
         self.may_be_pair(a, b, |_, _| false)
     }
 
-    /// Like [`may_collide`](Self::may_collide), for the precise set in 2D: a [sensor](is_sensor_pair) may also pair
-    /// with static and kinematic bodies.
-    pub(crate) fn may_touch(&self, a: &GeomEntry, b: &GeomEntry) -> bool {
-        self.may_be_pair(a, b, is_sensor_pair)
-    }
-
-    fn may_be_pair(
+    /// Whether two geoms may form a pair; `meets_immovable` tells whether they may if both bodies are immovable.
+    pub(super) fn may_be_pair(
         &self,
         a: &GeomEntry,
         b: &GeomEntry,
@@ -110,24 +88,14 @@ impl Filter<'_> {
     }
 }
 
-/// Whether one of two geoms has no collision response, as sensors have none.
-fn is_sensor_pair(a: &GeomEntry, b: &GeomEntry) -> bool {
-    !(a.geom.collision_response_enabled() && b.geom.collision_response_enabled())
-}
-
-/// Like [`is_valid_pair`], for the precise set in 2D: a [sensor](is_sensor_pair) may also pair with static and
-/// kinematic bodies.
-pub(crate) fn may_keep_touching(pair: (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
-    may_keep_arbiter(pair, geoms, bodies, is_sensor_pair)
-}
-
 /// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and the
 /// broad-phase callback matter only when a pair is created.
 pub(crate) fn is_valid_pair(pair: (GeomId, GeomId), geoms: &Geoms, bodies: &Bodies) -> bool {
     may_keep_arbiter(pair, geoms, bodies, |_, _| false)
 }
 
-fn may_keep_arbiter(
+/// Whether an arbiter may stay; `meets_immovable` tells whether it may if both bodies are immovable.
+pub(super) fn may_keep_arbiter(
     (id_a, id_b): (GeomId, GeomId),
     geoms: &Geoms,
     bodies: &Bodies,

@@ -5,7 +5,10 @@ pub(crate) mod entry;
 pub(crate) mod filter;
 pub(crate) mod grid_cache;
 pub(crate) mod outline;
-pub(crate) mod pieces;
+#[cfg(feature = "precise")]
+mod pieces;
+#[cfg(feature = "precise")]
+pub(crate) mod sensor_pairs;
 pub(crate) mod view;
 
 use serde::{Deserialize, Serialize};

@@ -13,8 +13,16 @@ use farseer_precise::pieces::{Piece, pieces_of_outline};
 
 /// Minimum number of corners with which a circle of the circle factory is a true circle.
 const MIN_CIRCLE_CORNERS: usize = 8;
+
+impl GeomEntry {
+    /// The convex parts of the outline.
+    pub(crate) fn pieces(&self) -> &Arc<[Piece]> {
+        self.pieces.get_or_init(|| pieces(self))
+    }
+}
+
 /// The convex pieces of a geom.
-pub(crate) fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
+fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
     match geom.outline {
         Outline::Circle { radius } if geom.local_vertices.len() >= MIN_CIRCLE_CORNERS => {
             Arc::new([Piece::Circle { centre: [0.0, 0.0], radius }])

@@ -97,6 +97,7 @@ impl AnchorDistance {
         length(self.world_anchor2 - self.world_anchor1)
     }
 
+    #[cfg(feature = "precise")]
     pub(super) fn set_world_anchors(&mut self, both: [[Vector2; 2]; 2]) {
         [[self.arm1, self.world_anchor1], [self.arm2, self.world_anchor2]] = both;
     }

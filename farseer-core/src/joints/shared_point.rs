@@ -97,6 +97,7 @@ impl SharedPoint {
         [self.local_anchor1, self.local_anchor2]
     }
 
+    #[cfg(feature = "precise")]
     #[inline]
     pub(super) fn set_arm(&mut self, arm: [f32; 2]) {
         // As single numbers, which the compiler keeps in registers.

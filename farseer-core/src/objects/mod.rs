@@ -25,9 +25,8 @@ use crate::limits::Limits;
 use crate::methods::Methods;
 use crate::report::PendingEvent;
 use crate::springs::{Spring, SpringId};
-use crate::storage::arena::{Id as _, stale};
+use crate::storage::arena::stale;
 use crate::storage::collection::Collection;
-use crate::storage::order::sort_by_number;
 use farseer_precise::reusing_clone;
 
 pub use creating::GeomPlacement;
@@ -124,33 +123,10 @@ pub(crate) struct NewMembers {
 reusing_clone! { NewMembers { bodies, geoms } }
 
 impl NewMembers {
-    /// Sorts the bodies and geoms by their slots, and drops repetitions.
-    pub(crate) fn sort(&mut self) {
-        sort_by_number(&mut self.bodies, |body| body.rank());
-        sort_by_number(&mut self.geoms, |geom| geom.rank());
-        self.bodies.dedup();
-        self.geoms.dedup();
-    }
-
-    /// Returns whether the list of entered and left bodies has this body. The list is sorted.
-    pub(crate) fn has_body(&self, body: BodyId) -> bool {
-        self.bodies.binary_search_by_key(&body.rank(), |other| other.rank()).is_ok()
-    }
-
-    /// Returns whether the list of entered and left geoms has this geom. The list is sorted.
-    pub(crate) fn has_geom(&self, geom: GeomId) -> bool {
-        self.geoms.binary_search_by_key(&geom.rank(), |other| other.rank()).is_ok()
-    }
-
     /// Forgets all.
     pub(crate) fn clear(&mut self) {
         self.bodies.clear();
         self.geoms.clear();
-    }
-
-    /// Returns whether nothing has entered or left.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.bodies.is_empty() && self.geoms.is_empty()
     }
 }
 

@@ -4,13 +4,13 @@
 
 use super::Precise;
 use super::ids::IdTable;
-use super::island_types::{AwakeReason, Island};
 use super::wake_import::spring_body_pairs;
 use crate::body::BodyId;
 use crate::joints::Joint;
 use crate::joints::constraint_spec::ConstraintSpecKind;
 use crate::methods::SolverChoice;
 use crate::objects::Objects;
+use crate::report::{AwakeReason, Island};
 use crate::storage::order::{packed_key, sort_by_number};
 use farseer_precise::bodies::BodySet;
 use farseer_precise::broad_phase::pairs::Pairs;

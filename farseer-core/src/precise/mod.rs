@@ -31,7 +31,6 @@ mod geom_import;
 mod ids;
 mod import;
 mod island_report;
-mod island_types;
 mod joint_import;
 mod joint_stages;
 mod listed;
@@ -47,15 +46,14 @@ mod wake_import;
 
 use serde::Deserialize;
 
+use crate::body::BodyId;
+use crate::geom::GeomId;
+use crate::methods::Methods;
 use farseer_precise::Solver;
-pub use farseer_precise::island_report::IslandCost;
-pub use farseer_precise::island_report::IslandResidual;
-pub use farseer_precise::island_report::IslandSolver;
-pub use farseer_precise::island_report::SolverReason;
+pub(crate) use farseer_precise::depth::state::DepthState;
 use farseer_precise::reusing_clone;
 pub(crate) use farseer_precise::scaled_parameters::StepContext;
 use ids::{AlwaysTested, IdTable};
-pub use island_types::{AwakeReason, Island};
 use joint_import::JointTable;
 use pending_edits::PendingEdits;
 use saved::Saved;
@@ -88,7 +86,7 @@ reusing_clone! {
 impl Precise {
     /// Returns an empty engine state. `length_unit`: length unit of [`Methods::Precise`](crate::Methods), in the user's unit of
     /// length, > 0.
-    pub(crate) fn new(length_unit: f32) -> Self {
+    fn new(length_unit: f32) -> Self {
         Precise {
             solver: Solver::new(length_unit),
             loaded: None,
@@ -98,5 +96,24 @@ impl Precise {
             ids: IdTable::default(),
             always_tested: Vec::new(),
         }
+    }
+    /// Returns an empty engine state for these methods; `None` for the faithful set.
+    pub(crate) fn of_methods(methods: Methods) -> Option<Box<Self>> {
+        methods.length_unit().map(|unit| Box::new(Precise::new(unit)))
+    }
+
+    /// Returns the state of the depth axis; `None` in plain 2D.
+    pub(crate) fn depth_mut(&mut self) -> Option<&mut DepthState> {
+        self.solver.depth_mut()
+    }
+
+    /// Notes a body whose properties the next import copies.
+    pub(crate) fn mark_body_edited(&mut self, body: BodyId) {
+        self.edits.mark_body_edited(body);
+    }
+
+    /// Notes a geom whose properties the next import copies.
+    pub(crate) fn mark_geom_edited(&mut self, geom: GeomId) {
+        self.edits.mark_geom_edited(geom);
     }
 }

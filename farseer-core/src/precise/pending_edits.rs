@@ -3,6 +3,8 @@
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::NewMembers;
+use crate::storage::arena::Id as _;
+use crate::storage::order::sort_by_number;
 use farseer_precise::reusing_clone;
 
 /// Edits of the game since the last import, and what that import has to know of earlier ones.
@@ -49,12 +51,37 @@ impl PendingEdits {
     }
 
     /// Adds a body whose properties the next import copies, as they are then.
-    pub(crate) fn mark_body_edited(&mut self, body: BodyId) {
+    pub(super) fn mark_body_edited(&mut self, body: BodyId) {
         self.bodies.push(body);
     }
 
     /// Adds a geom whose properties the next import copies, as they are then.
-    pub(crate) fn mark_geom_edited(&mut self, geom: GeomId) {
+    pub(super) fn mark_geom_edited(&mut self, geom: GeomId) {
         self.geoms.push(geom);
+    }
+}
+
+impl NewMembers {
+    /// Sorts the bodies and geoms by their slots, and drops repetitions.
+    pub(crate) fn sort(&mut self) {
+        sort_by_number(&mut self.bodies, |body| body.rank());
+        sort_by_number(&mut self.geoms, |geom| geom.rank());
+        self.bodies.dedup();
+        self.geoms.dedup();
+    }
+
+    /// Returns whether the list of entered and left bodies has this body. The list is sorted.
+    pub(crate) fn has_body(&self, body: BodyId) -> bool {
+        self.bodies.binary_search_by_key(&body.rank(), |other| other.rank()).is_ok()
+    }
+
+    /// Returns whether the list of entered and left geoms has this geom. The list is sorted.
+    pub(crate) fn has_geom(&self, geom: GeomId) -> bool {
+        self.geoms.binary_search_by_key(&geom.rank(), |other| other.rank()).is_ok()
+    }
+
+    /// Returns whether nothing has entered or left.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.bodies.is_empty() && self.geoms.is_empty()
     }
 }

@@ -4,7 +4,7 @@
 //! choice is made when the spring acts. The step then reads pose and coefficients of each row.
 
 use super::joint_import::{JointImport, JointTable, bodies_hash};
-use crate::body::BodyId;
+use crate::body::{Body, BodyId};
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::springs::{Spring, SpringForce, SpringId, SpringKind};
@@ -177,5 +177,27 @@ impl JointImport<'_> {
             }
         };
         Some(([self.anchor(a, p)?, self.anchor(b, q)?], rest))
+    }
+}
+
+impl SpringForce {
+    /// The body.
+    pub(crate) fn body(self) -> BodyId {
+        match self {
+            SpringForce::Force { body, .. } | SpringForce::Torque { body, .. } => body,
+        }
+    }
+
+    /// Accelerations of the body, in length units/s² and rad/s².
+    pub(crate) fn accelerations(self, body: &Body) -> [f32; 3] {
+        let (force, torque) = match self {
+            SpringForce::Force { force, point, .. } => {
+                let arm = point - body.position();
+                (force, arm.x * force.y - arm.y * force.x)
+            }
+            SpringForce::Torque { torque, .. } => (Vector2::zeros(), torque),
+        };
+        let inverse = body.inverse_mass();
+        [force.x * inverse, force.y * inverse, torque * body.inverse_moment_of_inertia()]
     }
 }

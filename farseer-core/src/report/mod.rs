@@ -3,10 +3,12 @@
 use farseer_precise::reusing_clone;
 
 mod event;
+mod islands;
 mod step_times;
 
 pub use event::Event;
 pub(crate) use event::PendingEvent;
+pub use islands::{AwakeReason, Island};
 pub use step_times::StepTimes;
 pub(crate) use step_times::{Clock, Stopwatch};
 

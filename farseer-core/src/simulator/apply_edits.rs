@@ -3,7 +3,6 @@
 use super::PhysicsSimulator;
 use super::callbacks::{Handler, report_added, report_removed};
 use crate::geom::filter::is_valid_pair;
-use crate::methods::Methods;
 use crate::object_id::ObjectId;
 use crate::precise::Precise;
 use crate::report::Event;
@@ -26,9 +25,7 @@ impl PhysicsSimulator {
         self.objects.methods = self.objects.methods.with_broad(Default::default());
         self.contacts = Default::default();
         self.pipeline = Default::default();
-        if let Methods::Precise { length_unit } = self.objects.methods {
-            self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
-        }
+        self.pipeline.precise = Precise::of_methods(self.objects.methods);
         self.report.clear();
     }
 
@@ -124,7 +121,7 @@ impl PhysicsSimulator {
             pipeline.joints.load_velocity(body, &objects.bodies, &mut pipeline.bodies);
             objects.update_edited_geom_transforms(body);
             if let Some(precise) = &mut pipeline.precise {
-                precise.edits.mark_body_edited(body);
+                precise.mark_body_edited(body);
             }
         }
         objects.touched_bodies = bodies;
@@ -134,7 +131,7 @@ impl PhysicsSimulator {
             entry.is_touched = false;
             report_rejected(&mut report.events, geom.into(), entry.geom.rejected.take());
             if let Some(precise) = &mut pipeline.precise {
-                precise.edits.mark_geom_edited(geom);
+                precise.mark_geom_edited(geom);
             }
         }
         objects.touched_geoms = geoms;

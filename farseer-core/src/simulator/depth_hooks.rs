@@ -5,14 +5,16 @@ use super::callbacks::Handler;
 use super::{EventHandler, PhysicsSimulator};
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::geom::filter::Filter;
+use crate::geom::filter::{CollisionFilter, Filter};
 use crate::math::{Vector2, Vector3};
-use crate::methods::Methods;
+use crate::methods::{CollisionCategory, Methods};
 use crate::precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget};
 use crate::report::Stopwatch;
 use crate::{Error, Result};
 use farseer_precise::depth::feature_gate::IS_DEPTH_ENABLED;
-use farseer_precise::depth::interface::{DepthBodyState, DepthShape, WorldBox, WorldBoxMotion};
+use farseer_precise::depth::interface::{
+    DepthBodyState, DepthShape, FilterNumbers, WorldBox, WorldBoxMotion,
+};
 
 #[doc(hidden)]
 impl PhysicsSimulator {
@@ -238,5 +240,21 @@ impl PhysicsSimulator {
                 precise.disable_contact(pair);
             }
         }
+    }
+}
+
+impl From<CollisionFilter> for FilterNumbers {
+    fn from(filter: CollisionFilter) -> Self {
+        let CollisionFilter { categories, collides_with, group, is_enabled, responds } = filter;
+        let (categories, collides_with) = (categories.bits(), collides_with.bits());
+        FilterNumbers { categories, collides_with, group, is_enabled, responds }
+    }
+}
+
+impl From<FilterNumbers> for CollisionFilter {
+    fn from(numbers: FilterNumbers) -> Self {
+        let FilterNumbers { categories, collides_with, group, is_enabled, responds } = numbers;
+        let [categories, collides_with] = [categories, collides_with].map(CollisionCategory::from_bits);
+        CollisionFilter { categories, collides_with, group, is_enabled, responds }
     }
 }

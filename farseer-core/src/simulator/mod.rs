@@ -6,9 +6,11 @@ mod collide;
 mod contacts;
 mod context;
 mod controllers;
+#[cfg(feature = "precise")]
 mod depth_hooks;
 mod facade;
 mod handler;
+#[cfg_attr(not(feature = "precise"), path = "no_precise.rs")]
 mod precise;
 mod queries;
 mod save;
@@ -346,14 +348,14 @@ impl PhysicsSimulator {
         let methods = methods.check()?;
         self.objects.geoms.listed_or_queued().try_for_each(|geom| methods.check_geom(geom))?;
         self.objects.joints.listed_or_queued().try_for_each(|joint| methods.check_joint(joint))?;
-        match methods {
-            Methods::Faithful { broad, .. } => self.set_faithful_broad_phase(broad)?,
-            Methods::Precise { .. } if methods == self.objects.methods => {}
-            Methods::Precise { length_unit } => {
+        match methods.length_unit() {
+            None => self.set_faithful_broad_phase(methods.broad())?,
+            Some(_) if methods == self.objects.methods => {}
+            Some(_) => {
                 self.contacts = Default::default();
                 // It stays empty: the precise set has a broad phase of its own.
                 self.pipeline.broad_phase = BroadPhase::new(methods.broad());
-                self.pipeline.precise = Some(Box::new(Precise::new(length_unit)));
+                self.pipeline.precise = Precise::of_methods(methods);
             }
         }
         if methods.is_precise() != self.objects.methods.is_precise() {

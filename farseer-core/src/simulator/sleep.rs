@@ -2,7 +2,8 @@
 
 use super::PhysicsSimulator;
 use crate::body::BodyId;
-use crate::precise::{AwakeReason, Island, IslandResidual};
+use crate::report::{AwakeReason, Island};
+use farseer_precise::island_report::IslandResidual;
 
 /// Sleeping and islands. Only with the [precise set](crate::Methods::Precise), where the conditions of sleep are
 /// documented.

@@ -30,7 +30,7 @@ impl PhysicsSimulator {
             Some(precise) => precise.inactive_depth_accelerations(objects.springs[spring].ends()),
             None => [None; 2],
         };
-        let space = pipeline.precise.as_mut().and_then(|precise| precise.solver.depth_mut());
+        let space = pipeline.precise.as_mut().and_then(|precise| precise.depth_mut());
         let (outcome, pushes) = objects.springs[spring].compute_forces(&objects.bodies, space, step);
         // A linear spring without length has no direction for a force. As a constraint row it needs none.
         let is_point = pipeline.precise.is_some() && objects.springs[spring].has_zero_rest_length();
@@ -40,7 +40,7 @@ impl PhysicsSimulator {
                 pushes.into_iter().flatten().for_each(|push| push.apply(&mut objects.bodies));
             }
         }
-        if let Some(space) = pipeline.precise.as_mut().and_then(|precise| precise.solver.depth_mut()) {
+        if let Some(space) = pipeline.precise.as_mut().and_then(|precise| precise.depth_mut()) {
             kept.into_iter().flatten().for_each(|(body, push)| space.set_acceleration(body.slot(), push));
         }
         match outcome {

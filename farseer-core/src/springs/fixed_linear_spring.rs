@@ -11,13 +11,13 @@ use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::{dot, length};
+use crate::precise::DepthState;
 use crate::springs::discrete_spring::inverse_mass_at;
 use crate::springs::spring_body::SpringBody;
 use crate::springs::{
     MIN_SPRING_LENGTH, Spring, SpringConstants, SpringEvaluation, SpringForce, SpringKind, dot_with_depth,
     length_with_depth, strength_along,
 };
-use farseer_precise::depth::state::DepthState;
 
 /// Pulls or pushes a point of a body until it is the rest length away from a point of the world.
 ///

@@ -11,13 +11,13 @@ use crate::joints::joint_body::is_non_zero;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
 use crate::math::vector2::{dot, length};
+use crate::precise::DepthState;
 use crate::springs::discrete_spring::inverse_mass_at;
 use crate::springs::spring_body::{SpringBody, may_act};
 use crate::springs::{
     MIN_SPRING_LENGTH, Spring, SpringConstants, SpringEvaluation, SpringForce, SpringKind, dot_with_depth,
     length_with_depth, strength_along,
 };
-use farseer_precise::depth::state::DepthState;
 
 /// Pulls points of two bodies together, or pushes them apart, until their distance is the rest length.
 ///

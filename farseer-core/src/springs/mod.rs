@@ -31,7 +31,7 @@ use crate::error::Result;
 use crate::math::Vector2;
 use crate::math::finite::finite;
 use crate::math::vector2::length;
-use farseer_precise::depth::state::DepthState;
+use crate::precise::DepthState;
 
 crate::storage::arena::define_id! {
     /// Id of a [`Spring`], valid in the simulator that made it, in its clones and in simulators loaded from its saves.

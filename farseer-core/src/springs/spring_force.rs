@@ -1,7 +1,7 @@
 //! The force of a spring on a body, before it is applied.
 
+use crate::body::BodyId;
 use crate::body::entry::Bodies;
-use crate::body::{Body, BodyId};
 use crate::math::Vector2;
 
 /// A force at a point of the world, or a torque, on a body.
@@ -20,25 +20,5 @@ impl SpringForce {
             }
             SpringForce::Torque { body, torque } => bodies[body].body.apply_torque(torque),
         }
-    }
-
-    /// The body.
-    pub(crate) fn body(self) -> BodyId {
-        match self {
-            SpringForce::Force { body, .. } | SpringForce::Torque { body, .. } => body,
-        }
-    }
-
-    /// Accelerations of the body, in length units/s² and rad/s².
-    pub(crate) fn accelerations(self, body: &Body) -> [f32; 3] {
-        let (force, torque) = match self {
-            SpringForce::Force { force, point, .. } => {
-                let arm = point - body.position();
-                (force, arm.x * force.y - arm.y * force.x)
-            }
-            SpringForce::Torque { torque, .. } => (Vector2::zeros(), torque),
-        };
-        let inverse = body.inverse_mass();
-        [force.x * inverse, force.y * inverse, torque * body.inverse_moment_of_inertia()]
     }
 }

@@ -241,6 +241,7 @@ impl<T, I: Id + Ord> Collection<T, I> {
     }
 
     /// Lets disposed objects that still exist be found in the list again, or hides them.
+    #[cfg(feature = "precise")]
     pub(crate) fn set_disposed_visible(&mut self, are_shown: bool) {
         for &id in &self.disposed {
             if let Some(entry) = self.entries.get_mut(id) {

@@ -1,4 +1,4 @@
-//! Adapter: the types with which the API describes islands, and tells why a body is awake.
+//! The types with which the API describes islands, and tells why a body is awake.
 
 use crate::body::BodyId;
 use farseer_precise::island_report::{IslandCost, IslandSolver, SolverReason};

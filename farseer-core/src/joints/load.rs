@@ -1,0 +1,50 @@
+//! Force and torque of a joint in a step of the precise set, and its breaking by them.
+
+use super::Joint;
+use crate::math::Vector2;
+use crate::math::vector2::length;
+
+impl Joint {
+    /// Force and torque at the end of the last update.
+    pub(crate) fn force_and_torque(&self) -> [f64; 3] {
+        self.force
+    }
+
+    /// Stores force and torque at the end of an update. If their mean over the update exceeds a maximum the joint is
+    /// disabled, and the result is true.
+    #[inline]
+    pub(crate) fn store_load(
+        &mut self,
+        force: &mut [f64; 3],
+        mean: Option<[f64; 3]>,
+        along_depth: &mut f32,
+    ) -> bool {
+        let finite = |number: f64| if number.abs() <= f64::from(f32::MAX) { number } else { 0.0 };
+        let stored = force.map(finite);
+        let mean = mean.map_or(stored, |mean| mean.map(finite));
+        let [x, y, torque] = mean.map(|number| number as f32);
+        let along = if along_depth.abs() <= f32::MAX { *along_depth } else { 0.0 };
+        let in_plane = length(Vector2::new(x, y));
+        let size = if along == 0.0 { in_plane } else { length(Vector2::new(in_plane, along)) };
+        let breaks = self.enabled && self.is_overloaded([size, torque]);
+        if breaks {
+            self.enabled = false;
+        }
+        let stored = if breaks { mean } else { stored };
+        (self.force, self.force_along_depth) = (stored, along);
+        (*force, *along_depth) = (stored, along);
+        breaks
+    }
+
+    /// Whether force or torque exceeds the joint's maximum.
+    fn is_overloaded(&self, [force, torque]: [f32; 2]) -> bool {
+        !(force <= self.greatest_force && torque.abs() <= self.greatest_torque)
+    }
+
+    /// Whether force and torque of the last update are within the joint's maxima.
+    pub(crate) fn is_within_load_limits(&self) -> bool {
+        let [x, y, torque] = self.force.map(|number| number as f32);
+        let force = length(Vector2::new(length(Vector2::new(x, y)), self.force_along_depth));
+        !self.is_overloaded([force, torque])
+    }
+}
