@@ -127,7 +127,7 @@ const ROTATION_WRAP_MIN: f32 = 5.0;
 /// an angular velocity too large for the wrap to one turn.
 ///
 /// A body keeps its rotation between 0 and the `f32` nearest to 2 pi, which exceeds 2 pi by 1.7e-7. A body that trembles about
-/// 0 by less than that alternates between both ends. Subtraction of this `f32` from rotations above [`ROTATION_WRAP_MIN`] gives
+/// 0 by less than that alternates between both ends. Subtraction of this `f32` from rotations above `ROTATION_WRAP_MIN` gives
 /// both ends equal poses.
 #[inline(always)]
 pub fn sin_cos_of_rotation(rotations: f32x4) -> (f32x4, f32x4) {

@@ -1,8 +1,8 @@
 //! Integration: forces and warm start at the beginning of a substep, positions, closed forms for free flight and for bounces,
 //! and the poses at the end of the step.
 //!
-//! A body in the iterative solver moves by the symplectic Euler method in substeps. [`apply_midpoint_correction`] turns the
-//! displacement into that of the midpoint rule where no impact occurred. For an isolated bounce [`resolve_bounce`] replaces the
+//! A body in the iterative solver moves by the symplectic Euler method in substeps. `apply_midpoint_correction` turns the
+//! displacement into that of the midpoint rule where no impact occurred. For an isolated bounce `resolve_bounce` replaces the
 //! displacement by a closed form. The broad phase then tests the new poses against the fat AABBs.
 
 use crate::parameters::contacts::{CENTRAL_IMPACT_TOLERANCE, MIDPOINT_MAX_VELOCITY_CHANGE};

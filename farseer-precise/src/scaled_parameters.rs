@@ -184,7 +184,7 @@ impl Softness {
 
 /// Rates and limits of load adaptation in a step: the rest impulse of a contact point, which its soft constraint carries
 /// without penetration, follows a fraction of the point's normal impulse. See
-/// [`adapt_load`](crate::contact_solver::soft_step::adapt_load).
+/// `adapt_load`.
 #[derive(Debug, Clone, Copy)]
 pub struct LoadAdaptation {
     /// Fraction of (normal impulse - rest impulse) by which the rest impulse of a contact point rises in this step,

@@ -3,7 +3,7 @@
 //!
 //! Islands in the direct solver and free articulations have solvers of their own. All other constraints are solved by the
 //! [iterative solver](super::contact_solver::iterative_solver) in substeps. If it has no constraint at all, all bodies move in
-//! free flight without substeps ([`integrate_free_flight`]).
+//! free flight without substeps (`integrate_free_flight`).
 
 use super::Solver;
 use super::broad_phase::fat_aabbs::FatAabbs;

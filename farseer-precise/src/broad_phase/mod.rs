@@ -8,7 +8,7 @@
 //! | [`pair_finder`] | new pairs, and the removal of separated pairs |
 //! | [`pairs`] | the pairs and what is cached of their contacts |
 
-pub(crate) mod fat_aabbs;
+pub mod fat_aabbs;
 pub mod hash_grid;
 pub mod pair_finder;
 pub mod pairs;

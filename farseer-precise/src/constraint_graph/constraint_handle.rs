@@ -26,7 +26,7 @@ impl ConstraintKind {
 /// Place of a contact constraint: a lane of a graph colour, or an entry in a list of parked constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConstraintHandle {
-    /// Index of the graph colour, or one of [`SLEEPING_LIST`] and [`DIRECT_SOLVER_LIST`].
+    /// Index of the graph colour, or one of `SLEEPING_LIST` and `DIRECT_SOLVER_LIST`.
     pub color: u32,
     /// In a colour: index of the lane, 4 times the block plus the lane. In a list of parked constraints: index of the entry.
     pub slot: u32,

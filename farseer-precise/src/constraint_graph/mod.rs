@@ -10,13 +10,13 @@
 //! "SIMD Matters", box2d.org, 2024; `constraint_graph.c`, `contact_solver.c`). Box2D cites Y.-K. Chen et al., "High-Performance
 //! Physical Simulations on Next-Generation Architecture with Many Cores" (2007).
 
-mod color_set;
-mod color_usage;
-mod constraint_handle;
-mod contact_constraint;
-mod contact_constraint_3d;
-mod contact_constraint_simd;
-mod impulse_scaling;
+pub mod color_set;
+pub mod color_usage;
+pub mod constraint_handle;
+pub mod contact_constraint;
+pub mod contact_constraint_3d;
+pub mod contact_constraint_simd;
+pub mod impulse_scaling;
 
 use crate::reusing_clone;
 use color_set::OVERFLOW_COLOR;

@@ -3,12 +3,12 @@
 //! A substep is that of Box2D 3's "Soft Step" (E. Catto, "Solver2D", 2024), on the substeps of M. Macklin et al., "Small Steps
 //! in Physics Simulation" (2019):
 //!
-//! 1. apply forces and the warm start ([`apply_warm_start`]);
-//! 2. solve joints, then contacts as soft constraints with bias ([`solve_with_bias`]);
-//! 3. integrate positions ([`integrate_positions`]);
-//! 4. relaxation: solve joints and contacts as rigid constraints without bias ([`relax`]).
+//! 1. apply forces and the warm start (`apply_warm_start`);
+//! 2. solve joints, then contacts as soft constraints with bias (`solve_with_bias`);
+//! 3. integrate positions (`integrate_positions`);
+//! 4. relaxation: solve joints and contacts as rigid constraints without bias (`relax`).
 //!
-//! After the last substep restitution is applied ([`apply_restitution`]).
+//! After the last substep restitution is applied (`apply_restitution`).
 
 use std::ops::Range;
 

@@ -2,7 +2,7 @@
 //! the step.
 //!
 //! The contact constraints of such a body stay in the iterative solver, so that a body which it meets in the next step has a
-//! warm start. After the substeps the pose and velocity from [`PivotingPolygon`] replace the pose and velocity of the body.
+//! warm start. After the substeps the pose and velocity from `PivotingPolygon` replace the pose and velocity of the body.
 
 use crate::contact_solver::pivoting::{PivotState, PivotingPolygon};
 use crate::contact_solver::rolling::{

@@ -2,10 +2,10 @@
 //!
 //! | function | once per | method |
 //! |---|---|---|
-//! | [`accumulate_warm_start`] | step | warm start: accumulated impulses act again in each substep; load adaptation |
-//! | [`solve_with_bias`] | substep | normal rows as soft constraints with a bias velocity |
-//! | [`relax`] | substep, after positions | relaxation: rigid normal rows without bias, then friction |
-//! | [`apply_restitution`] | step | restitution |
+//! | `accumulate_warm_start` | step | warm start: accumulated impulses act again in each substep; load adaptation |
+//! | `solve_with_bias` | substep | normal rows as soft constraints with a bias velocity |
+//! | `relax` | substep, after positions | relaxation: rigid normal rows without bias, then friction |
+//! | `apply_restitution` | step | restitution |
 //!
 //! The scheme is that of E. Catto, "Solver2D" (2024; the solver `Soft Step` of Box2D 3) and "Soft Constraints" (GDC 2011), on
 //! the substeps of M. Macklin et al., "Small Steps in Physics Simulation" (2019).
@@ -13,7 +13,7 @@
 //! **Load adaptation** is our addition. A soft constraint that carries a load sags: its penetration is proportional to the
 //! load, and no number of iterations removes it. Here each contact point has a rest impulse l0, which it carries without
 //! penetration: the spring releases `impulse_scale * (l - l0)` of the accumulated impulse l, in place of `impulse_scale * l`.
-//! Once per step l0 follows the load slowly, and only while the contact hardly moves ([`adapt_load`]), like the integral term
+//! Once per step l0 follows the load slowly, and only while the contact hardly moves (`adapt_load`), like the integral term
 //! of a controller. That removes most of the sag and adds no stiffness. A fraction of the load stays on the spring, so that
 //! contacts deep in a pile stay closed: l0 rises to 40 % of the load, and falls only when it exceeds the load.
 //!

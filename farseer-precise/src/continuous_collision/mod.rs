@@ -13,10 +13,10 @@
 //! The cost does not depend on the number of other bodies along the path (E. Catto, Box2D 3, `solver.c`: continuous collision
 //! queries the static tree and keeps no pairs).
 
-pub(crate) mod fast_body;
-pub(crate) mod joined_impacts;
-pub(crate) mod swept_motion;
-pub(crate) mod time_of_impact;
+pub mod fast_body;
+pub mod joined_impacts;
+pub mod swept_motion;
+pub mod time_of_impact;
 
 use super::bodies::BodySet;
 use super::island::sleep::SleepState;

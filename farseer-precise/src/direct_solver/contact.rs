@@ -1,7 +1,7 @@
 //! Contact rows of the direct solver: up to two contact points along the normal, and one friction row along the tangent.
 //!
 //! Signorini's law holds at each point: normal impulse >= 0, velocity error >= 0, and one of the two is 0. Friction obeys
-//! Coulomb's law with a friction limit that is fixed during a Newton step and then [relaxed](ContactRows::relax_friction_limit)
+//! Coulomb's law with a friction limit that is fixed during a Newton step and then relaxed
 //! towards friction coefficient * normal impulses. The rows are built from the contact constraint of the iterative solver,
 //! which gets the solved impulses.
 

@@ -74,7 +74,7 @@ pub struct ReselectionTimer {
     /// Whether solvers are selected in this update, because an island of the direct solver has gained or lost constraints, or
     /// joints, springs or the choice have changed.
     pub is_due: bool,
-    /// Whether solvers are selected within [`RESELECTION_PERIOD`](crate::parameters::direct::RESELECTION_PERIOD) updates, because an island of the iterative solver has gained
+    /// Whether solvers are selected within `RESELECTION_PERIOD` updates, because an island of the iterative solver has gained
     /// or lost constraints or a pause has ended.
     pub may_be_due: bool,
     /// Number of updates since `may_be_due` was set.

@@ -12,7 +12,7 @@
 //! | 2D, [large mass ratio](mass_ratio) | always |
 //! | 2D, no contact cycles | if its bodies were calm when they came together, or from 16 bodies on |
 //! | 2D, contact cycles, from 40 bodies on | if its bodies were calm when they came together |
-//! | 2D, contact cycles, up to 39 bodies | if calm as above and [standing by friction](island_stats::IslandStats::is_on_trial), or if friction [slips](island_stats::IslandStats::slips) |
+//! | 2D, contact cycles, up to 39 bodies | if calm as above and standing by friction, or if friction slips |
 //! | 2.5D | if a heavy body lies on a light one, all contacts are [planar](lateral_friction), and up to 24 bodies have cycles |
 //!
 //! An island that costs too much goes to the iterative solver for a pause: islands with joints or contact cycles by a
@@ -22,28 +22,28 @@
 //! The stages of an update, in their order: [`selection`] and [`island_members`] list the islands, [`island_solver`] solves
 //! them, and [`fallback`] hands islands over that could not be solved.
 
-mod block_ldlt;
-mod bounded_articulation;
-pub(crate) mod constraint;
-mod constraint_list;
-mod contact;
-mod cost_model;
-mod fallback;
-mod island_body;
-mod island_history;
-mod island_io;
-mod island_members;
-mod island_newton;
-pub(crate) mod island_solver;
+pub mod block_ldlt;
+pub mod bounded_articulation;
+pub mod constraint;
+pub mod constraint_list;
+pub mod contact;
+pub mod cost_model;
+pub mod fallback;
+pub mod island_body;
+pub mod island_history;
+pub mod island_io;
+pub mod island_members;
+pub mod island_newton;
+pub mod island_solver;
 pub mod island_stats;
-pub(crate) mod joint;
-pub(crate) mod joint_island;
-mod lateral_friction;
-mod lateral_solver;
-pub(crate) mod load;
-mod mass_ratio;
-pub(crate) mod mat3;
-pub(crate) mod selection;
+pub mod joint;
+pub mod joint_island;
+pub mod lateral_friction;
+pub mod lateral_solver;
+pub mod load;
+pub mod mass_ratio;
+pub mod mat3;
+pub mod selection;
 
 use crate::island::sleep::SleepState;
 use crate::parameters::direct::RESELECTION_PERIOD;

@@ -7,7 +7,7 @@
 //! | belt: surface velocity of a static body, or a speed that a handler has set | the bodies on it, while they move |
 //! | kinematic body that moves | the bodies on it, and those at the other end of a joint or spring |
 //!
-//! A motor or belt is effective while its body moves with at least [`STALLED_DRIVE_SPEED_FRACTION`] of the drive's speed.
+//! A motor or belt is effective while its body moves with at least `STALLED_DRIVE_SPEED_FRACTION` of the drive's speed.
 //! Islands sleep at a motor of speed 0, at a motor that has reached a limit or is too weak for its load, and on a belt where a
 //! wall blocks them. They wake when the drive, the wall or the load is edited, and when an awake body touches them.
 

@@ -144,7 +144,7 @@ impl SleepState {
 
     /// Returns the speed below which bodies are at rest, length units/s. `length_unit`: in the user's unit of length, > 0.
     ///
-    /// It is [`SLEEP_SPEED_PER_FALL`] of the speed after a fall over one length unit, and [`SLEEP_SPEED_WEIGHTLESS`] at least.
+    /// It is `SLEEP_SPEED_PER_FALL` of the speed after a fall over one length unit, and `SLEEP_SPEED_WEIGHTLESS` at least.
     pub fn sleep_speed(&self, length_unit: f32) -> f32 {
         let fall = (2.0 * dot(self.gravity, self.gravity).sqrt() * length_unit).sqrt();
         let (speed, min_speed) = (SLEEP_SPEED_PER_FALL * fall, SLEEP_SPEED_WEIGHTLESS * length_unit);

@@ -5,9 +5,9 @@
 //! and v' the velocities before and after, J the joint Jacobian, l the joint impulses and b the target velocities of the
 //! joints. The elimination has no fill-in, so its cost is linear in the number of bodies.
 //!
-//! - Backward pass ([`propagate_up`]): each body adds its inertia and momentum to those of its parent. The motions that the
+//! - Backward pass (`propagate_up`): each body adds its inertia and momentum to those of its parent. The motions that the
 //!   joint leaves free are eliminated first.
-//! - Forward pass ([`propagate_down`]): velocities and joint impulses follow from the root to the leaves.
+//! - Forward pass (`propagate_down`): velocities and joint impulses follow from the root to the leaves.
 //!
 //! Each body is described at its joint with the parent, a root at its centre of mass. A velocity is [v.x, v.y, w]: the linear
 //! velocity v of that point and the angular velocity w. With r the vector from one point to another and p = (-r.y, r.x), the

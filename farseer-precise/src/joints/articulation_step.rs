@@ -9,11 +9,11 @@
 //!
 //! **Velocities.** Forces act by halves at the start and the end of a step (kick-drift-kick, as in a leapfrog). After the last
 //! substep the velocity is projected on the joints (RATTLE, H. C. Andersen 1983). So far the method is symplectic, and energy
-//! does not drift. Articulations above [`MAX_BALANCED_ARTICULATION_BODIES`] get full kicks at the start instead, without the
+//! does not drift. Articulations above `MAX_BALANCED_ARTICULATION_BODIES` get full kicks at the start instead, without the
 //! projection.
 //!
-//! **Geometric stiffness** above the stable limit occurs in a whip. It is [added to the inertia](raise_added_stiffness). Most
-//! of the added stiffness [carries momentum](momentum_conserving_stiffness), so that little energy is lost.
+//! **Geometric stiffness** above the stable limit occurs in a whip. It is added to the inertia. Most
+//! of the added stiffness carries momentum, so that little energy is lost.
 //!
 //! The module reads the links, joint constraints and forces of [`BodySet`]. It writes velocities, displacements and joint
 //! impulses of the links.

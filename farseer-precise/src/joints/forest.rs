@@ -2,7 +2,7 @@
 //!
 //! Joints are taken in the order of the list. A joint becomes an edge of a tree if its bodies are not connected yet
 //! (union-find, as in Kruskal's algorithm), else it closes a loop. Bounded joints never become edges. The module reads
-//! [`JointEdge`]s and writes [`ArticulationPlan`]s.
+//! `JointEdge`s and writes `ArticulationPlan`s.
 
 use super::joint_constraint::JointEdge;
 use crate::island::union_find::UnionFind;

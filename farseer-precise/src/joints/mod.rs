@@ -13,24 +13,24 @@
 //! forces of joints.
 
 pub mod articulated_body;
-mod articulation;
-pub(crate) mod articulation_step;
-mod block_pair;
-mod block_row;
-mod colours;
-mod energy_balance;
-mod forest;
-mod frame;
-pub(crate) mod island_rows;
+pub mod articulation;
+pub mod articulation_step;
+pub mod block_pair;
+pub mod block_row;
+pub mod colours;
+pub mod energy_balance;
+pub mod forest;
+pub mod frame;
+pub mod island_rows;
 pub mod joint_constraint;
-mod link_state;
-mod revolute_tree;
-mod soft_block;
-mod soft_law;
-mod soft_pair;
-mod soft_spring;
-mod soft_step;
-mod spatial_joints;
+pub mod link_state;
+pub mod revolute_tree;
+pub mod soft_block;
+pub mod soft_law;
+pub mod soft_pair;
+pub mod soft_spring;
+pub mod soft_step;
+pub mod spatial_joints;
 pub mod springs;
 
 use super::bodies::BodySet;

@@ -1,7 +1,7 @@
 //! Four joints of one graph colour in the iterative solver: soft constraints in SIMD lanes.
 //!
 //! The equality rows of each joint are solved at once, as a block with a 3x3 effective mass. Motor and limits are one more row,
-//! the [motor-limit row](super::block_row). Impulses are those of one substep on body B, in the rows of [`BodyPairLanes`].
+//! the [motor-limit row](super::block_row). Impulses are those of one substep on body B, in the rows of `BodyPairLanes`.
 
 use crate::parameters::joints::{
     HANDED_OVER_IMPULSE_LOSS, HANDED_OVER_LOSS_PER_CORRECTION, SOFT_ROW_ANGLE_ERROR, SOFT_ROW_ARM,

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! This is a soft constraint (E. Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024; `b2MakeSoft` of Box2D 3). Its
-//! coefficients are [`RowSoftness`]. [`BlockEffectiveMass`] holds the factors of K for up to three rows of four joints, in SIMD
+//! coefficients are `RowSoftness`. `BlockEffectiveMass` holds the factors of K for up to three rows of four joints, in SIMD
 //! lanes.
 
 use crate::parameters::joints::{

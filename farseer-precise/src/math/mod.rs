@@ -8,10 +8,8 @@ pub mod lanes;
 pub mod plane;
 pub mod scalar;
 
-/// A point or direction of the plane. Positions in the user's length unit, screen y down. Sums, differences and
-/// comparison are its operators; everything else is in [`vector2`].
-#[doc(alias("Vector2.Add", "Vector2.Subtract", "Vector2.Equals"))]
+/// A point or direction of the plane: x right, y down.
 pub type Vector2 = nalgebra::Vector2<f32>;
 
-/// A vector of three components; only `Matrix` rows are given out as such.
+/// A point or direction in three axes: x right, y down, z into the picture.
 pub type Vector3 = nalgebra::Vector3<f32>;

@@ -3,7 +3,7 @@
 //! A pair keeps its manifold while its relative pose has hardly changed since the manifold was computed. The measure of the
 //! change is the relative translation plus r times the sine of the relative rotation, as in conservative advancement. Here r is
 //! the largest distance of a surface from the origin of its body. The measure must stay below the recycling distance, less the
-//! motion between two updates of a pair. Also, neither body may have rotated further than [`RECYCLE_MAX_ANGLE_COS`]. The normal
+//! motion between two updates of a pair. Also, neither body may have rotated further than `RECYCLE_MAX_ANGLE_COS`. The normal
 //! and the anchors then stay, and the separations follow exactly from the poses. Manifolds that follow every small motion make
 //! tall stacks jitter.
 //!

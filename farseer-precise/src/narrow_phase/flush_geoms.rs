@@ -4,11 +4,11 @@
 //! stop at the side face of the next tile. That face is inside of the floor, and no body can touch it. Let p be a contact point
 //! on a piece A and w the contact normal there, outward from A. A neighbour C *hides* the point if
 //!
-//! 1. p lies in C, or within [`FLUSH_FACE_MAX_STEP`] of it;
+//! 1. p lies in C, or within `FLUSH_FACE_MAX_STEP` of it;
 //! 2. w is not in the normal cone of C at p. The union of A and C has only those normals at p that both have. This is a
 //!    theorem: the regular normal cone of a union is the intersection of the regular normal cones (R. T. Rockafellar, R. J.-B.
 //!    Wets, "Variational Analysis", 1998, 6.42);
-//! 3. the face of A with normal w rises above the face of C toward the body B by at most [`FLUSH_FACE_MAX_STEP`] of its length.
+//! 3. the face of A with normal w rises above the face of C toward the body B by at most `FLUSH_FACE_MAX_STEP` of its length.
 //!    Walls, steps and slopes rise farther, and keep their contacts at the foot, where 1 and 2 hold as well.
 //!
 //! A hidden manifold is replaced by that of the face of A with the largest separation among those that no neighbour hides.

@@ -11,27 +11,27 @@
 //!    ([`constraint_lifetime`]);
 //! 5. begin and end of touch are listed for the adapter ([`touch_state`]).
 
-mod box_prefilter;
-mod build_constraint;
-pub(crate) mod capsule;
-mod circle_contacts;
-pub(crate) mod constraint_lifetime;
+pub mod box_prefilter;
+pub mod build_constraint;
+pub mod capsule;
+pub mod circle_contacts;
+pub mod constraint_lifetime;
 pub mod contact_reader;
-mod contact_recycling;
-pub(crate) mod flush_geoms;
-pub(crate) mod ghost_filter;
-mod handler_changes;
-mod kinematic_sweep;
+pub mod contact_recycling;
+pub mod flush_geoms;
+pub mod ghost_filter;
+pub mod handler_changes;
+pub mod kinematic_sweep;
 pub mod manifold;
-pub(crate) mod one_way;
+pub mod one_way;
 pub mod pair_lifetime;
-mod residual_penetration;
-mod rim_ghost_filter;
-mod rolling_contacts;
+pub mod residual_penetration;
+pub mod rim_ghost_filter;
+pub mod rolling_contacts;
 pub mod shape_dispatch;
-pub(crate) mod shape_pair;
-pub(crate) mod static_sensor_pairs;
-mod touch_state;
+pub mod shape_pair;
+pub mod static_sensor_pairs;
+pub mod touch_state;
 
 use super::bodies::BodySet;
 use super::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint};

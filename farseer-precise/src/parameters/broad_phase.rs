@@ -50,7 +50,7 @@ pub(crate) const GRID_MAX_CELL_INDEX: f32 = 1e9;
 pub(crate) const COLLISION_MAX_COORDINATE: f32 = 1e18;
 
 /// Largest sum of the absolute coordinates of an AABB query that the hash grid answers, in the unit of the coordinates. Larger
-/// queries test all geoms. The value is a tenth of [`COLLISION_MAX_COORDINATE`], so that the query stays within the range of
+/// queries test all geoms. The value is a tenth of `COLLISION_MAX_COORDINATE`, so that the query stays within the range of
 /// the grid. Unit: the length unit of coordinates.
 pub const QUERY_MAX_COORDINATE: f32 = 1e17;
 

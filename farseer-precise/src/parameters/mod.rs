@@ -12,10 +12,10 @@
 //! Not here: identities, indices, sentinel values, numbers of SIMD lanes.
 
 pub mod broad_phase;
-pub(crate) mod contacts;
-pub(crate) mod depth;
-pub(crate) mod direct;
-pub(crate) mod joints;
-pub(crate) mod narrow_phase;
+pub mod contacts;
+pub mod depth;
+pub mod direct;
+pub mod joints;
+pub mod narrow_phase;
 pub mod sleep;
-pub(crate) mod spatial_joints;
+pub mod spatial_joints;

@@ -47,10 +47,12 @@ fn read_aliases(source: &str, aliases: &mut BTreeMap<String, Vec<String>>) {
     }
 }
 
-/// The aliases of each item name in the sources of the core.
+/// The aliases of each item name in the sources of the core and of its solver.
 fn aliases() -> BTreeMap<String, Vec<String>> {
     let mut aliases = BTreeMap::new();
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../farseer-core/src")];
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    // The core exports scalars and types of the other crate.
+    let mut folders = vec![workspace.join("farseer-core/src"), workspace.join("farseer-precise/src")];
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).expect("the sources are there") {
             let path = entry.expect("they can be listed").path();

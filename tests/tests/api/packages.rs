@@ -28,7 +28,7 @@ fn packages() -> Vec<Package> {
             Package { folder, manifest: manifest.clone() }
         })
         .collect();
-    assert_eq!(found.len(), 4, "farseer-core, twohalf, its factories and its renderer");
+    assert_eq!(found.len(), 5, "farseer-precise, farseer-core, twohalf, its factories and its renderer");
     found
 }
 

@@ -1,6 +1,6 @@
 //! Sparse symmetric matrix of scalars, and its factorisation L D L^T.
 //!
-//! [`SparseLdlt::plan`] chooses a minimum-degree ordering and allocates the fill-in. Later factorisations of the same pattern
+//! `SparseLdlt::plan` chooses a minimum-degree ordering and allocates the fill-in. Later factorisations of the same pattern
 //! reuse both.
 
 use crate::reusing_clone;

@@ -6,7 +6,7 @@
 //! 1. The engine with the present values of all parameters.
 //! 2. Twelve engines in which one parameter each is a ten-thousandth greater. They show the rows that change by chance
 //!    (`chaotic.txt`).
-//! 3. Each parameter of `farseer-core/src/precise/solver/parameters` at half and at twice its value. Parameters of joints and of the
+//! 3. Each parameter of `farseer-precise/src/parameters` at half and at twice its value. Parameters of joints and of the
 //!    direct solver come first. If a verdict flips, five sixths and six fifths of the value are measured, too.
 //!
 //! It writes `figures.csv` and `report.md` after each parameter. A run that was ended goes on where it was. No time is
@@ -28,11 +28,12 @@ use std::time::{Duration, Instant};
 
 /// Files and folders of the workspace that are copied. Examples and other members are among them because the manifest names
 /// them.
-const COPIED: [&str; 10] = [
+const COPIED: [&str; 11] = [
     "Cargo.toml",
     "Cargo.lock",
     "README.md",
     "docs",
+    "farseer-precise",
     "farseer-core",
     "twohalf",
     "twohalf-factories",

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Folder of the files with parameters, relative to the workspace.
-pub const FOLDER: &str = "farseer-core/src/precise/solver/parameters";
+pub const FOLDER: &str = "farseer-precise/src/parameters";
 /// Names of files whose parameters are measured first: those of the newest methods.
 const FIRST: [&str; 2] = ["joints", "direct"];
 
