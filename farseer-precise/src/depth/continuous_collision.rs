@@ -7,7 +7,7 @@
 //!
 //! Prisms are separated in the plane or along z, spheres by the distance of their centres.
 
-use super::prism_collision::{PosedSolid, SolidKind};
+use super::posed_solid::{PosedSolid, SolidKind};
 use super::state::DepthState;
 use super::vertical_shapes::dot3;
 use super::{sheared_box, vertical_dispatch};

@@ -8,6 +8,7 @@
 //! | input of the engine above, output to it | [`interface`], [`body_state`], [`geom_shapes`] |
 //! | broad phase: cells over x and z, intervals along z | [`state`], [`world_boxes`] |
 //! | continuous collision | [`continuous_collision`] |
+//! | solids, and margins of a pair | [`posed_solid`] |
 //! | narrow phase: prisms along z, spheres, ground | [`prism_collision`], [`sphere_sphere`], [`sheared_box`] |
 //! | narrow phase: vertical shapes (cylinder, capsule, prism along y) | [`vertical_dispatch`] and `vertical_*` |
 //! | contact constraints with two tangents, friction | [`friction_3d`], [`step`] |
@@ -30,6 +31,7 @@ pub mod hinged_box_state;
 pub mod interface;
 pub mod one_way;
 pub mod owner;
+pub mod posed_solid;
 pub mod predicted_miss;
 pub mod prism_collision;
 pub mod shape_distance;

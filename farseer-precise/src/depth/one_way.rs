@@ -4,7 +4,7 @@
 //! falling body collides if it was above the top at the start of that step, within the contact margin. A rising body collides
 //! only when all of it is above the top. A pair with a contact keeps the contact.
 
-use super::prism_collision::{PosedSolid, SolidKind};
+use super::posed_solid::{PosedSolid, SolidKind};
 use super::state::DepthState;
 use crate::bodies::BodySet;
 use crate::broad_phase::proxies::{Proxies, Proxy};

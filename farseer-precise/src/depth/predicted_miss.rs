@@ -4,7 +4,7 @@
 //! Without the filter a speculative contact at an edge or vertex stops a body that would have passed. Reads poses and predicted
 //! displacements of the step.
 
-use super::prism_collision::{PosedSolid, min_separation};
+use super::posed_solid::{PosedSolid, min_separation};
 use crate::math::plane::{Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, translation};
 use crate::narrow_phase::manifold::Manifold;
 use crate::parameters::depth::PREDICTED_MISS_COSINE;

@@ -5,7 +5,7 @@
 
 use super::footprint::{FootprintPolygon, FootprintShape};
 use super::interface::VerticalShape;
-use super::prism_collision::{PosedSolid, SolidKind};
+use super::posed_solid::{PosedSolid, SolidKind};
 use super::vertical_dispatch;
 use super::vertical_shapes::VerticalSolid;
 use super::vertical_sheared_box::highest_top;

@@ -4,7 +4,7 @@
 //! A body beside the box between two depths collides with the convex hull of the box's outlines at both depths. A side with the
 //! planar normal (nx, ny) has the normal (nx, ny, climb ny - shear nx) in three axes, before normalisation.
 
-use super::prism_collision::PosedSolid;
+use super::posed_solid::PosedSolid;
 use crate::math::Vector3;
 use crate::math::plane::{Vector, cross, difference, length, scaled};
 use crate::narrow_phase::manifold::Manifold;

@@ -3,7 +3,7 @@
 //!
 //! Reads centres, radii and predicted displacements; returns a manifold with its point relative to the position of body A.
 
-use super::prism_collision::PosedSolid;
+use super::posed_solid::PosedSolid;
 use crate::math::plane::{Pose, Vector, difference, rotate, rotation, scaled, sum, translation};
 use crate::narrow_phase::manifold::Manifold;
 use crate::shape::Shape;

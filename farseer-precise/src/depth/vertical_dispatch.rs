@@ -8,9 +8,8 @@
 //! | other vertical shape against prism | `vertical_prism` |
 //! | other vertical shape against sheared box | `vertical_sheared_box` |
 
-use super::prism_collision::{
-    ContactMargins, PosedSolid, PreviousAxis, SolidKind, prism_sphere, prism_sphere_distance,
-};
+use super::posed_solid::{ContactMargins, PosedSolid, PreviousAxis, SolidKind};
+use super::prism_collision::{prism_sphere, prism_sphere_distance};
 use super::vertical_prism::PosedPrism;
 use super::vertical_shapes::{PosedVertical, VerticalSolid, dot3};
 use super::{sheared_box, vertical_prism, vertical_shapes, vertical_sheared_box};
@@ -47,7 +46,7 @@ pub(super) fn collide_with_vertical(
         }
         ((_, Some(vertical)), (SolidKind::Prism(half), _)) if vertical.rounding > 0.0 => {
             let found = capsule_prism(b, half, (a, vertical), previous.flipped(), margins);
-            super::prism_collision::flip_manifold(found, b, a)
+            super::posed_solid::flip_manifold(found, b, a)
         }
         ((SolidKind::Prism(half), _), (_, Some(vertical))) => match &a.sheared_box {
             Some(shape) => {

@@ -6,7 +6,7 @@
 //! | lateral | footprint against the prism seen from above: a rectangle, as wide as the outline at the shape's heights |
 
 use super::footprint::{FootprintPolygon, FootprintShape};
-use super::prism_collision::{ContactMargins, PosedSolid, PreviousAxis};
+use super::posed_solid::{ContactMargins, PosedSolid, PreviousAxis};
 use super::vertical_shapes::{
     AxisCandidates, AxisContact, LATERAL_AXIS_FEATURE, PosedVertical, SeparatingAxis, VERTICAL_AXIS_FEATURE,
     VerticalSolid, clamp_any, collide_along_chosen_axis, larger_separation, relative_displacement,

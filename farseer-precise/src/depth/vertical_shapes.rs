@@ -11,7 +11,7 @@
 
 use super::footprint::{FootprintDistance, FootprintPolygon, FootprintShape};
 use super::interface::VerticalShape;
-use super::prism_collision::{ContactMargins, PosedSolid, PreviousAxis};
+use super::posed_solid::{ContactMargins, PosedSolid, PreviousAxis};
 use crate::math::plane::{Vector, difference, length, scaled, sum, translation};
 use crate::narrow_phase::manifold::Manifold;
 use crate::parameters::depth::{

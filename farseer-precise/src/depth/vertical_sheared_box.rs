@@ -6,7 +6,7 @@
 //! | lateral | footprint against the silhouette from above, of the part of the box at the heights of the vertical shape |
 
 use super::footprint::{FootprintPolygon, FootprintShape, highest_point};
-use super::prism_collision::{ContactMargins, PosedSolid, PreviousAxis};
+use super::posed_solid::{ContactMargins, PosedSolid, PreviousAxis};
 use super::sheared_box::convex_hull;
 use super::vertical_shapes::{
     AxisCandidates, AxisContact, LATERAL_AXIS_FEATURE, PosedVertical, SeparatingAxis, VERTICAL_AXIS_FEATURE,

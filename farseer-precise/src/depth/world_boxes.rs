@@ -6,7 +6,7 @@
 
 use super::interface::{WorldBox, WorldBoxMotion};
 use super::owner::{ground_numbers, world_box_numbers};
-use super::prism_collision::PosedSolid;
+use super::posed_solid::PosedSolid;
 use super::state::DepthState;
 use super::vertical_shapes::clamp_any;
 use super::world_box_shape::{origin_of, pose_of, solver_velocity, vertical_of, yaw_extent};

@@ -14,7 +14,7 @@ use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
 };
-use crate::depth::prism_collision::{ContactMargins, PreviousAxis};
+use crate::depth::posed_solid::{ContactMargins, PreviousAxis};
 use crate::math::plane::{Pose, dot, scaled};
 use crate::narrow_phase::manifold::Manifold;
 use crate::narrow_phase::shape_dispatch::collide;

@@ -36,7 +36,7 @@ pub mod touch_state;
 use super::bodies::BodySet;
 use super::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint};
 use super::depth::feature_gate::FeatureGate;
-use super::depth::prism_collision::{ContactMargins, PreviousAxis};
+use super::depth::posed_solid::{ContactMargins, PreviousAxis};
 use super::depth::sphere_sphere::collide_spheres;
 use super::depth::state::DepthState;
 use super::direct_solver::DirectSolver;

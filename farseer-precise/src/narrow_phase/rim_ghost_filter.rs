@@ -7,7 +7,7 @@
 
 use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::proxies::BodyType;
-use crate::depth::prism_collision::{ContactMargins, PosedSolid};
+use crate::depth::posed_solid::{ContactMargins, PosedSolid};
 use crate::math::plane::{Vector, dot, scaled};
 use crate::narrow_phase::manifold::Manifold;
 use crate::parameters::narrow_phase::RIM_NORMAL_MAX_COS;
