@@ -2,9 +2,8 @@
 
 use super::super::super::bodies::BodySet;
 use super::super::articulated_body::LockedDofs;
-use super::super::forest::NO_TREE_INDEX;
 use super::super::joint_constraint::JointConstraint;
-use super::constraint_row::{JointSide, JointState, RowKind, SpatialJointRow};
+use super::constraint_row::{JointState, RowKind, SpatialJointRow};
 use super::group_solver::{OffDiagonal, SpatialJointGroup};
 use super::sparse_ldlt::SparseLdlt;
 use crate::island::union_find::UnionFind;
@@ -61,36 +60,27 @@ impl SpatialJointGroup {
         let closing = find_loop_closures(members, joints, &body_indices);
         let mut group =
             SpatialJointGroup { has_loops: closing.contains(&true), ..SpatialJointGroup::default() };
+        let mut ground_sides = 0;
         for (&at, closes_loop) in members.iter().zip(closing) {
             let hold = &joints[at as usize];
             let joint_index = group.joints.len() as u32;
-            let sides = hold.anchors.map(|end| JointSide {
-                node: body_indices.binary_search(&end.body).map_or(NO_TREE_INDEX, |node| node as u32),
-                ground_velocity: [0.0; 4],
-                origin: [0.0; 3],
-                arm: [0.0; 2],
-                rotation: 0.0,
+            let nodes = hold.anchors.map(|end| {
+                body_indices.binary_search(&end.body).unwrap_or_else(|_| {
+                    ground_sides += 1;
+                    body_indices.len() + ground_sides - 1
+                }) as u32
             });
-            let state = JointState {
-                joint: at,
-                link: hold.locked,
-                sides,
-                direction: [1.0, 0.0, 0.0],
-                axis: [1.0, 0.0],
-                total_impulse: [0.0; 4],
-                anchors_at_origins: false,
-            };
-            group.joints.push(state);
-            group.rows.extend(
-                row_kinds(hold).into_iter().map(|what| SpatialJointRow::new(joint_index, what, closes_loop)),
-            );
+            group.joints.push(JointState::new(at, hold.locked, nodes));
+            let of_joint = (joint_index, nodes);
+            let kinds = row_kinds(hold).into_iter();
+            group.rows.extend(kinds.map(|kind| SpatialJointRow::new(of_joint, kind, closes_loop)));
         }
         let inverses = body_indices.iter().map(|&body| {
             let [mass, inertia] = bodies.inverse_mass_inertia[body as usize].map(f64::from);
             [mass, mass, inertia, mass]
         });
-        group.inverse_masses = inverses.collect();
-        group.velocities = vec![[0.0; 4]; body_indices.len()];
+        group.inverse_masses = inverses.chain(std::iter::repeat_n([0.0; 4], ground_sides)).collect();
+        group.velocities = vec![[0.0; 4]; group.inverse_masses.len()];
         group.velocity_errors = vec![0.0; group.rows.len()];
         group.bodies = body_indices;
         group.find_off_diagonals();
@@ -104,27 +94,25 @@ impl SpatialJointGroup {
     fn find_off_diagonals(&mut self) {
         let mut holders = vec![Vec::new(); self.bodies.len()];
         for (at, row) in self.rows.iter().enumerate() {
-            for (side, of) in self.joints[row.joint as usize]
-                .sides
-                .iter()
-                .enumerate()
-                .filter(|(_, of)| of.node != NO_TREE_INDEX)
-            {
-                holders[of.node as usize].push((at as u32, side as u8));
+            for (is_second, node) in [false, true].into_iter().zip(row.nodes) {
+                if let Some(rows) = holders.get_mut(node as usize) {
+                    rows.push((at as u32, is_second));
+                }
             }
         }
-        let of_two = |of: &Vec<(u32, u8)>| of.len() * of.len().saturating_sub(1) / 2;
+        let of_two = |of: &Vec<(u32, bool)>| of.len() * of.len().saturating_sub(1) / 2;
         // Each pair of rows at a body costs one product or more.
         if holders.iter().map(of_two).sum::<usize>() > GROUP_MAX_FACTOR_PRODUCTS {
             return;
         }
         let mut ties = Vec::new();
         for (node, holders) in holders.iter().enumerate() {
-            for (at, &(row, side)) in holders.iter().enumerate() {
-                for &(other, other_side) in &holders[at + 1..] {
+            for (at, &(row, is_second)) in holders.iter().enumerate() {
+                for &(other, is_others_second) in &holders[at + 1..] {
                     ties.push([row, other]);
-                    let (rows, sides) = ([row, other], [side, other_side]);
-                    self.off_diagonals.push(OffDiagonal { body: node as u32, rows, sides, entry: 0 });
+                    let (rows, is_second) = ([row, other], [is_second, is_others_second]);
+                    let body = node as u32;
+                    self.off_diagonals.push(OffDiagonal { body, rows, is_second, entry: 0, term: 0.0 });
                 }
             }
         }

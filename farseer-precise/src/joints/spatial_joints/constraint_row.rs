@@ -5,7 +5,6 @@
 
 use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
 use super::super::articulation_step::cos_sin;
-use super::super::forest::NO_TREE_INDEX;
 use super::super::joint_constraint::{JointConstraint, Limits, Motor};
 use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, MAX_POSITION_CORRECTION};
 
@@ -58,11 +57,9 @@ pub(super) enum SolvePhase {
 /// One side of a joint: a body or the world, with pose and velocity.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JointSide {
-    /// Index of the body in the group's list of bodies, or [`NO_TREE_INDEX`] for static and kinematic bodies and the world.
+    /// Index into the group's velocities and inverse masses. The dynamic bodies come first; each side that is the world, static
+    /// or kinematic has an entry of its own behind them.
     pub(super) node: u32,
-    /// Velocity of a static or kinematic body: x, y and z in length units/s, angular in radians/s; 0 for the world. Unused for
-    /// dynamic bodies.
-    pub(super) ground_velocity: Velocity4,
     /// Position of the body's centre of mass in the world: x, y and z, length units.
     pub(super) origin: [f64; 3],
     /// Arm: vector from the centre of mass to the anchor in world coordinates, length units. It has no z component.
@@ -86,15 +83,16 @@ struct PosedAnchor {
 
 impl JointSide {
     /// Returns the velocity of the body on this side of the joint: x, y and z in length units/s, angular in radians/s.
-    /// `velocities` are those of the group's bodies.
+    /// `velocities` are those of the group.
+    #[inline(always)]
     pub(super) fn velocity(&self, velocities: &[Velocity4]) -> Velocity4 {
-        if self.node == NO_TREE_INDEX { self.ground_velocity } else { velocities[self.node as usize] }
+        velocities[self.node as usize]
     }
 
     /// Returns the inverse mass of the body on this side of the joint, 1/(mass units); 0 for static and kinematic bodies.
-    /// `inverses` are those of the group's bodies.
+    /// `inverses` are those of the group.
     pub(super) fn inverse_mass(&self, inverses: &[Velocity4]) -> f64 {
-        if self.node == NO_TREE_INDEX { 0.0 } else { inverses[self.node as usize][0] }
+        inverses[self.node as usize][0]
     }
 
     /// Returns the pose of this side of the joint after `h` seconds with the given velocity (x, y, angular, z).
@@ -111,6 +109,7 @@ impl JointSide {
     }
 
     /// Moves this side of the joint for `h` seconds with the given velocity (x, y, angular, z).
+    #[inline(always)]
     pub(super) fn advance(&mut self, [x, y, spin, z]: Velocity4, h: f64) {
         let [px, py, pz] = self.origin;
         (self.origin, self.rotation) = ([px + x * h, py + y * h, pz + z * h], self.rotation + spin * h);
@@ -127,6 +126,10 @@ pub(super) struct JointState {
     pub(super) joint: u32,
     pub(super) link: LockedDofs,
     pub(super) sides: [JointSide; 2],
+    /// Vector from anchor A to anchor B in the world at the present poses: x, y and z, length units.
+    offset: [f64; 3],
+    /// Length of `offset`, length units, >= 0.
+    pub(super) distance: f64,
     /// Unit vector from anchor A to anchor B in the world, dimensionless. Coincident anchors keep the last direction.
     pub(super) direction: [f64; 3],
     /// Axis of a prismatic joint in world coordinates, a unit vector. Unused in other joints.
@@ -139,16 +142,33 @@ pub(super) struct JointState {
 }
 
 impl JointState {
+    /// Returns the state of the joint with the index `joint` into the list of all joints, at poses that are not known yet.
+    pub(super) fn new(joint: u32, link: LockedDofs, nodes: [u32; 2]) -> Self {
+        JointState {
+            joint,
+            link,
+            sides: nodes.map(|node| JointSide { node, origin: [0.0; 3], arm: [0.0; 2], rotation: 0.0 }),
+            offset: [0.0; 3],
+            distance: 0.0,
+            direction: [1.0, 0.0, 0.0],
+            axis: [1.0, 0.0],
+            total_impulse: [0.0; 4],
+            anchors_at_origins: false,
+        }
+    }
+
     /// Returns the vector from the centre of mass of A to that of B in the world: x, y and z, length units.
     fn origin_offset(&self) -> [f64; 3] {
         let [a, b] = self.sides.each_ref().map(|side| side.origin);
         [b[0] - a[0], b[1] - a[1], b[2] - a[2]]
     }
 
-    /// Returns the distance of the centres of mass of A and B after `h` seconds with these velocities, length units.
+    /// Returns the distance of the anchors after `h` seconds with these velocities, length units. The anchors must be the
+    /// centres of mass.
+    #[inline(always)]
     fn predicted_origin_distance(&self, velocities: &[Velocity4], h: f64) -> f64 {
         let [a, b] = self.sides.each_ref().map(|side| side.velocity(velocities));
-        let [x, y, z] = self.origin_offset();
+        let [x, y, z] = self.offset;
         norm([x + h * (b[0] - a[0]), y + h * (b[1] - a[1]), z + h * (b[3] - a[3])])
     }
 
@@ -162,22 +182,19 @@ impl JointState {
         self.sides.each_ref().map(|side| side.predicted_anchor([0.0; 4], 0.0))
     }
 
-    /// Returns the distance of the anchors in three axes, length units.
-    pub(super) fn distance(&self) -> f64 {
-        norm(anchor_offset(&self.anchors()))
-    }
-
-    /// Sets `direction` to the unit vector between the anchors at the present poses.
-    pub(super) fn update_direction(&mut self) {
-        let apart =
+    /// Computes `offset`, `distance` and `direction` at the present poses.
+    #[inline(always)]
+    pub(super) fn update_offset(&mut self) {
+        self.offset =
             if self.anchors_at_origins { self.origin_offset() } else { anchor_offset(&self.anchors()) };
-        let distance = norm(apart);
-        if distance > 0.0 {
-            self.direction = apart.map(|part| part / distance);
+        self.distance = norm(self.offset);
+        if self.distance > 0.0 {
+            self.direction = self.offset.map(|component| component / self.distance);
         }
     }
 
     /// Moves the joint for `h` seconds with the velocities of the group's bodies.
+    #[inline(always)]
     pub(super) fn advance(&mut self, velocities: &[Velocity4], h: f64) {
         if self.link == LockedDofs::Line {
             let [_, _, spin, _] = self.sides[0].velocity(velocities);
@@ -186,7 +203,7 @@ impl JointState {
         for side in &mut self.sides {
             side.advance(side.velocity(velocities), h);
         }
-        self.update_direction();
+        self.update_offset();
     }
 
     /// Returns the value of a row at the poses `anchors`: radians for angles, else length units. The value of motor and depth
@@ -220,6 +237,7 @@ fn anchor_offset([a, b]: &[PosedAnchor; 2]) -> [f64; 3] {
 }
 
 /// Returns the length of the vector, in the unit of its components.
+#[inline(always)]
 fn norm([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
@@ -230,6 +248,8 @@ fn norm([x, y, z]: [f64; 3]) -> f64 {
 pub(super) struct SpatialJointRow {
     /// Index of the joint in the group's list of joints.
     pub(super) joint: u32,
+    /// Indices of both sides of the joint into the group's velocities and inverse masses.
+    pub(super) nodes: [u32; 2],
     /// Quantity that the row constrains.
     pub(super) kind: RowKind,
     /// Whether the joint of the row closes a loop of the joint graph.
@@ -267,16 +287,26 @@ pub(super) struct SpatialJointRow {
     error_unit: f64,
     /// Value of the row at the start of the phase: radians in angular rows, else length units.
     value: f64,
+    /// Amount of the position error that the substep corrects, with the sign of the error: radians in angular rows, else length
+    /// units.
+    corrected_error: f64,
     /// Inverse effective mass, J M^-1 J^T: 1/(mass units) in linear rows, 1/(mass units * length units^2) in angular rows.
     pub(super) inverse_effective_mass: f64,
+    /// Whether the row seeks a value at the end of the substep, in this phase. Else it seeks a velocity.
+    seeks_value: bool,
+    /// Value or velocity that the row seeks in this phase: radians or radians/s in angular rows, else length units or length
+    /// units/s.
+    target: f64,
 }
 
 impl SpatialJointRow {
-    /// Returns a row without an impulse. `joint` is the index of the joint in the group's list of joints.
-    pub(super) fn new(joint: u32, kind: RowKind, closes_loop: bool) -> Self {
+    /// Returns a row without an impulse. `joint` is the index of the joint in the group's list of joints, and `nodes` those of
+    /// its sides into the group's velocities.
+    pub(super) fn new((joint, nodes): (u32, [u32; 2]), kind: RowKind, closes_loop: bool) -> Self {
         SpatialJointRow {
             closes_loop,
             joint,
+            nodes,
             kind,
             jacobian: [[0.0; 4]; 2],
             impulse: 0.0,
@@ -291,7 +321,10 @@ impl SpatialJointRow {
             slop: 0.0,
             error_unit: 1.0,
             value: 0.0,
+            corrected_error: 0.0,
             inverse_effective_mass: 0.0,
+            seeks_value: false,
+            target: 0.0,
         }
     }
 
@@ -386,25 +419,29 @@ impl SpatialJointRow {
     }
 
     /// Computes value, Jacobian and inverse effective mass of the row at the present poses.
+    ///
+    /// `inverse_masses` are those of the group, of which the first `body_count` belong to dynamic bodies.
+    #[inline(always)]
     pub(super) fn update_jacobian(
         &mut self,
         state: &JointState,
-        joint: &JointConstraint,
-        inverse_masses: &[Velocity4],
+        joints: &[JointConstraint],
+        (inverse_masses, body_count): (&[Velocity4], usize),
     ) {
         if state.anchors_at_origins && self.kind == RowKind::Distance {
             let [nx, ny, nz] = state.direction;
             self.jacobian = [[-nx, -ny, 0.0, -nz], [nx, ny, 0.0, nz]];
-            self.value = norm(state.origin_offset());
+            self.value = state.distance;
         } else {
-            self.update_anchor_jacobian(state, joint);
+            self.update_anchor_jacobian(state, &joints[state.joint as usize]);
         }
-        self.inverse_effective_mass = 0.0;
-        for (side, push) in
-            state.sides.iter().zip(self.jacobian).filter(|(side, _)| side.node != NO_TREE_INDEX)
-        {
-            self.inverse_effective_mass += delassus_term(push, push, inverse_masses[side.node as usize]);
+        let mut inverse_mass = 0.0;
+        for (node, push) in self.nodes.iter().map(|&node| node as usize).zip(self.jacobian) {
+            if node < body_count {
+                inverse_mass += delassus_term(push, push, inverse_masses[node]);
+            }
         }
+        self.inverse_effective_mass = inverse_mass;
     }
 
     /// Computes value and Jacobian of a row for anchors anywhere on the bodies, not only at the centres of mass.
@@ -433,11 +470,12 @@ impl SpatialJointRow {
         self.value = state.value(self.kind, &[a, b], joint);
     }
 
-    /// Returns the rate of the row's value for the velocities of the group's bodies, J v: radians/s in angular rows, else
-    /// length units/s.
-    fn relative_velocity(&self, state: &JointState, velocities: &[Velocity4]) -> f64 {
+    /// Returns the rate of the row's value for the velocities of the group, J v: radians/s in angular rows, else length
+    /// units/s.
+    #[inline(always)]
+    fn relative_velocity(&self, velocities: &[Velocity4]) -> f64 {
         let of = |side: usize| {
-            let (push, velocity) = (self.jacobian[side], state.sides[side].velocity(velocities));
+            let (push, velocity) = (self.jacobian[side], velocities[self.nodes[side] as usize]);
             (0..4).map(|i| push[i] * velocity[i]).sum::<f64>()
         };
         of(0) + of(1)
@@ -445,6 +483,7 @@ impl SpatialJointRow {
 
     /// Returns the value of the row after `h` seconds with the velocities of the group's bodies: radians in angular rows, else
     /// length units.
+    #[inline(always)]
     fn predicted_value(
         &self,
         state: &JointState,
@@ -459,50 +498,48 @@ impl SpatialJointRow {
         }
     }
 
-    /// Returns the velocity of the row minus the target velocity of the phase: radians/s in angular rows, else length units/s.
+    /// Sets the value or the velocity that the row seeks in a phase of a substep of `h` seconds.
     ///
-    /// In the phases before bodies move, the velocity is the nonlinear change of the value in the substep, divided by `h`
-    /// seconds.
+    /// In the phases before bodies move, the velocity of a row is the nonlinear change of its value in the substep, divided by
+    /// `h`. The row then seeks a value.
+    #[inline(always)]
+    pub(super) fn set_target(&mut self, h: f64, phase: SolvePhase) {
+        let [low, high] = self.range;
+        let is_exact = self.active_limit == 0.0;
+        let distance = if self.active_limit > 0.0 { self.value - low } else { high - self.value };
+        (self.seeks_value, self.target) = match self.kind {
+            RowKind::DepthVelocity => (false, 0.0),
+            RowKind::Motor(motor) => (false, f64::from(motor.speed)),
+            _ if self.compliance > 0.0 => (false, -((self.value - high) * self.bias_rate)),
+            _ if phase == SolvePhase::Relax && is_exact => (false, 0.0),
+            _ if phase == SolvePhase::Relax => (false, -(self.active_limit * distance.max(0.0) / h)),
+            _ if !is_exact && distance >= 0.0 => (true, self.value - self.active_limit * distance),
+            _ if phase == SolvePhase::HoldPosition => (true, self.value),
+            _ => (true, self.value - self.corrected_error),
+        };
+    }
+
+    /// Returns the velocity of the row minus its [target](Self::set_target), in a substep of `h` seconds: radians/s in angular
+    /// rows, else length units/s.
+    #[inline(always)]
     pub(super) fn velocity_error(
         &self,
-        (state, joints): (&JointState, &[JointConstraint]),
+        (states, joints): (&[JointState], &[JointConstraint]),
         velocities: &[Velocity4],
-        (h, phase): (f64, SolvePhase),
+        h: f64,
     ) -> f64 {
-        match self.kind {
-            RowKind::DepthVelocity => return self.relative_velocity(state, velocities),
-            RowKind::Motor(motor) => {
-                return self.relative_velocity(state, velocities) - f64::from(motor.speed);
-            }
-            _ => {}
+        if self.seeks_value {
+            let state = &states[self.joint as usize];
+            return (self.predicted_value(state, joints, velocities, h) - self.target) / h;
         }
-        let [low, high] = self.range;
-        if self.compliance > 0.0 {
-            let speed = self.relative_velocity(state, velocities);
-            return speed + (self.value - high) * self.bias_rate + self.compliance * self.impulse;
-        }
-        let distance = if self.active_limit > 0.0 { self.value - low } else { high - self.value };
-        match (phase, self.active_limit == 0.0) {
-            (SolvePhase::Relax, true) => self.relative_velocity(state, velocities),
-            (SolvePhase::Relax, false) => {
-                self.relative_velocity(state, velocities) + self.active_limit * distance.max(0.0) / h
-            }
-            (_, is_exact) => {
-                let target = if !is_exact && distance >= 0.0 {
-                    self.value - self.active_limit * distance
-                } else if phase == SolvePhase::HoldPosition {
-                    self.value
-                } else {
-                    self.value - self.corrected_error()
-                };
-                (self.predicted_value(state, joints, velocities, h) - target) / h
-            }
-        }
+        let error = self.relative_velocity(velocities) - self.target;
+        if self.compliance > 0.0 { error + self.compliance * self.impulse } else { error }
     }
 
     /// Returns the amount of the position error that the substep corrects, with the sign of the error: radians in angular rows,
     /// else length units.
-    pub(super) fn corrected_error(&self) -> f64 {
+    #[inline(always)]
+    fn position_error_to_correct(&self) -> f64 {
         let [low, high] = self.range;
         match self.kind {
             RowKind::DepthVelocity | RowKind::Motor(_) => 0.0,
@@ -517,15 +554,19 @@ impl SpatialJointRow {
         }
     }
 
-    /// Returns the absolute position error that the substep corrects, as a multiple of `error_unit`, dimensionless.
-    pub(super) fn relative_corrected_error(&self) -> f64 {
-        self.corrected_error().abs() / self.error_unit
+    /// Determines the position error that the substep corrects. Returns its absolute value as a multiple of `error_unit`,
+    /// dimensionless.
+    #[inline(always)]
+    pub(super) fn choose_corrected_error(&mut self) -> f64 {
+        self.corrected_error = self.position_error_to_correct();
+        self.corrected_error.abs() / self.error_unit
     }
 
     /// Adds the impulse of the row on body B to `total`: x, y and z in mass units * length units/s, angular in mass units *
     /// length units^2/s.
     ///
     /// Linear rows add no angular impulse.
+    #[inline(always)]
     pub(super) fn accumulate_impulse(&self, link: LockedDofs, total: &mut Velocity4) {
         let [x, y, turning, z] = self.jacobian[1];
         // The moment of a force at the anchor is no torque of the joint.
@@ -541,6 +582,7 @@ impl SpatialJointRow {
 ///
 /// `a` and `b` are the elements of two rows of the Jacobian for the body. The unit is 1/(mass units); each angular row divides
 /// it by length units.
+#[inline(always)]
 pub(super) fn delassus_term(a: Velocity4, b: Velocity4, inverse_masses: Velocity4) -> f64 {
     (0..4).map(|i| a[i] * b[i] * inverse_masses[i]).sum()
 }
@@ -549,6 +591,7 @@ pub(super) fn delassus_term(a: Velocity4, b: Velocity4, inverse_masses: Velocity
 /// radians in angular rows, else length units.
 ///
 /// With `is_baumgarte` it is the fraction [`LOOP_BAUMGARTE_FACTOR`] of the limited error.
+#[inline(always)]
 fn corrected_part(error: f64, error_unit: f64, is_baumgarte: bool) -> f64 {
     let clamped = error.clamp(-MAX_POSITION_CORRECTION * error_unit, MAX_POSITION_CORRECTION * error_unit);
     if is_baumgarte { LOOP_BAUMGARTE_FACTOR * clamped } else { clamped }

@@ -26,7 +26,7 @@ impl SpatialJointGroup {
             let ([x, y, _], z) = (joint.force, f64::from(joint.force_along_depth));
             let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
             // Two links pull at each body.
-            2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / state.distance()
+            2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / state.distance
         });
         let max_stiffness = stiffness.filter(|stiffness| stiffness.is_finite()).fold(0.0, f64::max);
         (0.25 * ROPE_TENSION_MARGIN * max_stiffness / ROPE_STABLE_LIMIT_FRACTION)
@@ -87,7 +87,7 @@ impl SpatialJointGroup {
                 let push = bodies.force_delta[body as usize];
                 (0..4).for_each(|i| velocity[i] += f64::from(push[i]) * fraction);
             }
-            let energy = self.doubled_kinetic_energy();
+            let energy = if self.is_passive { self.doubled_kinetic_energy() } else { 0.0 };
             if !self.solve_position_velocities(joints, h, is_last_attempt) {
                 if !is_last_attempt {
                     return false;
@@ -99,9 +99,9 @@ impl SpatialJointGroup {
             }
             self.advance_joints(h);
             self.relax_velocities(joints, h);
+            let is_lawful = |energy_after: f64| energy_after <= (1.0 + ROPE_MAX_ENERGY_GAIN) * energy;
             // A NaN compares as a failure.
-            let is_lawful = self.doubled_kinetic_energy() <= (1.0 + ROPE_MAX_ENERGY_GAIN) * energy;
-            if self.is_passive && !is_lawful {
+            if self.is_passive && !is_lawful(self.doubled_kinetic_energy()) {
                 if !is_last_attempt {
                     return false;
                 }
@@ -126,7 +126,7 @@ impl SpatialJointGroup {
     fn scale_to_energy(&mut self, energy: f64) {
         let scale = (energy / self.doubled_kinetic_energy()).sqrt();
         let part = if scale.is_finite() { scale } else { 0.0 };
-        for velocity in self.velocities.iter_mut().flatten() {
+        for velocity in self.velocities[..self.bodies.len()].iter_mut().flatten() {
             *velocity = if velocity.is_finite() { *velocity * part } else { 0.0 };
         }
     }

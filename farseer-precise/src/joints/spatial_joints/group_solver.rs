@@ -10,7 +10,6 @@
 //! violated row joins it. Groups that are too large for a factorisation use Gauss-Seidel sweeps.
 
 use super::super::super::bodies::BodySet;
-use super::super::forest::NO_TREE_INDEX;
 use super::super::joint_constraint::JointConstraint;
 use super::constraint_row::{JointState, RowKind, SolvePhase, SpatialJointRow, Velocity4, delassus_term};
 use super::sparse_ldlt::SparseLdlt;
@@ -27,12 +26,14 @@ pub(in super::super) struct SpatialJointGroup {
     /// Indices of the dynamic bodies into the arrays of `BodySet`, sorted. Other fields of the group refer to a body by its
     /// position in this list.
     pub(super) bodies: Vec<u32>,
-    /// Inverse masses of the bodies: x, y and z in 1/(mass units), angular in 1/(mass units * length units^2).
+    /// Inverse masses: x, y and z in 1/(mass units), angular in 1/(mass units * length units^2). Those of `bodies` come first;
+    /// then 0 for each side of a joint that is the world, static or kinematic.
     pub(super) inverse_masses: Vec<Velocity4>,
-    /// Velocities of the bodies: x, y and z in length units/s, angular in radians/s.
+    /// Velocities: x, y and z in length units/s, angular in radians/s. Those of `bodies` come first; then those of each side of
+    /// a joint that is the world, static or kinematic.
     pub(super) velocities: Vec<Velocity4>,
-    /// Velocities of this substep that only correct positions: x, y and z in length units/s, angular in radians/s. They are
-    /// contained in `velocities`, and subtracted after bodies have moved.
+    /// Velocities of this substep that only correct positions, in the order of `velocities`: x, y and z in length units/s,
+    /// angular in radians/s. They are contained in `velocities`, and subtracted after bodies have moved.
     pub(super) correction_velocities: Vec<Velocity4>,
     /// The joints of the group, with present poses.
     pub(super) joints: Vec<JointState>,
@@ -62,7 +63,8 @@ pub(in super::super) struct SpatialJointGroup {
     pub(super) initial_joints: Vec<JointState>,
     /// Velocities of the bodies in a substep before the joints act: x, y and z in length units/s, angular in radians/s.
     pub(super) unconstrained_velocities: Vec<Velocity4>,
-    /// Whether the joints add no energy: the group has no motor, and no joint with a moving kinematic body.
+    /// Whether the energy of the group is checked: it has no motor, no joint with a moving kinematic body, and no body that moves
+    /// along the depth axis when the step begins.
     pub(super) is_passive: bool,
 }
 
@@ -78,10 +80,12 @@ pub(super) struct OffDiagonal {
     pub(super) body: u32,
     /// Indices of the two rows in the group's list of rows.
     pub(super) rows: [u32; 2],
-    /// For each row, the index of the joint side that is the body: 0 (A) or 1 (B).
-    pub(super) sides: [u8; 2],
+    /// For each row, whether the body is the second body (B) of its joint.
+    pub(super) is_second: [bool; 2],
     /// Index of the element in the sparse factorisation.
     pub(super) entry: u32,
+    /// Contribution to the element: 1/(mass units), divided by length units for each angular row.
+    pub(super) term: f64,
 }
 
 impl SpatialJointGroup {
@@ -123,6 +127,7 @@ impl SpatialJointGroup {
         depth_of: impl Fn(usize, usize) -> f32,
     ) {
         self.length_unit = length_unit;
+        let mut is_at_rest = true;
         for state in &mut self.joints {
             let joint = &joints[state.joint as usize];
             for (at, side) in state.sides.iter_mut().enumerate() {
@@ -132,15 +137,17 @@ impl SpatialJointGroup {
                 let along_z =
                     bodies.states.get(end.pose_body as usize).map_or(0.0, |hot| f64::from(hot.velocity[3]));
                 let [x, y, spin] = end.velocity;
-                side.ground_velocity = [x, y, spin, if end.pose_body == 0 { 0.0 } else { along_z }];
+                let velocity = [x, y, spin, if end.pose_body == 0 { 0.0 } else { along_z }];
+                is_at_rest &= velocity == [0.0; 4];
+                if side.node as usize >= self.bodies.len() {
+                    self.velocities[side.node as usize] = velocity;
+                }
             }
             (state.axis, state.total_impulse, state.direction) = (joint.axis, [0.0; 4], [1.0, 0.0, 0.0]);
             state.anchors_at_origins = state.sides.iter().all(|side| side.arm == [0.0; 2]);
-            state.update_direction();
+            state.update_offset();
         }
-        self.is_passive =
-            self.joints.iter().all(|tie| tie.sides.iter().all(|side| side.ground_velocity == [0.0; 4]))
-                && !self.rows.iter().any(|row| matches!(row.kind, RowKind::Motor(_)));
+        self.is_passive = is_at_rest && !self.rows.iter().any(|row| matches!(row.kind, RowKind::Motor(_)));
         let parts = if self.is_contact_free { self.required_parts(joints, [dt, h]) } else { 1 };
         self.prepare_rows(joints, [dt, h], parts);
     }
@@ -185,13 +192,14 @@ impl SpatialJointGroup {
         accepts_residual: bool,
     ) -> bool {
         self.unconstrained_velocities.clone_from(&self.velocities);
-        self.rows.iter_mut().for_each(|row| row.impulse = 0.0);
-        self.update_rows(joints);
+        let mut has_errors = false;
         for row in &mut self.rows {
-            row.choose_limit(&self.joints[row.joint as usize], joints, &self.velocities, h);
+            let state = &self.joints[row.joint as usize];
+            row.impulse = 0.0;
+            row.update_jacobian(state, joints, (&self.inverse_masses, self.bodies.len()));
+            row.choose_limit(state, joints, &self.velocities, h);
+            has_errors |= row.choose_corrected_error() > MERGED_CORRECTION_MAX_ERROR;
         }
-        let has_errors =
-            self.rows.iter().any(|row| row.relative_corrected_error() > MERGED_CORRECTION_MAX_ERROR);
         let phase = if has_errors { SolvePhase::HoldPosition } else { SolvePhase::CorrectPosition };
         if !self.solve(joints, h, (phase, accepts_residual)) {
             return false;
@@ -258,8 +266,11 @@ impl SpatialJointGroup {
         for (undoing, velocity) in self.correction_velocities.iter().zip(&mut self.velocities) {
             (0..4).for_each(|i| velocity[i] -= undoing[i]);
         }
-        self.rows.iter_mut().for_each(|row| row.impulse = row.position_impulse);
-        self.update_rows(joints);
+        for row in &mut self.rows {
+            let state = &self.joints[row.joint as usize];
+            row.impulse = row.position_impulse;
+            row.update_jacobian(state, joints, (&self.inverse_masses, self.bodies.len()));
+        }
         self.solve(joints, h, (SolvePhase::Relax, true));
         for row in &self.rows {
             let state = &mut self.joints[row.joint as usize];
@@ -307,14 +318,6 @@ impl SpatialJointGroup {
         }
     }
 
-    /// Computes value, Jacobian and inverse effective mass of all rows at the present poses.
-    fn update_rows(&mut self, joints: &[JointConstraint]) {
-        for row in &mut self.rows {
-            let state = &self.joints[row.joint as usize];
-            row.update_jacobian(state, &joints[state.joint as usize], &self.inverse_masses);
-        }
-    }
-
     /// Solves the rows for the target velocities of a phase, in a substep of `h` seconds. Returns whether the solve has
     /// converged.
     ///
@@ -326,9 +329,11 @@ impl SpatialJointGroup {
         h: f64,
         (phase, accepts_residual): (SolvePhase, bool),
     ) -> bool {
+        self.rows.iter_mut().for_each(|row| row.set_target(h, phase));
         let Some(mut sparse) = self.ldlt.take() else {
-            self.gauss_seidel(joints, h, phase);
-            return self.velocities.iter().flatten().all(|velocity| velocity.is_finite());
+            self.gauss_seidel(joints, h);
+            let velocities = &self.velocities[..self.bodies.len()];
+            return velocities.iter().flatten().all(|velocity| velocity.is_finite());
         };
         let least = if self.has_loops { LOOP_MIN_VELOCITY_ITERATIONS } else { TREE_MIN_VELOCITY_ITERATIONS };
         let mut has_clamped = false;
@@ -336,7 +341,7 @@ impl SpatialJointGroup {
         for iteration in 0..ACTIVE_SET_MAX_ITERATIONS {
             // In the second half of the iterations no row joins the active set, so that the set cannot cycle.
             let (worst, is_set_changed) =
-                self.find_velocity_errors(joints, (h, phase), iteration < ACTIVE_SET_MAX_ITERATIONS / 2);
+                self.find_velocity_errors(joints, h, iteration < ACTIVE_SET_MAX_ITERATIONS / 2);
             last = worst;
             if iteration == 0 {
                 first = worst;
@@ -347,6 +352,9 @@ impl SpatialJointGroup {
             {
                 break;
             }
+            if iteration == 0 {
+                self.update_off_diagonals();
+            }
             if iteration == 0 || is_set_changed {
                 self.assemble(&mut sparse);
             }
@@ -355,8 +363,8 @@ impl SpatialJointGroup {
         }
         self.ldlt = Some(sparse);
         if has_clamped {
-            self.gauss_seidel(joints, h, phase);
-            (last, _) = self.find_velocity_errors(joints, (h, phase), true);
+            self.gauss_seidel(joints, h);
+            (last, _) = self.find_velocity_errors(joints, h, true);
         }
         let is_found = last * h <= GROUP_ERROR_CONVERGED * self.length_unit;
         if is_found || (!accepts_residual && !self.has_loops) { is_found } else { last <= first }
@@ -372,7 +380,7 @@ impl SpatialJointGroup {
         let inverse_inertia_per_length = of_distance.map(|row| {
             let state = &self.joints[row.joint as usize];
             let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
-            inverse / state.distance().max(GROUP_ERROR_FLOOR * self.length_unit)
+            inverse / state.distance.max(GROUP_ERROR_FLOOR * self.length_unit)
         });
         let max_impulse = LOOP_MAX_LATERAL_STIFFNESS / (h * inverse_inertia_per_length.fold(0.0, f64::max));
         for row in self.rows.iter_mut().filter(|row| row.closes_loop && row.kind == RowKind::Distance) {
@@ -387,45 +395,48 @@ impl SpatialJointGroup {
     fn find_velocity_errors(
         &mut self,
         joints: &[JointConstraint],
-        (h, phase): (f64, SolvePhase),
+        h: f64,
         may_activate: bool,
     ) -> (f64, bool) {
         let (mut worst, mut is_set_changed) = (0.0_f64, false);
         for (row, missing) in self.rows.iter_mut().zip(&mut self.velocity_errors) {
-            let state = &self.joints[row.joint as usize];
-            *missing = row.velocity_error((state, joints), &self.velocities, (h, phase));
+            let error = row.velocity_error((&self.joints, joints), &self.velocities, h);
             let [low, high] = row.impulse_bounds;
-            let is_bound = (row.impulse <= low && *missing > 0.0) || (row.impulse >= high && *missing < 0.0);
+            let is_bound = (row.impulse <= low && error > 0.0) || (row.impulse >= high && error < 0.0);
             let is_active = !is_bound
                 && (may_activate || row.is_active)
                 && row.inverse_effective_mass + row.compliance > 0.0;
-            is_set_changed |= std::mem::replace(&mut row.is_active, is_active) != is_active;
-            if is_active {
-                // This comparison also keeps a NaN.
-                worst = if missing.abs() <= worst { worst } else { missing.abs() };
-            } else {
-                *missing = 0.0;
-            }
+            is_set_changed |= row.is_active != is_active;
+            row.is_active = is_active;
+            *missing = if is_active { error } else { 0.0 };
+            // This comparison also takes a NaN.
+            worst = if !is_active || error.abs() <= worst { worst } else { error.abs() };
         }
         (worst, is_set_changed)
     }
 
+    /// Computes the contributions of the bodies to the off-diagonal elements of the Delassus matrix.
+    fn update_off_diagonals(&mut self) {
+        for of in &mut self.off_diagonals {
+            let [a, b] = of.rows.map(|row| &self.rows[row as usize].jacobian);
+            let (a, b) = (a[usize::from(of.is_second[0])], b[usize::from(of.is_second[1])]);
+            of.term = delassus_term(a, b, self.inverse_masses[of.body as usize]);
+        }
+    }
+
     /// Assembles and factorises the Delassus matrix of the active rows. Inactive rows have a diagonal element of 1.
     fn assemble(&self, sparse: &mut SparseLdlt) {
-        sparse.clear();
-        for (at, row) in self.rows.iter().enumerate() {
+        sparse.reset(self.rows.iter().map(|row| {
             let own = row.inverse_effective_mass;
             // A motor and a limit share one coordinate and may contradict each other; a loop may contradict itself. Compliance
             // keeps the matrix regular.
             let yields = row.closes_loop || matches!(row.kind, RowKind::Motor(_));
             let own = if yields { own * (1.0 + LOOP_COMPLIANCE) } else { own };
-            sparse.set_diagonal(at, if row.is_active { own + row.compliance } else { 1.0 });
-        }
-        for &OffDiagonal { body: node, rows: [a, b], sides: [of_a, of_b], entry } in &self.off_diagonals {
-            let (a, b) = (&self.rows[a as usize], &self.rows[b as usize]);
-            if a.is_active && b.is_active {
-                let (a, b) = (a.jacobian[of_a as usize], b.jacobian[of_b as usize]);
-                sparse.add_lower(entry, delassus_term(a, b, self.inverse_masses[node as usize]));
+            if row.is_active { own + row.compliance } else { 1.0 }
+        }));
+        for &OffDiagonal { rows: [a, b], entry, term, .. } in &self.off_diagonals {
+            if self.rows[a as usize].is_active && self.rows[b as usize].is_active {
+                sparse.add_lower(entry, term);
             }
         }
         sparse.factorise();
@@ -443,45 +454,50 @@ impl SpatialJointGroup {
         };
         let has_clamped =
             self.rows.iter().zip(&self.velocity_errors).any(|(row, &less)| exceeds_bounds(row, less));
-        for at in 0..self.rows.len() {
-            let (row, less) = (&self.rows[at], self.velocity_errors[at]);
+        let bodies = (&mut self.velocities[..self.bodies.len()], &self.inverse_masses[..self.bodies.len()]);
+        for (row, &less) in self.rows.iter_mut().zip(&self.velocity_errors) {
             if row.is_active && (!has_clamped || exceeds_bounds(row, less)) {
-                self.apply_impulse(at, less);
+                apply_impulse(row, less, (&mut *bodies.0, bodies.1));
             }
         }
         has_clamped
     }
 
-    /// Subtracts `decrease` from the accumulated impulse of a row, clamps the result to the impulse bounds of the row, and
-    /// updates the velocities of its bodies.
-    ///
-    /// `decrease` is in mass units * length units/s for linear rows and mass units * length units^2/s for angular rows.
-    fn apply_impulse(&mut self, index: usize, decrease: f64) {
-        let row = &mut self.rows[index];
-        let impulse = (row.impulse - decrease).clamp(row.impulse_bounds[0], row.impulse_bounds[1]);
-        let change = impulse - std::mem::replace(&mut row.impulse, impulse);
-        for (side, push) in self.joints[row.joint as usize].sides.iter().zip(row.jacobian) {
-            if side.node != NO_TREE_INDEX {
-                let node = side.node as usize;
-                (0..4).for_each(|i| {
-                    self.velocities[node][i] += change * push[i] * self.inverse_masses[node][i]
-                });
+    /// Solves the rows one after the other in [`GROUP_GAUSS_SEIDEL_SWEEPS`] sweeps, in a substep of `h` seconds.
+    fn gauss_seidel(&mut self, joints: &[JointConstraint], h: f64) {
+        let count = self.bodies.len();
+        for _ in 0..GROUP_GAUSS_SEIDEL_SWEEPS {
+            for row in &mut self.rows {
+                let missing = row.velocity_error((&self.joints, joints), &self.velocities, h);
+                let own = row.inverse_effective_mass + row.compliance;
+                if own > 0.0 {
+                    let bodies = (&mut self.velocities[..count], &self.inverse_masses[..count]);
+                    apply_impulse(row, missing / own, bodies);
+                }
             }
         }
     }
+}
 
-    /// Solves the rows one after the other in [`GROUP_GAUSS_SEIDEL_SWEEPS`] sweeps, in a substep of `h` seconds.
-    fn gauss_seidel(&mut self, joints: &[JointConstraint], h: f64, phase: SolvePhase) {
-        for _ in 0..GROUP_GAUSS_SEIDEL_SWEEPS {
-            for at in 0..self.rows.len() {
-                let row = &self.rows[at];
-                let state = &self.joints[row.joint as usize];
-                let missing = row.velocity_error((state, joints), &self.velocities, (h, phase));
-                let own = row.inverse_effective_mass + row.compliance;
-                if own > 0.0 {
-                    self.apply_impulse(at, missing / own);
-                }
-            }
+/// Subtracts `decrease` from the accumulated impulse of a row, clamps the result to the impulse bounds of the row, and updates
+/// the velocities of its bodies.
+///
+/// `decrease` is in mass units * length units/s for linear rows and mass units * length units^2/s for angular rows.
+/// `velocities` and `inverse_masses` are those of the group's dynamic bodies.
+#[inline(always)]
+fn apply_impulse(
+    row: &mut SpatialJointRow,
+    decrease: f64,
+    (velocities, inverse_masses): (&mut [Velocity4], &[Velocity4]),
+) {
+    let impulse = (row.impulse - decrease).clamp(row.impulse_bounds[0], row.impulse_bounds[1]);
+    let change = impulse - std::mem::replace(&mut row.impulse, impulse);
+    for (node, push) in row.nodes.into_iter().zip(row.jacobian) {
+        // Sides that are static or kinematic come behind the dynamic bodies.
+        if let (Some(velocity), Some(inverse)) =
+            (velocities.get_mut(node as usize), inverse_masses.get(node as usize))
+        {
+            *velocity = std::array::from_fn(|i| velocity[i] + change * push[i] * inverse[i]);
         }
     }
 }

@@ -15,6 +15,8 @@ pub(super) struct SparseLdlt {
     /// For each product of two elements of a column, in the order of the elimination: index into `lower` of the element from
     /// which the product is subtracted.
     product_targets: Vec<u32>,
+    /// Column of each element of `lower`, in the order of elimination.
+    columns: Vec<u32>,
     /// Diagonal of the matrix; after the factorisation, diagonal of D^-1.
     diagonal: Vec<f64>,
     /// Elements below the diagonal column by column: of the matrix; after the factorisation, of L.
@@ -25,7 +27,7 @@ pub(super) struct SparseLdlt {
     solution: Vec<f64>,
 }
 
-reusing_clone! { SparseLdlt { symbolic, product_targets, diagonal, lower, column, solution } }
+reusing_clone! { SparseLdlt { symbolic, product_targets, columns, diagonal, lower, column, solution } }
 
 impl SparseLdlt {
     /// Returns a matrix of `count` rows whose off-diagonal elements at `edges` may be nonzero. Returns `None` if its
@@ -42,6 +44,7 @@ impl SparseLdlt {
             lower: vec![0.0; elimination.rows.len()],
             column: vec![0.0; elimination.max_column_length()],
             product_targets: product_targets(&elimination),
+            columns: columns_of_elements(&elimination),
             symbolic: elimination,
         })
     }
@@ -56,15 +59,12 @@ impl SparseLdlt {
         self.symbolic.matrix_entries[self.symbolic.matrix_entry_of(a, b).0 as usize]
     }
 
-    /// Sets all elements of the matrix to 0.
-    pub(super) fn clear(&mut self) {
-        self.diagonal.fill(0.0);
+    /// Sets the diagonal to `diagonal`, which has a number for each row, and all other elements to 0.
+    pub(super) fn reset(&mut self, diagonal: impl Iterator<Item = f64>) {
+        for (&place, value) in self.symbolic.positions.iter().zip(diagonal) {
+            self.diagonal[place as usize] = value;
+        }
         self.lower.fill(0.0);
-    }
-
-    /// Sets the diagonal element of a row to `value`.
-    pub(super) fn set_diagonal(&mut self, row: usize, value: f64) {
-        self.diagonal[self.symbolic.positions[row] as usize] = value;
     }
 
     /// Adds `value` to the off-diagonal element with the index `entry`.
@@ -74,21 +74,29 @@ impl SparseLdlt {
 
     /// Replaces the matrix by its factors L D L^T. The diagonal then holds D^-1.
     pub(super) fn factorise(&mut self) {
-        let mut target = 0;
-        for place in 0..self.diagonal.len() {
-            let column = self.symbolic.column(place);
-            let inverse = 1.0 / self.diagonal[place];
-            self.diagonal[place] = inverse;
-            for (kept, below) in self.column.iter_mut().zip(&mut self.lower[column.clone()]) {
+        let SparseLdlt { symbolic, diagonal, lower, column: kept, product_targets, .. } = self;
+        let mut targets = product_targets.iter();
+        for place in 0..diagonal.len() {
+            let inverse = 1.0 / diagonal[place];
+            diagonal[place] = inverse;
+            let range = symbolic.column(place);
+            let rows = &symbolic.rows[range.clone()];
+            // A tree has one element in nearly all columns.
+            if let [row] = *rows {
+                let below = &mut lower[range.start];
+                let element = std::mem::replace(below, *below * inverse);
+                diagonal[row as usize] -= *below * element;
+                continue;
+            }
+            for (kept, below) in kept.iter_mut().zip(&mut lower[range.clone()]) {
                 *kept = *below;
                 *below *= inverse;
             }
-            for at in 0..column.len() {
-                let factor = self.lower[column.start + at];
-                self.diagonal[self.symbolic.rows[column.start + at] as usize] -= factor * self.column[at];
-                for above in 0..at {
-                    self.lower[self.product_targets[target] as usize] -= factor * self.column[above];
-                    target += 1;
+            for (at, &row) in rows.iter().enumerate() {
+                let factor = lower[range.start + at];
+                diagonal[row as usize] -= factor * kept[at];
+                for (above, &target) in kept[..at].iter().zip(targets.by_ref()) {
+                    lower[target as usize] -= factor * above;
                 }
             }
         }
@@ -96,20 +104,34 @@ impl SparseLdlt {
 
     /// Solves the linear system with the right-hand side `values`, and writes the solution to `values`. Needs the factors.
     pub(super) fn solve(&mut self, values: &mut [f64]) {
-        let SparseLdlt { symbolic: elimination, diagonal, lower: below, solution, .. } = self;
-        let SymbolicFactor { positions: places, rows, .. } = &*elimination;
+        let SparseLdlt { symbolic, columns, diagonal, lower, solution, .. } = self;
+        let SymbolicFactor { positions: places, rows, .. } = &*symbolic;
         values.iter().zip(places.iter()).for_each(|(&value, &place)| solution[place as usize] = value);
-        let columns = || (0..places.len()).map(|place| (place, elimination.column(place)));
-        for (place, column) in columns() {
-            let value = solution[place];
-            column.for_each(|at| solution[rows[at] as usize] -= below[at] * value);
+        for ((&row, &column), below) in rows.iter().zip(columns.iter()).zip(lower.iter()) {
+            solution[row as usize] -= below * solution[column as usize];
         }
-        for (place, column) in columns().rev() {
-            let rest: f64 = column.map(|at| below[at] * solution[rows[at] as usize]).sum();
-            solution[place] = solution[place] * diagonal[place] - rest;
+        for (place, inverse) in diagonal.iter().enumerate().rev() {
+            let column = symbolic.column(place);
+            // The sum of one element, as nearly all columns of a tree have it, is the element.
+            let rest = if column.len() == 1 {
+                lower[column.start] * solution[rows[column.start] as usize]
+            } else {
+                rows[column.clone()]
+                    .iter()
+                    .zip(&lower[column])
+                    .map(|(&row, below)| below * solution[row as usize])
+                    .sum()
+            };
+            solution[place] = solution[place] * inverse - rest;
         }
         values.iter_mut().zip(places.iter()).for_each(|(value, &place)| *value = solution[place as usize]);
     }
+}
+
+/// Returns the column of each element below the diagonal, in the order of the elements.
+fn columns_of_elements(elimination: &SymbolicFactor) -> Vec<u32> {
+    let columns = 0..elimination.order.len();
+    columns.flat_map(|place| elimination.column(place).map(move |_| place as u32)).collect()
 }
 
 /// Returns the target of each product of two elements of a column, in the order of the elimination, as an index into the list of
@@ -145,11 +167,10 @@ mod tests {
         let mut sparse = SparseLdlt::plan(count as usize, ties, usize::MAX).unwrap();
         let value = |at: usize| 1.0 + 0.3 * at as f64;
         let mut dense = vec![vec![0.0; count as usize]; count as usize];
-        sparse.clear();
         for (at, row) in dense.iter_mut().enumerate() {
             row[at] = 40.0 + at as f64;
-            sparse.set_diagonal(at, row[at]);
         }
+        sparse.reset(dense.iter().enumerate().map(|(at, row)| row[at]));
         for (at, &[a, b]) in ties.iter().enumerate() {
             sparse.add_lower(sparse.entry_index(a, b), value(at));
             (dense[a as usize][b as usize], dense[b as usize][a as usize]) = (value(at), value(at));
