@@ -26,12 +26,14 @@ pub struct JointAnchor {
 }
 
 impl JointAnchor {
-    /// Sets `position`, `arm` and `velocity` to the present ones of the body; the world stays as it is.
+    /// Sets `position`, `arm` and `velocity` to the present ones of the body; the world stays as it is. Returns whether one of
+    /// them has changed.
     #[inline(always)]
-    pub fn update(&mut self, bodies: &BodySet) {
+    pub fn update(&mut self, bodies: &BodySet) -> bool {
         if self.pose_body == 0 {
-            return;
+            return false;
         }
+        let before = (self.position, self.arm, self.velocity);
         let [x, y, c, s] = bodies.poses[self.pose_body as usize].map(f64::from);
         self.position = [x, y];
         self.arm = [
@@ -44,6 +46,7 @@ impl JointAnchor {
             let [x, y, spin, _] = hot.velocity.map(f64::from);
             self.velocity = [x, y, spin];
         }
+        before != (self.position, self.arm, self.velocity)
     }
 
     /// Returns the position of the anchor in the world. Unit: length units.
@@ -189,10 +192,10 @@ impl JointConstraint {
 
     /// Sets anchors, angle, axis, motor and position error to those at the start of a step. `read` sets angle, axis and motor.
     pub(super) fn update(&mut self, bodies: &BodySet, read: impl FnOnce(&mut Self)) {
-        let before = (self.anchors, self.angle, self.axis, self.drive);
-        self.anchors.iter_mut().for_each(|anchor| anchor.update(bodies));
+        let before = (self.angle, self.axis, self.drive);
+        let [first, second] = self.anchors.each_mut().map(|anchor| anchor.update(bodies));
         read(self);
-        self.has_moved = before != (self.anchors, self.angle, self.axis, self.drive);
+        self.has_moved = first || second || before != (self.angle, self.axis, self.drive);
         self.error = self.compute_error() as f32;
         self.first_arm = self.anchors[0].arm;
     }

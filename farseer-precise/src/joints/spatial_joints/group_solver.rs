@@ -26,10 +26,10 @@ pub(in super::super) struct SpatialJointGroup {
     /// Indices of the dynamic bodies into the arrays of `BodySet`, sorted. Other fields of the group refer to a body by its
     /// position in this list.
     pub(super) bodies: Vec<u32>,
-    /// Inverse masses: x, y and z in 1/(mass units), angular in 1/(mass units * length units^2). Those of `bodies` come first;
+    /// Inverse masses: x, y and z in 1/(mass units), angular in 1/(mass units * length units^2). Entries of `bodies` come first;
     /// then 0 for each side of a joint that is the world, static or kinematic.
     pub(super) inverse_masses: Vec<Velocity4>,
-    /// Velocities: x, y and z in length units/s, angular in radians/s. Those of `bodies` come first; then those of each side of
+    /// Velocities: x, y and z in length units/s, angular in radians/s. Entries of `bodies` come first; then one for each side of
     /// a joint that is the world, static or kinematic.
     pub(super) velocities: Vec<Velocity4>,
     /// Velocities of this substep that only correct positions, in the order of `velocities`: x, y and z in length units/s,
@@ -434,8 +434,8 @@ impl SpatialJointGroup {
             let own = if yields { own * (1.0 + LOOP_COMPLIANCE) } else { own };
             if row.is_active { own + row.compliance } else { 1.0 }
         }));
-        for &OffDiagonal { rows: [a, b], entry, term, .. } in &self.off_diagonals {
-            if self.rows[a as usize].is_active && self.rows[b as usize].is_active {
+        for &OffDiagonal { rows, entry, term, .. } in &self.off_diagonals {
+            if rows.iter().all(|&row| self.rows[row as usize].is_active) {
                 sparse.add_lower(entry, term);
             }
         }
@@ -492,11 +492,9 @@ fn apply_impulse(
 ) {
     let impulse = (row.impulse - decrease).clamp(row.impulse_bounds[0], row.impulse_bounds[1]);
     let change = impulse - std::mem::replace(&mut row.impulse, impulse);
-    for (node, push) in row.nodes.into_iter().zip(row.jacobian) {
+    for (node, push) in row.nodes.map(|node| node as usize).into_iter().zip(row.jacobian) {
         // Sides that are static or kinematic come behind the dynamic bodies.
-        if let (Some(velocity), Some(inverse)) =
-            (velocities.get_mut(node as usize), inverse_masses.get(node as usize))
-        {
+        if let (Some(velocity), Some(inverse)) = (velocities.get_mut(node), inverse_masses.get(node)) {
             *velocity = std::array::from_fn(|i| velocity[i] + change * push[i] * inverse[i]);
         }
     }

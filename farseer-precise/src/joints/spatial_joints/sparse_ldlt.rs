@@ -16,7 +16,7 @@ pub(super) struct SparseLdlt {
     /// which the product is subtracted.
     product_targets: Vec<u32>,
     /// Column of each element of `lower`, in the order of elimination.
-    columns: Vec<u32>,
+    columns: Vec<usize>,
     /// Diagonal of the matrix; after the factorisation, diagonal of D^-1.
     diagonal: Vec<f64>,
     /// Elements below the diagonal column by column: of the matrix; after the factorisation, of L.
@@ -108,7 +108,7 @@ impl SparseLdlt {
         let SymbolicFactor { positions: places, rows, .. } = &*symbolic;
         values.iter().zip(places.iter()).for_each(|(&value, &place)| solution[place as usize] = value);
         for ((&row, &column), below) in rows.iter().zip(columns.iter()).zip(lower.iter()) {
-            solution[row as usize] -= below * solution[column as usize];
+            solution[row as usize] -= below * solution[column];
         }
         for (place, inverse) in diagonal.iter().enumerate().rev() {
             let column = symbolic.column(place);
@@ -129,9 +129,9 @@ impl SparseLdlt {
 }
 
 /// Returns the column of each element below the diagonal, in the order of the elements.
-fn columns_of_elements(elimination: &SymbolicFactor) -> Vec<u32> {
+fn columns_of_elements(elimination: &SymbolicFactor) -> Vec<usize> {
     let columns = 0..elimination.order.len();
-    columns.flat_map(|place| elimination.column(place).map(move |_| place as u32)).collect()
+    columns.flat_map(|place| elimination.column(place).map(move |_| place)).collect()
 }
 
 /// Returns the target of each product of two elements of a column, in the order of the elimination, as an index into the list of
