@@ -6,7 +6,7 @@
 use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
 use super::super::articulation_step::cos_sin;
 use super::super::joint_constraint::{JointConstraint, Limits, Motor};
-use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, MAX_POSITION_CORRECTION};
+use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, LOOP_COMPLIANCE, MAX_POSITION_CORRECTION};
 
 /// Velocity, change of momentum, or row of a Jacobian, of one body: x, y, angular about z, z.
 pub(super) type Velocity4 = [f64; 4];
@@ -292,6 +292,11 @@ pub(super) struct SpatialJointRow {
     corrected_error: f64,
     /// Inverse effective mass, J M^-1 J^T: 1/(mass units) in linear rows, 1/(mass units * length units^2) in angular rows.
     pub(super) inverse_effective_mass: f64,
+    /// Diagonal element of the Delassus matrix while the row is active, with the compliance of the row and of a loop: 1/(mass
+    /// units) in linear rows, 1/(mass units * length units^2) in angular rows.
+    pub(super) diagonal: f64,
+    /// Whether an impulse changes the velocity of the row: it is compliant, or its inverse effective mass is not 0.
+    pub(super) responds: bool,
     /// Whether the row seeks a value at the end of the substep, in this phase. Else it seeks a velocity.
     seeks_value: bool,
     /// Value or velocity that the row seeks in this phase: radians or radians/s in angular rows, else length units or length
@@ -323,6 +328,8 @@ impl SpatialJointRow {
             value: 0.0,
             corrected_error: 0.0,
             inverse_effective_mass: 0.0,
+            diagonal: 0.0,
+            responds: false,
             seeks_value: false,
             target: 0.0,
         }
@@ -442,6 +449,12 @@ impl SpatialJointRow {
             }
         }
         self.inverse_effective_mass = inverse_mass;
+        self.responds = inverse_mass + self.compliance > 0.0;
+        // A motor and a limit share one coordinate and may contradict each other; a loop may contradict itself. Compliance keeps
+        // the matrix regular.
+        let yields = self.closes_loop || matches!(self.kind, RowKind::Motor(_));
+        self.diagonal =
+            if yields { inverse_mass * (1.0 + LOOP_COMPLIANCE) } else { inverse_mass } + self.compliance;
     }
 
     /// Computes value and Jacobian of a row for anchors anywhere on the bodies, not only at the centres of mass.

@@ -15,7 +15,7 @@ use super::constraint_row::{JointState, RowKind, SolvePhase, SpatialJointRow, Ve
 use super::sparse_ldlt::SparseLdlt;
 use crate::parameters::spatial_joints::{
     ACTIVE_SET_MAX_ITERATIONS, GROUP_ERROR_CONVERGED, GROUP_ERROR_FLOOR, GROUP_GAUSS_SEIDEL_SWEEPS,
-    LOOP_COMPLIANCE, LOOP_MAX_LATERAL_STIFFNESS, LOOP_MIN_VELOCITY_ITERATIONS, MERGED_CORRECTION_MAX_ERROR,
+    LOOP_MAX_LATERAL_STIFFNESS, LOOP_MIN_VELOCITY_ITERATIONS, MERGED_CORRECTION_MAX_ERROR,
     TREE_MIN_VELOCITY_ITERATIONS,
 };
 use crate::reusing_clone;
@@ -403,9 +403,7 @@ impl SpatialJointGroup {
             let error = row.velocity_error((&self.joints, joints), &self.velocities, h);
             let [low, high] = row.impulse_bounds;
             let is_bound = (row.impulse <= low && error > 0.0) || (row.impulse >= high && error < 0.0);
-            let is_active = !is_bound
-                && (may_activate || row.is_active)
-                && row.inverse_effective_mass + row.compliance > 0.0;
+            let is_active = !is_bound && (may_activate || row.is_active) && row.responds;
             is_set_changed |= row.is_active != is_active;
             row.is_active = is_active;
             *missing = if is_active { error } else { 0.0 };
@@ -426,14 +424,7 @@ impl SpatialJointGroup {
 
     /// Assembles and factorises the Delassus matrix of the active rows. Inactive rows have a diagonal element of 1.
     fn assemble(&self, sparse: &mut SparseLdlt) {
-        sparse.reset(self.rows.iter().map(|row| {
-            let own = row.inverse_effective_mass;
-            // A motor and a limit share one coordinate and may contradict each other; a loop may contradict itself. Compliance
-            // keeps the matrix regular.
-            let yields = row.closes_loop || matches!(row.kind, RowKind::Motor(_));
-            let own = if yields { own * (1.0 + LOOP_COMPLIANCE) } else { own };
-            if row.is_active { own + row.compliance } else { 1.0 }
-        }));
+        sparse.reset(self.rows.iter().map(|row| if row.is_active { row.diagonal } else { 1.0 }));
         for &OffDiagonal { rows, entry, term, .. } in &self.off_diagonals {
             if rows.iter().all(|&row| self.rows[row as usize].is_active) {
                 sparse.add_lower(entry, term);

@@ -77,17 +77,17 @@ impl SparseLdlt {
         let SparseLdlt { symbolic, diagonal, lower, column: kept, product_targets, .. } = self;
         let mut targets = product_targets.iter();
         for place in 0..diagonal.len() {
+            let range = symbolic.column(place);
             let inverse = 1.0 / diagonal[place];
             diagonal[place] = inverse;
-            let range = symbolic.column(place);
-            let rows = &symbolic.rows[range.clone()];
             // A tree has one element in nearly all columns.
-            if let [row] = *rows {
+            if range.len() == 1 {
                 let below = &mut lower[range.start];
                 let element = std::mem::replace(below, *below * inverse);
-                diagonal[row as usize] -= *below * element;
+                diagonal[symbolic.rows[range.start] as usize] -= *below * element;
                 continue;
             }
+            let rows = &symbolic.rows[range.clone()];
             for (kept, below) in kept.iter_mut().zip(&mut lower[range.clone()]) {
                 *kept = *below;
                 *below *= inverse;
