@@ -6,6 +6,8 @@
 //! number of operations is linear, as with articulated bodies (D. Baraff, "Linear-time dynamics using Lagrange multipliers",
 //! 1996, for that order). Sparse factorisation: T. Davis, "Direct Methods for Sparse Linear Systems" (2006).
 
+use std::sync::Arc;
+
 use super::mat3::{Mat3, Vec3};
 use crate::reusing_clone;
 use crate::sparse_ordering::{RowEntry, SymbolicFactor};
@@ -22,10 +24,25 @@ pub(crate) struct BlockIndex {
 /// The sparse matrix of an island and its factors L D L^T, with one 3x3 block (x, y, angle) per body.
 #[derive(Debug, Default)]
 pub(super) struct BlockLdlt {
+    /// Graph and symbolic factorisation; islands of equal graphs share it.
+    graph: Arc<EliminationGraph>,
+    /// Blocks of the matrix and of its factors.
+    pub(super) blocks: FactorBlocks,
+}
+
+/// The graph of an island, and its symbolic factorisation.
+#[derive(Debug, Default)]
+struct EliminationGraph {
     /// Graph of the last symbolic factorisation: pairs of indices of bodies that constraints connect.
     edges: Vec<[u32; 2]>,
     /// Order in which the bodies are eliminated, and positions of all nonzero blocks of L.
     symbolic: SymbolicFactor,
+}
+
+/// The numeric part of a [`BlockLdlt`]. It is valid within one solution, so that all islands may use the same memory by turns:
+/// [`BlockLdlt::set_block_diagonal`] sets its size and its content.
+#[derive(Debug, Default)]
+pub(super) struct FactorBlocks {
     /// Blocks of the matrix on the diagonal, in the order of elimination. The matrix is kept beside its factors, because few of
     /// its blocks change between two Newton steps.
     matrix_diagonal: Vec<Mat3>,
@@ -39,15 +56,47 @@ pub(super) struct BlockLdlt {
     lower_times_diagonal: Vec<Mat3>,
     /// Blocks of the unit lower triangular matrix L below the diagonal, at the positions of those of L D.
     lower: Vec<Mat3>,
-    /// Scratch of [`factorise`](Self::factorise): for each row below the diagonal of the present column the index
+    /// Scratch of [`factorise`](BlockLdlt::factorise): for each row below the diagonal of the present column the index
     /// of its entry in the column.
     entries_of_rows: Vec<u32>,
-    /// Scratch of [`solve`](Self::solve): one vector per body, in the order of elimination.
+    /// Scratch of [`solve`](BlockLdlt::solve): one vector per body, in the order of elimination.
     solution: Vec<Vec3>,
 }
 
+reusing_clone! { BlockLdlt { graph, blocks } }
+
 reusing_clone! {
-    BlockLdlt { edges, symbolic, matrix_diagonal, matrix_lower, has_changed, inverse_diagonal, lower_times_diagonal, lower, entries_of_rows, solution }
+    FactorBlocks { matrix_diagonal, matrix_lower, has_changed, inverse_diagonal, lower_times_diagonal, lower, entries_of_rows, solution }
+}
+
+impl FactorBlocks {
+    /// Sets the size: numbers of bodies, of blocks of the matrix below the diagonal, and of blocks of L below the diagonal.
+    fn resize(&mut self, bodies: usize, matrix_blocks: usize, factor_blocks: usize) {
+        self.matrix_diagonal.resize(bodies, Mat3::default());
+        self.inverse_diagonal.resize(bodies, Mat3::default());
+        self.matrix_lower.resize(matrix_blocks, Mat3::default());
+        for of_entries in [&mut self.lower_times_diagonal, &mut self.lower] {
+            of_entries.resize(factor_blocks, Mat3::default());
+        }
+        self.has_changed.resize(bodies, true);
+        self.entries_of_rows.resize(bodies, 0);
+        self.solution.resize(bodies, [0.0; 3]);
+    }
+}
+
+impl EliminationGraph {
+    /// Returns whether the symbolic factorisation is that of the graph with `count` bodies and these `edges`.
+    fn is_of(&self, count: usize, edges: &[[u32; 2]]) -> bool {
+        self.symbolic.positions.len() == count && self.edges == edges
+    }
+
+    /// Makes the symbolic factorisation: see [`BlockLdlt::analyse`].
+    fn analyse(&mut self, count: usize, edges: &[[u32; 2]], max_products: usize) -> bool {
+        self.edges.clear();
+        self.edges.extend_from_slice(edges);
+        let products = |degree: usize| degree * degree.saturating_sub(1) / 2;
+        self.symbolic.analyse(count, edges, products, max_products)
+    }
 }
 
 impl BlockLdlt {
@@ -55,65 +104,66 @@ impl BlockLdlt {
     /// `max_products` products of blocks.
     ///
     /// `edges` are the pairs of bodies that constraints connect, as indices 0..`count`. Each pair occurs once, smaller index
-    /// first, in ascending order. A graph equal to that of the last call is not analysed again.
-    pub(super) fn analyse(&mut self, count: usize, edges: &[[u32; 2]], max_products: usize) -> bool {
-        if self.edges == edges && self.symbolic.positions.len() == count {
-            return self.symbolic.product_count <= max_products;
+    /// first, in ascending order. A graph equal to that of the last call, or to that of `similar`, is not analysed again.
+    pub(super) fn analyse(
+        &mut self,
+        count: usize,
+        edges: &[[u32; 2]],
+        max_products: usize,
+        similar: Option<&Self>,
+    ) -> bool {
+        if !self.graph.is_of(count, edges)
+            && let Some(similar) = similar.filter(|similar| similar.graph.is_of(count, edges))
+        {
+            self.graph = Arc::clone(&similar.graph);
         }
-        self.edges.clear();
-        self.edges.extend_from_slice(edges);
-        let products = |degree: usize| degree * degree.saturating_sub(1) / 2;
-        if !self.symbolic.analyse(count, edges, products, max_products) {
-            return false;
+        if self.graph.is_of(count, edges) {
+            return self.graph.symbolic.product_count <= max_products;
         }
-        self.matrix_diagonal.resize(count, Mat3::default());
-        self.inverse_diagonal.resize(count, Mat3::default());
-        self.matrix_lower.resize(edges.len(), Mat3::default());
-        for of_entries in [&mut self.lower_times_diagonal, &mut self.lower] {
-            of_entries.resize(self.symbolic.rows.len(), Mat3::default());
+        if Arc::get_mut(&mut self.graph).is_none() {
+            self.graph = Arc::default();
         }
-        self.has_changed.resize(count, true);
-        self.entries_of_rows.resize(count, 0);
-        self.solution.resize(count, [0.0; 3]);
-        true
+        Arc::get_mut(&mut self.graph).is_some_and(|graph| graph.analyse(count, edges, max_products))
     }
 
     /// Returns the numbers of bodies, of blocks below the diagonal, and of products of two blocks in one factorisation.
     pub(super) fn sizes(&self) -> [usize; 3] {
-        let SymbolicFactor { order, rows, product_count, .. } = &self.symbolic;
+        let SymbolicFactor { order, rows, product_count, .. } = &self.graph.symbolic;
         [order.len(), rows.len(), *product_count]
     }
 
     /// Returns the position of the off-diagonal block of bodies `a` and `b`, which an edge of the graph must connect. Bodies
     /// are indices into the members of the island.
     pub(super) fn block_index(&self, a: u32, b: u32) -> BlockIndex {
-        let (at, is_turned) = self.symbolic.matrix_entry_of(a, b);
+        let (at, is_turned) = self.graph.symbolic.matrix_entry_of(a, b);
         BlockIndex { index: at, is_transposed: is_turned }
     }
 
     /// Sets the matrix to the block diagonal mass matrix. `masses` yields, for each body of the island, its mass (mass units)
     /// and its moment of inertia (mass units * length units^2).
     pub(super) fn set_block_diagonal(&mut self, masses: impl Iterator<Item = [f64; 2]>) {
-        self.matrix_lower.fill(Mat3::default());
-        self.has_changed.fill(true);
-        for (&place, [mass, inertia]) in self.symbolic.positions.iter().zip(masses) {
-            self.matrix_diagonal[place as usize] = Mat3::from_diagonal([mass, mass, inertia]);
+        let EliminationGraph { edges, symbolic } = &*self.graph;
+        self.blocks.resize(symbolic.order.len(), edges.len(), symbolic.rows.len());
+        self.blocks.matrix_lower.fill(Mat3::default());
+        self.blocks.has_changed.fill(true);
+        for (&place, [mass, inertia]) in symbolic.positions.iter().zip(masses) {
+            self.blocks.matrix_diagonal[place as usize] = Mat3::from_diagonal([mass, mass, inertia]);
         }
     }
 
     /// Adds `block` to the diagonal block of `body`, an index into the members of the island.
     #[inline(always)]
     pub(super) fn add_diagonal_block(&mut self, body: u32, block: &Mat3) {
-        let place = self.symbolic.positions[body as usize] as usize;
-        self.matrix_diagonal[place].add(block);
-        self.has_changed[place] = true;
+        let place = self.graph.symbolic.positions[body as usize] as usize;
+        self.blocks.matrix_diagonal[place].add(block);
+        self.blocks.has_changed[place] = true;
     }
 
     /// Adds `block`, a matrix with rows of B and columns of A, to the off-diagonal block of these bodies at `index`. Call
     /// [`add_diagonal_block`](Self::add_diagonal_block) for both bodies first: it marks their columns as changed.
     #[inline(always)]
     pub(super) fn add_off_diagonal_block(&mut self, index: BlockIndex, block: &Mat3) {
-        let sum = &mut self.matrix_lower[index.index as usize];
+        let sum = &mut self.blocks.matrix_lower[index.index as usize];
         sum.add(&if index.is_transposed { block.transposed() } else { *block });
     }
 
@@ -124,22 +174,22 @@ impl BlockLdlt {
     /// other rows below the diagonal are ancestors as well. The result is bit for bit that of a full factorisation.
     pub(super) fn factorise(&mut self) {
         self.mark_ancestors();
-        for place in 0..self.symbolic.order.len() {
-            if std::mem::take(&mut self.has_changed[place]) {
+        for place in 0..self.graph.symbolic.order.len() {
+            if std::mem::take(&mut self.blocks.has_changed[place]) {
                 let mut diagonal = self.load_column(place);
                 self.subtract_products(place, &mut diagonal);
-                self.inverse_diagonal[place] = diagonal.inverse_symmetric();
+                self.blocks.inverse_diagonal[place] = diagonal.inverse_symmetric();
             }
         }
     }
 
     /// Marks the ancestors of changed columns in `has_changed`.
     fn mark_ancestors(&mut self) {
-        for place in 0..self.symbolic.order.len() {
-            if self.has_changed[place]
-                && let Some(&parent) = self.symbolic.rows[self.symbolic.column(place)].first()
+        for place in 0..self.graph.symbolic.order.len() {
+            if self.blocks.has_changed[place]
+                && let Some(&parent) = self.graph.symbolic.rows[self.graph.symbolic.column(place)].first()
             {
-                self.has_changed[parent as usize] = true;
+                self.blocks.has_changed[parent as usize] = true;
             }
         }
     }
@@ -147,25 +197,28 @@ impl BlockLdlt {
     /// Copies the blocks of a column from the matrix to the factors, and lists its entries by row in `entries_of_rows`. Returns
     /// the block on the diagonal.
     fn load_column(&mut self, place: usize) -> Mat3 {
-        let BlockLdlt { symbolic, lower_times_diagonal, entries_of_rows, .. } = self;
+        let FactorBlocks { lower_times_diagonal, entries_of_rows, matrix_lower, .. } = &mut self.blocks;
+        let symbolic = &self.graph.symbolic;
         let (column, matrix_column) = (symbolic.column(place), symbolic.matrix_column(place));
         if matrix_column.len() < column.len() {
             lower_times_diagonal[column.clone()].fill(Mat3::default());
         }
         let entries = &symbolic.matrix_entries[matrix_column.clone()];
-        for (&entry, block) in entries.iter().zip(&self.matrix_lower[matrix_column]) {
+        for (&entry, block) in entries.iter().zip(&matrix_lower[matrix_column]) {
             lower_times_diagonal[entry as usize] = *block;
         }
         for (entry, &row) in symbolic.rows[column].iter().enumerate() {
             entries_of_rows[row as usize] = entry as u32;
         }
-        self.matrix_diagonal[place]
+        self.blocks.matrix_diagonal[place]
     }
 
     /// Subtracts from the column at `place` the products of all earlier columns with an entry in its row, and computes these
     /// entries of L. `diagonal` is the block of the column on the diagonal.
     fn subtract_products(&mut self, place: usize, diagonal: &mut Mat3) {
-        let BlockLdlt { symbolic, inverse_diagonal, lower_times_diagonal, lower, entries_of_rows, .. } = self;
+        let FactorBlocks { inverse_diagonal, lower_times_diagonal, lower, entries_of_rows, .. } =
+            &mut self.blocks;
+        let symbolic = &self.graph.symbolic;
         let column = symbolic.column(place);
         // The blocks of earlier columns come before those of the column.
         let (earlier, of_column) = lower_times_diagonal.split_at_mut(column.start);
@@ -192,7 +245,8 @@ impl BlockLdlt {
     /// Solves the system in place. `x` holds the right-hand side, one vector per body of the island, and then the solution. The
     /// steps are forward substitution with L, multiplication by the inverse of D, and back substitution.
     pub(super) fn solve(&mut self, x: &mut [Vec3]) {
-        let BlockLdlt { symbolic, inverse_diagonal, lower, solution, .. } = self;
+        let FactorBlocks { inverse_diagonal, lower, solution, .. } = &mut self.blocks;
+        let symbolic = &self.graph.symbolic;
         for (value, &body) in solution.iter_mut().zip(&symbolic.order) {
             *value = x[body as usize];
         }
@@ -275,7 +329,7 @@ mod tests {
     fn solution_satisfies_the_system_on_a_graph_with_cycles() {
         let edges = [[0, 1], [0, 4], [1, 2], [1, 3], [2, 3], [3, 4], [4, 5]];
         let mut factor = BlockLdlt::default();
-        assert!(factor.analyse(6, &edges, 100));
+        assert!(factor.analyse(6, &edges, 100, None));
         factor.set_block_diagonal((0..6).map(|_| [1.0, 1.0]));
         edges.iter().for_each(|&edge| add_spring(&mut factor, edge, 1e3));
         factor.factorise();
@@ -300,7 +354,7 @@ mod tests {
         edges.sort_unstable();
         let made = || {
             let mut factor = BlockLdlt::default();
-            assert!(factor.analyse(16, &edges, 1000));
+            assert!(factor.analyse(16, &edges, 1000, None));
             factor.set_block_diagonal((0..16).map(|_| [1.0, 1.0]));
             edges.iter().for_each(|&edge| add_spring(&mut factor, edge, 1e3));
             factor
@@ -312,7 +366,7 @@ mod tests {
                 add_spring(factor, edge, 77.0);
                 factor.factorise();
             }
-            assert!(in_parts.has_changed.iter().all(|changed| !changed));
+            assert!(in_parts.blocks.has_changed.iter().all(|changed| !changed));
             let bits = |mut factor: BlockLdlt| {
                 let mut x: Vec<Vec3> = (0..16).map(|i| [f64::from(i), 1.0, 0.5]).collect();
                 factor.solve(&mut x);
@@ -325,9 +379,9 @@ mod tests {
     #[test]
     fn path_has_no_fill_in_and_dense_graph_is_refused_above_the_product_limit() {
         let path: Vec<[u32; 2]> = (0..99).map(|i| [i, i + 1]).collect();
-        assert!(BlockLdlt::default().analyse(100, &path, 0));
+        assert!(BlockLdlt::default().analyse(100, &path, 0, None));
         let all: Vec<[u32; 2]> = (0..10).flat_map(|a| (a + 1..10).map(move |b| [a, b])).collect();
-        assert!(!BlockLdlt::default().analyse(10, &all, 100));
-        assert!(BlockLdlt::default().analyse(10, &all, 120));
+        assert!(!BlockLdlt::default().analyse(10, &all, 100, None));
+        assert!(BlockLdlt::default().analyse(10, &all, 120, None));
     }
 }

@@ -102,7 +102,8 @@ impl DirectSolver {
             if islands.len() == *count {
                 islands.push(DirectIsland::default());
             }
-            let (island, stats) = (&mut islands[*count], &mut census.stats[members[0].0 as usize]);
+            let (earlier, island) = islands.split_at_mut(*count);
+            let (island, stats) = (&mut island[0], &mut census.stats[members[0].0 as usize]);
             island.begin(members);
             island.is_on_trial = selects && stats.is_on_trial(timer.choice);
             list_contact_edges(members, pairs, proxies, edges, sort_keys);
@@ -112,7 +113,8 @@ impl DirectSolver {
                 max_products = JOINTED_FACTOR_PRODUCTS_PER_BODY;
             }
             let mut merged = merged_history(members, history);
-            if island.system.factor.analyse(members.len(), edges, max_products * members.len()) {
+            let similar = earlier.last().map(|island| &island.system.factor);
+            if island.system.factor.analyse(members.len(), edges, max_products * members.len(), similar) {
                 stats.island_index = Some(*count as u32);
                 *count += 1;
             } else {

@@ -19,7 +19,7 @@
 //! like solution methods" (1991), for Newton's method on them. K. Erleben, "Rigid body contact problems using proximal
 //! operators" (2017), for the proximal view.
 
-use super::block_ldlt::BlockLdlt;
+use super::block_ldlt::{BlockLdlt, FactorBlocks};
 use super::constraint::{BodyIndices, Constraint, FIXED, Jacobian};
 use super::constraint_list::{
     add_constraint_impulses, add_derivatives, add_impulse_changes, add_velocity_changes,
@@ -94,9 +94,32 @@ pub(super) struct IslandSystem {
     pub(super) direction: Vec<Vec3>,
 }
 
+/// Rows and blocks of an island during its solution. They are valid within one update, so that all islands use the same memory by
+/// turns: see [`IslandSystem::swap_scratch`].
+#[derive(Debug, Default)]
+pub(super) struct SolutionScratch {
+    contacts: Vec<ContactRows>,
+    joints: Vec<JointRows>,
+    lateral_frictions: Vec<LateralFriction>,
+    blocks: FactorBlocks,
+    negative_gradient: Vec<Vec3>,
+}
+
+reusing_clone! { SolutionScratch { contacts, joints, lateral_frictions, blocks, negative_gradient } }
+
 reusing_clone! { IslandSystem { members, contacts, joints, lateral_frictions, factor, is_factored, compliance, negative_gradient, direction } }
 
 impl IslandSystem {
+    /// Exchanges the memory of the rows and blocks with `scratch`: before a solution, and again after it.
+    pub(super) fn swap_scratch(&mut self, scratch: &mut SolutionScratch) {
+        std::mem::swap(&mut self.contacts, &mut scratch.contacts);
+        std::mem::swap(&mut self.joints, &mut scratch.joints);
+        std::mem::swap(&mut self.lateral_frictions, &mut scratch.lateral_frictions);
+        std::mem::swap(&mut self.factor.blocks, &mut scratch.blocks);
+        std::mem::swap(&mut self.negative_gradient, &mut scratch.negative_gradient);
+        self.is_factored = false;
+    }
+
     /// Starts a sum of impulses for each member of the island: sets all sums to 0.
     pub(super) fn begin_impulse_sum(&mut self) {
         self.direction.clear();

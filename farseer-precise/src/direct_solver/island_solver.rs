@@ -43,20 +43,12 @@ impl DirectSolver {
         let seconds = [solver.step.dt, solver.step.h];
         let has_changed = solver.constraints.take_direct_change()
             | (std::mem::replace(&mut self.step_lengths, seconds) != seconds);
-        let DirectSolver { islands, count, history, timer, .. } = self;
+        let DirectSolver { islands, count, history, timer, scratch, .. } = self;
         for island in &mut islands[..*count] {
             island.has_impulse_sum &= !has_changed;
-            if std::mem::take(&mut island.is_on_trial) {
-                if !solver.stands_by_friction(island) {
-                    (island.is_released, island.newton_steps) = (true, 0);
-                    continue;
-                }
-                let members = &island.system.members;
-                members.iter().for_each(|member| history[member.index()].friction_checks = 0);
-            }
-            let stats = solver.solve_island(island, history[island.system.members[0].index()]);
-            record_stats(history, timer, island, stats, solver.has_depth);
-            island.newton_steps = stats.newton_steps;
+            island.system.swap_scratch(scratch);
+            solver.try_and_solve(island, history, timer);
+            island.system.swap_scratch(scratch);
         }
         self.release_unsolved()
     }
@@ -78,6 +70,27 @@ impl DirectSolver {
 }
 
 impl IslandSolver<'_> {
+    /// Solves one island and stores the result in the histories of its members, or releases it if it is on trial and needs no
+    /// friction. `history` is indexed by body.
+    fn try_and_solve(
+        &mut self,
+        island: &mut DirectIsland,
+        history: &mut [IslandHistory],
+        timer: &mut ReselectionTimer,
+    ) {
+        if std::mem::take(&mut island.is_on_trial) {
+            if !self.stands_by_friction(island) {
+                (island.is_released, island.newton_steps) = (true, 0);
+                return;
+            }
+            let members = &island.system.members;
+            members.iter().for_each(|member| history[member.index()].friction_checks = 0);
+        }
+        let stats = self.solve_island(island, history[island.system.members[0].index()]);
+        record_stats(history, timer, island, stats, self.has_depth);
+        island.newton_steps = stats.newton_steps;
+    }
+
     /// Returns the length unit, in the user's unit of length, > 0.
     pub(super) fn length_unit(&self) -> f64 {
         f64::from(self.parameters.length_unit)

@@ -51,6 +51,7 @@ use crate::reusing_clone;
 use crate::solver_choice::SolverChoice;
 pub use island_history::{IslandHistory, ReselectionTimer};
 use island_io::DirectIsland;
+use island_newton::SolutionScratch;
 use island_stats::IslandCensus;
 
 /// The direct solver of a simulator: its islands, the histories of all islands, and the scratch space of solver selection.
@@ -64,6 +65,8 @@ pub struct DirectSolver {
     is_listed: bool,
     /// Islands of the direct solver. The first `count` are in use; the others keep their memory.
     islands: Vec<DirectIsland>,
+    /// Memory of the rows and blocks of the island that is being solved.
+    scratch: SolutionScratch,
     /// Number of islands in use, a count of the first elements of `islands`.
     count: usize,
     /// Lengths of the last step and of one of its substeps, in seconds. A change makes the stored sums of impulses invalid.
@@ -83,7 +86,7 @@ pub struct DirectSolver {
 }
 
 reusing_clone! {
-    DirectSolver { history, timer, is_listed, islands, count, step_lengths, census, keyed_items, edges, jointed_bodies, sort_keys }
+    DirectSolver { history, timer, is_listed, islands, scratch, count, step_lengths, census, keyed_items, edges, jointed_bodies, sort_keys }
 }
 
 impl DirectSolver {
