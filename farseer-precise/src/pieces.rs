@@ -66,8 +66,14 @@ pub fn pieces_of_outline(corners: Vec<Vector>) -> Arc<[Piece]> {
 fn polygon_or_point(corners: Vec<Vector>) -> Piece {
     match corners[..] {
         [centre] => Piece::Circle { centre, radius: 0.0 },
-        _ => Piece::Polygon(corners),
+        _ => Piece::Polygon(without_spare_capacity(corners)),
     }
+}
+
+/// Returns `corners` without the memory of removed ones.
+fn without_spare_capacity(mut corners: Vec<Vector>) -> Vec<Vector> {
+    corners.shrink_to_fit();
+    corners
 }
 
 fn part_with_adjacency(part: &[usize], outline: &[Vector]) -> Piece {

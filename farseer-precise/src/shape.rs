@@ -107,12 +107,6 @@ impl VertexPool {
         self.adjacency.clear();
     }
 
-    /// Reserves memory for `count` further vertices.
-    pub(crate) fn reserve(&mut self, count: usize) {
-        self.vertices.reserve(count);
-        self.normals.reserve(count);
-    }
-
     /// Returns a shape with slices of its vertices and normals.
     pub fn shape_ref(&self, shape: Shape) -> ShapeRef<'_> {
         let range = shape.vertex_start as usize..(shape.vertex_start + shape.vertex_count) as usize;

@@ -183,6 +183,7 @@ impl Solver {
     fn move_constraints(&mut self, learning: &LoadAdaptation) {
         let Solver { direct_solver, pairs, proxies, constraints, impulse_substep, .. } = self;
         direct_solver.move_constraints(pairs, proxies, constraints, learning, *impulse_substep);
+        constraints.release_memory();
     }
 
     /// Solves all islands of the direct solver. The contact constraints of islands without an acceptable solution move to the

@@ -6,7 +6,7 @@ pub(crate) mod filter;
 pub(crate) mod grid_cache;
 pub(crate) mod outline;
 #[cfg(feature = "precise")]
-mod pieces;
+pub(crate) mod pieces;
 #[cfg(feature = "precise")]
 pub(crate) mod sensor_pairs;
 pub(crate) mod view;

@@ -11,6 +11,8 @@ use crate::geom::entry::GeomEntry;
 use farseer_precise::edge_adjacency::edges_of_chain;
 use farseer_precise::pieces::{Piece, pieces_of_outline};
 
+/// Number of outlines that [`RecentOutlines`] remembers, a count.
+const RECENT_OUTLINES: usize = 4;
 /// Minimum number of corners with which a circle of the circle factory is a true circle.
 const MIN_CIRCLE_CORNERS: usize = 8;
 
@@ -34,4 +36,40 @@ fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
         Outline::Chain { is_closed } => edges_of_chain(&geom.local_vertices, is_closed).collect(),
         _ => pieces_of_outline(geom.local_vertices.iter().map(|v| [v.x, v.y]).collect()),
     }
+}
+
+/// The geoms with the last few different outlines. A geom with the outline of one of them shares its convex pieces, so that a world of
+/// many equal crates has one list of pieces, cut once.
+#[derive(Default)]
+pub(crate) struct RecentOutlines<'a> {
+    geoms: [Option<&'a GeomEntry>; RECENT_OUTLINES],
+    /// Index into `geoms` of the oldest outline.
+    oldest: usize,
+}
+
+impl<'a> RecentOutlines<'a> {
+    /// Gives `geom` the convex pieces of a recent geom with the same outline, if it has none yet; else remembers it.
+    pub(crate) fn share_pieces(&mut self, geom: &'a GeomEntry) {
+        if geom.pieces.get().is_some() {
+            return;
+        }
+        match self.geoms.iter().flatten().find(|recent| has_outline_of(recent, geom)) {
+            Some(recent) => {
+                geom.pieces.get_or_init(|| Arc::clone(recent.pieces()));
+            }
+            None => {
+                self.geoms[self.oldest] = Some(geom);
+                self.oldest = (self.oldest + 1) % RECENT_OUTLINES;
+            }
+        }
+    }
+}
+
+/// Returns whether two geoms have the same outline, bit by bit, so that their convex pieces are equal.
+fn has_outline_of(one: &GeomEntry, other: &GeomEntry) -> bool {
+    let corners = |geom: &'_ GeomEntry| geom.local_vertices.len();
+    let mut both = one.local_vertices.iter().zip(other.local_vertices.iter());
+    one.outline == other.outline
+        && corners(one) == corners(other)
+        && both.all(|(a, b)| [a.x.to_bits(), a.y.to_bits()] == [b.x.to_bits(), b.y.to_bits()])
 }

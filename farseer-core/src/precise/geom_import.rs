@@ -3,6 +3,7 @@
 use super::ids::{IdTable, owner_of};
 use crate::body::{Body, BodyId};
 use crate::geom::entry::GeomEntry;
+use crate::geom::pieces::RecentOutlines;
 use crate::geom::{Geom, GeomId};
 use crate::objects::Objects;
 use farseer_precise::bodies::BodySet;
@@ -15,6 +16,9 @@ use farseer_precise::math::plane::Vector;
 use farseer_precise::pieces::Piece;
 use farseer_precise::shape::Shape;
 
+/// Number of shapes that [`RecentShapes`] remembers, a count.
+const RECENT_SHAPES: usize = 4;
+
 /// Parts from which the proxies of geoms follow, and the lists that get them.
 pub(super) struct ProxyImport<'a> {
     pub(super) ids: &'a mut IdTable,
@@ -24,17 +28,54 @@ pub(super) struct ProxyImport<'a> {
     /// Whether any geom has a restitution coefficient above 0.
     pub(super) has_restitution: &'a mut bool,
     pub(super) objects: &'a Objects,
+    pub(super) recent_shapes: RecentShapes<'a>,
 }
 
-impl ProxyImport<'_> {
+/// The last few different shapes that the vertex pool got in two axes. Equal pieces at equal places on their bodies share one shape.
+#[derive(Default)]
+pub(super) struct RecentShapes<'a> {
+    shapes: [Option<RecentShape<'a>>; RECENT_SHAPES],
+    /// Index into `shapes` of the oldest one.
+    oldest: usize,
+}
+
+/// A shape of the vertex pool, with the piece that it was made of.
+#[derive(Clone, Copy)]
+struct RecentShape<'a> {
+    /// The piece; pieces of equal geoms are at the same address.
+    piece: &'a Piece,
+    /// Offset (x, y, length units) and rotation (radians) of the geom on its body, as bits.
+    placement: [u32; 3],
+    shape: Shape,
+    fingerprint: u64,
+}
+
+impl<'a> RecentShapes<'a> {
+    /// Returns the shape of a piece at a place on its body, with its fingerprint; `None` if it is none of the recent ones.
+    fn find(&self, piece: &'a Piece, placement: [u32; 3]) -> Option<(Shape, u64)> {
+        let is_it =
+            |recent: &&RecentShape<'_>| std::ptr::eq(recent.piece, piece) && recent.placement == placement;
+        self.shapes.iter().flatten().find(is_it).map(|recent| (recent.shape, recent.fingerprint))
+    }
+
+    /// Remembers a shape in place of the oldest one.
+    fn add(&mut self, piece: &'a Piece, placement: [u32; 3], (shape, fingerprint): (Shape, u64)) {
+        self.shapes[self.oldest] = Some(RecentShape { piece, placement, shape, fingerprint });
+        self.oldest = (self.oldest + 1) % RECENT_SHAPES;
+    }
+}
+
+impl<'a> ProxyImport<'a> {
     /// Appends the proxies of all geoms for whose body index `is_wanted` returns true.
     pub(super) fn push_all(&mut self, is_wanted: impl Fn(usize) -> bool) {
         let objects = self.objects;
+        let mut recent_outlines = RecentOutlines::default();
         for at in 0..objects.geoms.list().len() {
             let Some((id, geom)) = objects.geoms.at(at) else { continue };
             if !self.ids.body_index(geom.body).is_some_and(&is_wanted) {
                 continue;
             }
+            recent_outlines.share_pieces(geom);
             self.ids.add_geom(id, self.proxies.all.len());
             for piece in 0..geom.pieces().len() {
                 if let Some(proxy) = self.proxy(id, piece) {
@@ -69,7 +110,7 @@ impl ProxyImport<'_> {
         };
         let [friction, restitution] = surface_coefficients(&geom.geom);
         *self.has_restitution |= restitution > 0.0;
-        let shape = self.add_shape(id, geom, piece);
+        let (shape, fingerprint) = self.add_shape(id, geom, piece);
         let surface_velocity = match body_type {
             BodyType::Fixed => surface_velocity(&self.objects.bodies[geom.body].body, geom.body, self.depth),
             _ => [0.0; 4],
@@ -83,7 +124,7 @@ impl ProxyImport<'_> {
             body: body as u32,
             body_type,
             shape,
-            fingerprint: self.fingerprint_of(id, shape),
+            fingerprint,
             friction,
             restitution,
             responds: geom.geom.collision_response_enabled(),
@@ -94,10 +135,16 @@ impl ProxyImport<'_> {
         })
     }
 
-    /// Adds the shape of a convex piece, in the frame of its body, to the vertex pool. Returns the shape.
-    fn add_shape(&mut self, id: GeomId, geom: &GeomEntry, piece: usize) -> Shape {
+    /// Adds the shape of a convex piece, in the frame of its body, to the vertex pool, or finds it there. Returns the shape and its
+    /// fingerprint.
+    fn add_shape(&mut self, id: GeomId, geom: &'a GeomEntry, piece: usize) -> (Shape, u64) {
         let placement = ([geom.offset.x, geom.offset.y], geom.rotation_offset);
-        match self.depth.map(|space| space.shape(id.slot())) {
+        let piece = &geom.pieces()[piece];
+        let bits = [geom.offset.x, geom.offset.y, geom.rotation_offset].map(f32::to_bits);
+        if let Some(known) = self.recent_shapes.find(piece, bits) {
+            return known;
+        }
+        let shape = match self.depth.map(|space| space.shape(id.slot())) {
             Some(DepthShape { vertical: Some(upright), .. }) => {
                 let ([x, y], half) = upright.front_box();
                 self.proxies.vertices.add_box_at([geom.offset.x + x, geom.offset.y + y], half)
@@ -106,8 +153,13 @@ impl ProxyImport<'_> {
                 let circle = Piece::Circle { centre: [0.0; 2], radius: half_depth };
                 self.proxies.vertices.add(&circle, placement)
             }
-            _ => self.proxies.vertices.add(&geom.pieces()[piece], placement),
+            _ => self.proxies.vertices.add(piece, placement),
+        };
+        let made = (shape, self.fingerprint_of(id, shape));
+        if self.depth.is_none() {
+            self.recent_shapes.add(piece, bits, made);
         }
+        made
     }
 
     /// Returns the [fingerprint](farseer_precise::fingerprint) of a listed `shape` of a geom, with its depth shape in three axes.

@@ -10,7 +10,9 @@ use super::body_import::{
     gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
 };
 use super::depth_contact::is_geom;
-use super::geom_import::{ProxyImport, one_way_direction, surface_coefficients, surface_velocity};
+use super::geom_import::{
+    ProxyImport, RecentShapes, one_way_direction, surface_coefficients, surface_velocity,
+};
 use super::ids::piece_at;
 use super::listed::{Listed, is_simulated};
 use super::saved::{EditPolicy, Saved};
@@ -355,6 +357,7 @@ impl Precise {
             depth: self.solver.depth.as_ref().map(FeatureGate::by_ref),
             has_restitution: &mut self.solver.has_restitution,
             objects,
+            recent_shapes: RecentShapes::default(),
         }
     }
 

@@ -12,6 +12,9 @@ pub use islands::{AwakeReason, Island};
 pub use step_times::StepTimes;
 pub(crate) use step_times::{Clock, Stopwatch};
 
+/// Number of events for which the list keeps its memory in any case, a count: 256 KiB.
+const MAX_SPARE_EVENTS: usize = 8192;
+
 /// Counters of the work of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct StepCounters {
@@ -52,8 +55,15 @@ reusing_clone! { Report { events, counters, step_times, pending_buffer } }
 
 impl Report {
     /// Clears the report at the beginning of an update.
+    ///
+    /// A list of very many events, such as those of the first update of a large world, gives its memory back after an update that
+    /// needed little of it.
     pub(crate) fn clear(&mut self) {
+        let needed = self.events.len();
         self.events.clear();
+        if self.events.capacity() > MAX_SPARE_EVENTS.max(8 * needed) {
+            self.events.shrink_to(2 * needed);
+        }
         self.counters = StepCounters::default();
     }
 

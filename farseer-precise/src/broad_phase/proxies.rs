@@ -201,7 +201,7 @@ impl Proxies {
         self.refitted.clear();
     }
 
-    /// Reserves memory for `count` proxies, and for the vertices of as many boxes, in lists without proxies.
+    /// Reserves memory for `count` proxies in lists without proxies.
     pub fn reserve_lists(&mut self, count: usize) {
         // Up to 3 further positions make the number of positions a multiple of 4.
         let capacity = count + spare_capacity(count) + 3;
@@ -210,7 +210,6 @@ impl Proxies {
         self.box_bodies.reserve(capacity);
         self.fat_aabbs.reserve(capacity);
         self.travel.reserve(capacity);
-        self.vertices.reserve(4 * count);
     }
 
     /// Appends the spare positions. It is called after the proxies of all non-static bodies were pushed. `count`: number of geoms,

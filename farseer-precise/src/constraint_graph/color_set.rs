@@ -12,6 +12,9 @@ pub const COLOR_COUNT: usize = 32;
 /// Index of the overflow colour: constraints for which no other colour is free (Box2D 3: `B2_OVERFLOW_INDEX`).
 pub(super) const OVERFLOW_COLOR: u32 = COLOR_COUNT as u32 - 1;
 
+/// Number of blocks for which a colour keeps its memory in any case, a count: about 64 KiB.
+const MAX_SPARE_BLOCKS: usize = 128;
+
 /// Returns the index of the lowest colour of the mask `colors`; the overflow colour if the mask is empty.
 pub(super) fn lowest_color(colors: u32) -> u32 {
     colors.trailing_zeros().min(OVERFLOW_COLOR)
@@ -128,6 +131,15 @@ impl<R: SimdSlot> ColorSet<R> {
         for colour in iter_colors(self.used_colors) {
             for block in &mut self.blocks[colour] {
                 act(block);
+            }
+        }
+    }
+
+    /// Gives back the memory of colours that hold less than a quarter of the blocks for which they have memory.
+    pub(super) fn release_memory(&mut self) {
+        for blocks in &mut self.blocks {
+            if blocks.capacity() > MAX_SPARE_BLOCKS.max(4 * blocks.len()) {
+                blocks.shrink_to(2 * blocks.len());
             }
         }
     }

@@ -112,6 +112,14 @@ macro_rules! of_kind {
 }
 
 impl ConstraintGraph {
+    /// Gives back memory that the colours no longer need, because many constraints have moved to the direct solver.
+    pub(crate) fn release_memory(&mut self) {
+        self.two_points.release_memory();
+        self.one_point.release_memory();
+        self.two_points_static.release_memory();
+        self.one_point_static.release_memory();
+    }
+
     pub(crate) fn clear(&mut self) {
         self.two_points.clear();
         self.one_point.clear();
