@@ -275,14 +275,16 @@ impl BodySet {
         self.gravity_scales.push(0.0);
     }
 
-    /// Adds a dynamic or kinematic body in the spare capacity. Returns its index; `None` if there is no capacity left.
-    pub fn add_movable(&mut self, body: &ListedBody) -> Option<usize> {
-        let index = self.last_movable + 1;
+    /// Adds a dynamic or kinematic body at the empty index `place`, or in the spare capacity if that is `None`. Returns its index;
+    /// `None` if there is no capacity left.
+    pub fn add_movable(&mut self, body: &ListedBody, place: Option<usize>) -> Option<usize> {
+        let index = place.unwrap_or(self.last_movable + 1);
         if index >= self.first_static() {
             return None;
         }
         if body.is_kinematic {
-            self.kinematic.push(index as u32);
+            let before = self.kinematic.partition_point(|&other| other < index as u32);
+            self.kinematic.insert(before, index as u32);
         }
         self.has_body[index] = true;
         self.set_pose(index, (body.pose, body.rotation));
@@ -290,7 +292,7 @@ impl BodySet {
         self.gravity_scales[index] = body.gravity_scale;
         self.are_bullets[index] = body.is_bullet;
         self.set_velocity(index, body.velocity);
-        (self.last_movable, self.movable_count) = (index, self.movable_count + 1);
+        (self.last_movable, self.movable_count) = (self.last_movable.max(index), self.movable_count + 1);
         Some(index)
     }
 

@@ -138,8 +138,11 @@ impl Objects {
 
     /// Moves added objects into their lists. Returns the geoms among them.
     pub(crate) fn process_added(&mut self, mut report: impl FnMut(ObjectId)) -> Vec<GeomId> {
-        self.has_new_structure |= self.geoms.renumber_if_exhausted();
-        self.bodies.renumber_if_exhausted();
+        let are_renumbered = [self.geoms.renumber_if_exhausted(), self.bodies.renumber_if_exhausted()];
+        self.has_new_structure |= are_renumbered.contains(&true);
+        self.controllers.renumber_if_exhausted();
+        self.joints.renumber_if_exhausted();
+        self.springs.renumber_if_exhausted();
         let entered = self.geoms.process_added();
         for &geom in &entered {
             self.geoms[geom].in_simulation = true;

@@ -1,7 +1,7 @@
 //! Adapter: addition and removal of bodies and geoms without a rebuild of all lists.
 //!
 //! New bodies and proxies are appended; removed ones leave an empty position. A body that becomes static or movable, enabled or
-//! disabled, is removed and added. The state is bit-identical to that after a
+//! disabled, is removed and added, at its former place if it returns there. The state is bit-identical to that after a
 //! [rebuild](Precise::rebuild). The cost is proportional to the number of changes, but for joints, which are imported anew, and
 //! geoms that every query tests. With one-way geoms everything is rebuilt,
 //! because their pair states depend on all bodies and geoms. The module reads the lists of the simulator and writes bodies,
@@ -11,13 +11,14 @@ use super::Precise;
 use super::body_import::listed_body;
 use super::ids::{IdTable, geom_of};
 use super::listed::Listed;
+use super::vacancies::fits_between;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::{NewMembers, Objects};
 use crate::precise::ids::AlwaysTested;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
 use crate::storage::order::sort_by_number;
-use farseer_precise::bodies::spare_capacity;
+use farseer_precise::bodies::{BodySet, spare_capacity};
 use farseer_precise::broad_phase::hash_grid::HashGrid;
 use farseer_precise::broad_phase::proxies::Proxies;
 use farseer_precise::island::sleep::SleepState;
@@ -32,8 +33,12 @@ struct MembershipDiff {
     removed_proxies: Vec<u32>,
     /// Ids of new dynamic and kinematic bodies, in the order of the simulator's list.
     added_bodies: Vec<BodyId>,
+    /// For each of `added_bodies` the index to which it returns; `None` if it is appended.
+    body_places: Vec<Option<usize>>,
     /// Ids of new geoms, in the order of the simulator's list.
     added_geoms: Vec<GeomId>,
+    /// For each of `added_geoms` the index of its first proxy if it returns there; `None` if its proxies are appended.
+    geom_places: Vec<Option<usize>>,
     /// Ids of the bodies that have changed their type, in the order of their slots: static, movable or disabled.
     retyped_bodies: Vec<BodyId>,
     /// Ids of new disabled bodies.
@@ -55,12 +60,16 @@ impl Precise {
         // As a rebuild does: a handler may have caused the import in the middle of an update, and only one of two worlds with
         // equal snapshots may have the capacity to do without a rebuild.
         self.solver.rolling_contacts.clear();
-        self.remove_members(&members);
-        for &id in &members.added_bodies {
-            self.add_body(id, objects);
+        let rest_times = members.kept_rest_times(&self.ids, &self.solver.bodies, &self.solver.sleep);
+        self.remove_members(&members, objects);
+        for (&id, &place) in members.added_bodies.iter().zip(&members.body_places) {
+            self.add_body(id, place, objects);
         }
-        for &id in &members.added_geoms {
-            self.add_geom(id, objects);
+        for (index, rest_time) in rest_times {
+            self.solver.sleep.rest_time[index] = rest_time;
+        }
+        for (&id, &place) in members.added_geoms.iter().zip(&members.geom_places) {
+            self.add_geom(id, place, objects);
         }
         for &id in &members.added_bodies {
             if let Some(index) = self.body_index(id) {
@@ -87,30 +96,23 @@ impl Precise {
         true
     }
 
-    /// Removes the proxies of removed geoms with their pairs and constraints, and the removed bodies.
-    fn remove_members(&mut self, diff: &MembershipDiff) {
+    /// Removes the proxies of removed geoms with their pairs and constraints, and the removed bodies. Bodies and geoms that stay in
+    /// the simulator's lists may return to their places.
+    fn remove_members(&mut self, diff: &MembershipDiff, objects: &Objects) {
         let MembershipDiff { removed_bodies, removed_proxies, .. } = diff;
         // A removed body wakes nothing later.
         removed_bodies.iter().for_each(|&number| self.solver.sleep.remove_body(number));
         let pairs = removed_proxies.iter().flat_map(|&proxy| self.solver.pairs.pairs_of(proxy));
-        let mut pairs: Vec<usize> = pairs.collect();
-        // Descending order keeps the remaining indices valid.
-        pairs.sort_unstable();
-        pairs.dedup();
-        for pair in pairs.into_iter().rev() {
-            if self.solver.pairs.all[pair].constraint.is_some() {
-                self.solver
-                    .sleep
-                    .support_of_pair_removed(self.solver.pairs.bodies_of(&self.solver.proxies, pair));
-            }
-            self.solver.narrow_phase().end_touch_event(pair);
-            self.solver.narrow_phase().delete_pair(pair);
-        }
+        let pairs = pairs.collect();
+        self.solver.narrow_phase().remove_pairs(pairs);
         self.solver.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
         // The list of a body begins with its newest proxy, so that descending order finds each at the head.
         for &proxy in removed_proxies.iter().rev() {
             let removed = &self.solver.proxies.all[proxy as usize];
-            let (geom, body) = (geom_of(removed), removed.body as usize);
+            let (geom, body, key) = (geom_of(removed), removed.body as usize, removed.list_key);
+            if body < self.solver.bodies.first_static() && is_geom_listed(objects, geom) {
+                self.ids.vacant_proxies.leave(proxy as usize, (geom, geom.slot()), key);
+            }
             self.solver.grid.remove(proxy);
             self.solver.proxies.remove(proxy);
             self.ids.remove_geom(geom);
@@ -121,7 +123,12 @@ impl Precise {
                 self.remove_body(body);
             }
         }
-        removed_bodies.iter().for_each(|&number| self.remove_body(number));
+        for &index in removed_bodies {
+            if let Some(id) = self.ids.bodies[index].filter(|&id| is_body_listed(objects, id)) {
+                self.ids.vacant_bodies.leave(index, (id, id.slot()), objects.bodies.list_key(id));
+            }
+            self.remove_body(index);
+        }
     }
 
     /// Removes the body at `index` from `bodies`, the direct solver and the graph colours.
@@ -134,10 +141,10 @@ impl Precise {
         self.solver.bodies.remove(index);
     }
 
-    /// Appends a dynamic or kinematic body to `bodies`, the graph colours and the sleep state.
-    fn add_body(&mut self, id: BodyId, objects: &Objects) {
+    /// Adds a dynamic or kinematic body to `bodies`, the graph colours and the sleep state: at the index `place` if it returns there.
+    fn add_body(&mut self, id: BodyId, place: Option<usize>, objects: &Objects) {
         let body = &objects.bodies[id].body;
-        let Some(index) = self.solver.bodies.add_movable(&listed_body(body, true)) else { return };
+        let Some(index) = self.solver.bodies.add_movable(&listed_body(body, true), place) else { return };
         self.ids.add_body(index, id);
         self.solver.color_usage.add_body(index, self.solver.bodies.inverse_mass_inertia[index]);
         self.solver.sleep.add_body(index);
@@ -147,14 +154,14 @@ impl Precise {
         }
     }
 
-    /// Appends the proxies of a geom, and its body if that is static and not listed yet.
-    fn add_geom(&mut self, id: GeomId, objects: &Objects) {
+    /// Adds the proxies of a geom, from the index `place` on if it returns there, and its body if that is static and not listed yet.
+    fn add_geom(&mut self, id: GeomId, place: Option<usize>, objects: &Objects) {
         let Some(geom) = objects.geoms.get(id) else { return };
         if self.body_index(geom.body).is_none() {
             let index = self.solver.bodies.add_static(&listed_body(&objects.bodies[geom.body].body, false));
             self.ids.add_body(index, geom.body);
         }
-        self.proxy_import(objects).add(id);
+        self.proxy_import(objects).add(id, place);
         let count = self.solver.proxies.all.len();
         self.solver.proxy_flags.resize(count, false);
         self.solver.grid.grow(count);
@@ -201,6 +208,7 @@ impl MembershipDiff {
         sort_by_number(&mut diff.added_geoms, |&id| geoms.list_key(id).into());
         diff.removed_bodies.sort_unstable();
         diff.removed_proxies.sort_unstable();
+        diff.find_places(listed);
         (diff.is_complete(listed, world_proxies) && diff.follows_others(listed)).then_some(diff)
     }
 
@@ -220,8 +228,13 @@ impl MembershipDiff {
             self.retyped_bodies.push(id);
         }
         if entry.body.is_integrated() {
+            // A kinematic body that becomes dynamic, or the reverse, leaves its place and returns to it.
+            let becomes_kinematic = entry.body.is_kinematic();
+            let is_retyped =
+                index.is_some_and(|index| listed.bodies.is_kinematic(index) != becomes_kinematic);
+            self.removed_bodies.extend(movable);
             self.added_bodies.push(id);
-            return movable.is_none().then_some(());
+            return (movable.is_none() || is_retyped).then_some(());
         }
         self.removed_bodies.extend(movable);
         if !entry.body.enabled() {
@@ -230,24 +243,64 @@ impl MembershipDiff {
         Some(())
     }
 
-    /// Returns whether the new bodies and geoms follow all others in the order of the simulator's lists. Geoms of static bodies
-    /// may have any place, because the order of their proxies has no effect.
+    /// Returns the movable bodies that are removed and return to their places at once, because they become kinematic or dynamic. Each
+    /// item is the index of the body and the time for which it has been at rest (seconds), which it keeps.
+    fn kept_rest_times(&self, ids: &IdTable, bodies: &BodySet, sleep: &SleepState) -> Vec<(usize, f32)> {
+        let present = self.added_bodies.iter().filter_map(|&id| ids.body_index(id));
+        let movable = present.filter(|&index| index < bodies.first_static());
+        // The time of a sleeping body is negative.
+        movable.map(|index| (index, sleep.rest_time[index].max(0.0))).collect()
+    }
+
+    /// Finds the places to which movable bodies and their geoms return.
+    fn find_places(&mut self, listed: &Listed<'_>) {
+        let Listed { bodies, proxies, ids, objects } = listed;
+        let body_key = |at: usize| body_key_at(listed, at);
+        let body_place = |&id: &BodyId| {
+            let key = objects.bodies.list_key(id);
+            let present = ids.body_index(id).filter(|&index| index < bodies.first_static());
+            let place = present.or_else(|| ids.vacant_bodies.place_of((id, id.slot()), key, 1))?;
+            fits_between(place..place + 1, key, bodies.last_movable + 1, body_key).then_some(place)
+        };
+        self.body_places = self.added_bodies.iter().map(body_place).collect();
+        let proxy_key = |at: usize| proxy_key_at(listed, at);
+        let geom_place = |&id: &GeomId| {
+            let (geom, key) = (objects.geoms.get(id)?, objects.geoms.list_key(id));
+            let count = geom.pieces().len();
+            let is_movable = objects.bodies.get(geom.body).is_some_and(|entry| entry.body.is_integrated());
+            let pieces = ids.proxies_of_geom(proxies, id);
+            let is_present = pieces.len() == count && pieces.start < proxies.first_fixed;
+            let vacant = || ids.vacant_proxies.place_of((id, id.slot()), key, count);
+            let place = is_present.then_some(pieces.start).or_else(vacant).filter(|_| is_movable)?;
+            fits_between(place..place + count, key, proxies.movable_end, proxy_key).then_some(place)
+        };
+        self.geom_places = self.added_geoms.iter().map(geom_place).collect();
+    }
+
+    /// Returns whether the new bodies and geoms without a place to return to follow all others in the order of the simulator's lists.
+    /// Geoms of static bodies may have any place, because the order of their proxies has no effect.
     fn follows_others(&self, listed: &Listed<'_>) -> bool {
         let Listed { bodies, proxies, ids, objects } = listed;
         let is_movable = |id: &&GeomId| {
             let body = objects.geoms.get(**id).and_then(|geom| objects.bodies.get(geom.body));
             body.is_some_and(|entry| entry.body.is_integrated())
         };
-        let stays = |index: &usize| self.removed_bodies.binary_search(index).is_err();
-        let last_body = (1..=bodies.last_movable)
-            .rev()
-            .filter(stays)
-            .find_map(|index| ids.bodies[index])
-            .map(|id| objects.bodies.list_key(id));
+        let stays = |index: usize| self.removed_bodies.binary_search(&index).is_err();
+        let body_key = |at: usize| match ids.bodies[at] {
+            Some(id) => stays(at).then(|| objects.bodies.list_key(id)),
+            None => ids.vacant_bodies.key_at(at),
+        };
         let is_left = |at: usize| self.removed_proxies.binary_search(&(at as u32)).is_err();
-        let last_geom = proxies.last_movable(is_left).map(|proxy| proxy.list_key);
-        let first_body = self.added_bodies.first().map(|&id| objects.bodies.list_key(id));
-        let first_geom = self.added_geoms.iter().find(is_movable).map(|&id| objects.geoms.list_key(id));
+        let proxy_key = |at: usize| proxy_key_at(listed, at).filter(|_| is_left(at));
+        let last_body = (1..=bodies.last_movable).rev().find_map(body_key);
+        let last_geom = (0..proxies.movable_end).rev().find_map(proxy_key);
+        let mut new_bodies = self.added_bodies.iter().zip(&self.body_places);
+        let first_body =
+            new_bodies.find(|(_, place)| place.is_none()).map(|(&id, _)| objects.bodies.list_key(id));
+        let mut new_geoms = self.added_geoms.iter().zip(&self.geom_places);
+        let first_geom = new_geoms
+            .find(|(id, place)| place.is_none() && is_movable(id))
+            .map(|(&id, _)| objects.geoms.list_key(id));
         first_body.is_none_or(|first| last_body.is_none_or(|last| last < first))
             && first_geom.is_none_or(|first| last_geom.is_none_or(|last| last < first))
     }
@@ -324,25 +377,61 @@ impl MembershipDiff {
     /// positions.
     fn has_capacity(&self, listed: &Listed<'_>, grid: &HashGrid) -> bool {
         let Listed { bodies, proxies, .. } = listed;
-        let pieces = self.added_geoms.iter().filter_map(|&id| listed.objects.geoms.get(id));
-        let pieces: usize = pieces.map(|geom| geom.pieces().len()).sum();
+        let appended = self.added_geoms.iter().zip(&self.geom_places).filter(|(_, place)| place.is_none());
+        let geoms = appended.filter_map(|(&id, _)| listed.objects.geoms.get(id));
+        let is_movable =
+            |body: BodyId| listed.objects.bodies.get(body).is_some_and(|entry| entry.body.is_integrated());
+        let (mut pieces, mut movable_pieces) = (0, 0);
+        for geom in geoms {
+            let count = geom.pieces().len();
+            pieces += count;
+            movable_pieces += if is_movable(geom.body) { count } else { 0 };
+        }
+        let appended_bodies = self.body_places.iter().filter(|place| place.is_none()).count();
         let positions = proxies.all.len() - (proxies.first_fixed - proxies.movable_end);
         let is_full_enough = |live: usize, removed: usize, places: usize| {
             2 * (live - removed) + MIN_EMPTY_POSITIONS_TO_COMPACT + spare_capacity(bodies.poses.len())
                 >= places
         };
-        bodies.last_movable + self.added_bodies.len() < bodies.first_static()
-            && proxies.movable_end + pieces <= proxies.first_fixed
+        bodies.last_movable + appended_bodies < bodies.first_static()
+            && proxies.movable_end + movable_pieces <= proxies.first_fixed
             && grid.has_capacity(proxies.all.len() + pieces)
             && is_full_enough(bodies.movable_count, self.removed_bodies.len(), bodies.last_movable)
             && is_full_enough(proxies.live_count, self.removed_proxies.len(), positions)
     }
 }
 
+/// Returns whether a body is in the simulator's list.
+fn is_body_listed(objects: &Objects, id: BodyId) -> bool {
+    objects.bodies.lifecycle_state(id).is_some_and(|life| life.is_listed) && !objects.bodies.is_disposed(id)
+}
+
+/// Returns whether a geom is in the simulator's list.
+fn is_geom_listed(objects: &Objects, id: GeomId) -> bool {
+    objects.geoms.lifecycle_state(id).is_some_and(|life| life.is_listed) && !objects.geoms.is_disposed(id)
+}
+
+/// Returns the key in the order of the simulator's list of the body at this index, or of the body that has left it; `None` if there is
+/// neither.
+fn body_key_at(listed: &Listed<'_>, at: usize) -> Option<u32> {
+    match listed.ids.bodies[at] {
+        Some(id) => is_body_listed(listed.objects, id).then(|| listed.objects.bodies.list_key(id)),
+        None => listed.ids.vacant_bodies.key_at(at),
+    }
+}
+
+/// Returns the key in the order of the simulator's list of the geom whose proxy has this index, or of the geom that has left it; `None`
+/// if there is neither.
+fn proxy_key_at(listed: &Listed<'_>, at: usize) -> Option<u32> {
+    listed.proxies.list_key_of_geom(at).or_else(|| listed.ids.vacant_proxies.key_at(at))
+}
+
 #[cfg(test)]
 mod tests {
     use crate::math::Vector2;
-    use crate::{BodyFactory, BodyId, GeomFactory, GeomPlacement, Methods, PhysicsSimulator};
+    use crate::{
+        BodyFactory, BodyId, CollisionCategory, GeomFactory, GeomPlacement, Methods, PhysicsSimulator,
+    };
 
     fn add_box(simulator: &mut PhysicsSimulator, at: [f32; 2], is_static: bool) -> BodyId {
         let body = BodyFactory::create_rectangle_body_in(simulator, 32.0, 32.0, 1.0).unwrap();
@@ -354,10 +443,11 @@ mod tests {
     }
 
     /// Returns a world of static tiles with boxes on them.
-    fn world() -> (PhysicsSimulator, Vec<BodyId>) {
+    fn world(has_sleep: bool) -> (PhysicsSimulator, Vec<BodyId>) {
         let mut simulator = PhysicsSimulator::new(Vector2::new(0.0, 320.0)).unwrap();
         simulator.set_methods(Methods::PRECISE).unwrap();
         simulator.set_iterations(4);
+        simulator.set_sleep_enabled(has_sleep);
         let place = |at: usize| [32.0 * (at % 20) as f32, 32.0 * (at / 20) as f32];
         let tiles = (0..100).map(|at| add_box(&mut simulator, place(at), true)).collect::<Vec<_>>();
         let boxes = (0..20).map(|at| [64.0 * (at % 10) as f32, -32.0 * (at / 10 + 1) as f32]);
@@ -368,10 +458,17 @@ mod tests {
     /// Debug builds compare the state after each edit with that after a rebuild, too.
     #[test]
     fn a_world_of_edited_bodies_continues_as_one_that_was_saved_and_loaded() {
-        let (mut simulator, mut bodies) = world();
+        for has_sleep in [false, true] {
+            edit_beside_twin(has_sleep, if has_sleep { 40 } else { 1 });
+        }
+    }
+
+    /// Edits a body every `period` steps in a world and in its twin, which is saved and loaded.
+    fn edit_beside_twin(has_sleep: bool, period: usize) {
+        let (mut simulator, mut bodies) = world(has_sleep);
         let mut twin = simulator.clone();
         let mut number = 1_u32;
-        for step in 0..400 {
+        for step in 0..400 * period.min(8) {
             for simulator in [&mut simulator, &mut twin] {
                 simulator.update(1.0 / 60.0);
             }
@@ -380,11 +477,15 @@ mod tests {
             if step % 3 == 0 {
                 twin.restore(&snapshot).unwrap();
             }
+            if step % period != 0 {
+                continue;
+            }
             number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let at = (number >> 8) as usize % bodies.len();
             let body = bodies[at];
             for simulator in [&mut simulator, &mut twin] {
                 let is_static = simulator[body].is_static();
+                let is_kinematic = simulator[body].is_kinematic();
                 match number >> 29 {
                     0 | 1 => simulator[body].set_is_static(!is_static),
                     2 | 3 => {
@@ -396,6 +497,15 @@ mod tests {
                         let new = add_box(simulator, [32.0 * (at % 20) as f32, -200.0], is_static);
                         bodies[at] = new;
                     }
+                    6 => {
+                        let geom = simulator.geoms_of(body)[0];
+                        let is_ghost = simulator[geom].collides_with() == CollisionCategory::NONE;
+                        let categories =
+                            if is_ghost { CollisionCategory::ALL } else { CollisionCategory::NONE };
+                        simulator[geom].set_collides_with(categories);
+                        simulator[geom].set_collision_categories(categories);
+                    }
+                    5 if !is_static => simulator[body].set_is_kinematic(!is_kinematic),
                     _ => {}
                 }
             }

@@ -85,13 +85,15 @@ impl<'a> ProxyImport<'a> {
         }
     }
 
-    /// Adds the proxies of a geom, where the lists have room.
-    pub(super) fn add(&mut self, id: GeomId) {
+    /// Adds the proxies of a geom at the free positions from `place` on, or where the lists have room if that is `None`.
+    pub(super) fn add(&mut self, id: GeomId, place: Option<usize>) {
         let Some(geom) = self.objects.geoms.get(id) else { return };
         for piece in 0..geom.pieces().len() {
-            let Some(proxy) = self.proxy(id, piece).and_then(|proxy| self.proxies.add(proxy)) else {
+            let at = place.map(|first| first + piece);
+            let Some(proxy) = self.proxy(id, piece).and_then(|proxy| self.proxies.add(proxy, at)) else {
                 continue;
             };
+            self.ids.vacant_proxies.fill(proxy);
             if piece == 0 {
                 self.ids.add_geom(id, proxy);
             }

@@ -4,6 +4,7 @@
 
 use std::ops::Range;
 
+use super::vacancies::Vacancies;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
@@ -21,9 +22,13 @@ pub(super) struct IdTable {
     body_indices: Vec<u32>,
     /// Index of the first proxy of each geom, by the slot of its id; [`NOT_LISTED`] if the geom has no proxy.
     first_proxies: Vec<u32>,
+    /// Indices that movable bodies have left.
+    pub(super) vacant_bodies: Vacancies<BodyId>,
+    /// Proxy indices that geoms of movable bodies have left.
+    pub(super) vacant_proxies: Vacancies<GeomId>,
 }
 
-reusing_clone! { IdTable { bodies, body_indices, first_proxies } }
+reusing_clone! { IdTable { bodies, body_indices, first_proxies, vacant_bodies, vacant_proxies } }
 
 /// A geom that every AABB query of the game tests, because no fat AABB of the grid is known to cover it.
 #[derive(Debug, Clone, Copy)]
@@ -66,6 +71,7 @@ impl IdTable {
     /// Removes all bodies and makes room for `count` body indices, none of which has a body.
     pub(super) fn clear_bodies(&mut self, count: usize) {
         self.body_indices.clear();
+        self.vacant_bodies.clear();
         self.bodies.clear();
         self.bodies.resize(count, None);
     }
@@ -75,6 +81,7 @@ impl IdTable {
         if self.bodies.len() <= index {
             self.bodies.resize(index + 1, None);
         }
+        self.vacant_bodies.fill(index);
         self.bodies[index] = Some(id);
         set_entry(&mut self.body_indices, id.slot(), index as u32);
     }
@@ -94,6 +101,7 @@ impl IdTable {
     /// Removes all geoms.
     pub(super) fn clear_geoms(&mut self) {
         self.first_proxies.clear();
+        self.vacant_proxies.clear();
     }
 
     /// Lists a geom, whose first proxy has the index `first`.

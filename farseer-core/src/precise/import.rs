@@ -1,7 +1,7 @@
 //! Adapter: import of edits, which are moved and changed bodies and geoms, and the rebuild of all lists.
 //!
 //! The simulator marks edited bodies and geoms. [`import_edits`](Precise::import_edits) runs at the start of a step. It copies
-//! changed properties, invalidates affected pairs and wakes sleeping bodies. If a movable body has changed its type or a geom its filter,
+//! changed properties, invalidates affected pairs and wakes sleeping bodies. After an edit that the lists cannot follow,
 //! everything is [rebuilt](Precise::rebuild) from the state that a snapshot would hold. The module reads the simulator's
 //! objects and writes bodies, proxies, pairs and sleep.
 
@@ -145,14 +145,17 @@ impl Precise {
 
     /// First stage of a step: applies edits, additions and removals of bodies and geoms to the lists.
     ///
-    /// If a movable body has changed its type or a geom its filter, everything is rebuilt from the state before all edits, as after
+    /// After an edit that the lists cannot follow, everything is rebuilt from the state before all edits, as after
     /// loading a snapshot.
     pub(crate) fn import_edits(&mut self, objects: &Objects) {
         let has_edits = !(self.edits.bodies.is_empty() && self.edits.geoms.is_empty());
         if has_edits || self.edits.needs_rebuild || self.edits.has_membership_changes {
             return self.apply_edits(objects);
         }
-        debug_assert!(!self.has_unmarked_change(objects), "what comes, goes and changes is noted");
+        debug_assert!(
+            !self.listed(objects).has_unmarked_change(&self.edits.disabled_bodies),
+            "what comes, goes and changes is noted"
+        );
         self.wake_requested_by_game();
         self.wake_for_changed_joints(objects);
         self.wake_up();
@@ -162,8 +165,7 @@ impl Precise {
     fn apply_edits(&mut self, objects: &Objects) {
         let (mut bodies, mut geoms) =
             (std::mem::take(&mut self.edits.bodies), std::mem::take(&mut self.edits.geoms));
-        self.edits.needs_rebuild = self.edits.needs_rebuild
-            || geoms.iter().any(|&geom| self.listed(objects).has_changed_filter(geom));
+        self.edits.needs_rebuild |= geoms.iter().any(|&geom| self.listed(objects).has_changed_filter(geom));
         if !self.edits.needs_rebuild {
             self.list_changed_types(&bodies, objects);
         }
@@ -177,7 +179,8 @@ impl Precise {
                 || !self.apply_add_remove(&new_members, objects);
         }
         debug_assert!(
-            self.edits.needs_rebuild || !self.has_unmarked_change(objects),
+            self.edits.needs_rebuild
+                || !self.listed(objects).has_unmarked_change(&self.edits.disabled_bodies),
             "what comes, goes and changes is noted"
         );
         if self.edits.needs_rebuild {
@@ -228,11 +231,6 @@ impl Precise {
         if !changed.bodies.is_empty() {
             self.edits.mark_membership_changed(&mut changed);
         }
-    }
-
-    /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.
-    fn has_unmarked_change(&self, objects: &Objects) -> bool {
-        self.listed(objects).has_unmarked_change(&self.edits.disabled_bodies)
     }
 
     /// Returns whether this state equals the result of a rebuild from the saved state `before`. For debug assertions.

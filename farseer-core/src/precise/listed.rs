@@ -7,7 +7,7 @@ use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::objects::Objects;
 use farseer_precise::bodies::BodySet;
-use farseer_precise::broad_phase::proxies::Proxies;
+use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
 
 /// The listed bodies and proxies, and the objects of the game.
 pub(super) struct Listed<'a> {
@@ -37,8 +37,12 @@ impl Listed<'_> {
     pub(super) fn has_changed_filter(&self, id: GeomId) -> bool {
         let Some(entry) = self.objects.geoms.get(id) else { return false };
         let (filter, responds) = (geom_filter(entry), entry.geom.collision_response_enabled());
-        let mut proxies = self.ids.proxies_of_geom(self.proxies, id).map(|at| &self.proxies.all[at]);
-        proxies.any(|proxy| proxy.filter != filter || proxy.responds != responds)
+        self.proxies_of(id).any(|proxy| proxy.filter != filter || proxy.responds != responds)
+    }
+
+    /// Returns the proxies of a geom.
+    fn proxies_of(&self, id: GeomId) -> impl Iterator<Item = &Proxy> {
+        self.ids.proxies_of_geom(self.proxies, id).map(|at| &self.proxies.all[at])
     }
 
     /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.

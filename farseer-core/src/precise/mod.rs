@@ -42,6 +42,7 @@ mod sleep_stages;
 mod sleeping_joints;
 mod spring_import;
 mod stages;
+mod vacancies;
 mod wake_import;
 
 use serde::Deserialize;

@@ -111,7 +111,6 @@ impl ForceComparison<'_> {
     /// [`REMEASURED_FORCE_MAX_CHANGE`], the stored accelerations stay.
     fn remeasure_forces(&mut self, objects: &Objects) {
         let mut newly_asleep = std::mem::take(&mut self.sleep.newly_asleep);
-        newly_asleep.retain(|&body| self.sleep.is_asleep(body as usize));
         for body in newly_asleep.drain(..).map(|body| body as usize) {
             let Some(id) = self.ids.bodies[body] else { continue };
             let Some(entry) = objects.bodies.get(id) else { continue };

@@ -235,9 +235,11 @@ impl Proxies {
         self.one_way_count += usize::from(proxy.one_way.is_some());
     }
 
-    /// Adds a proxy without a fat AABB, and returns its index; `None` if there is no spare position for it.
-    pub fn add(&mut self, proxy: Proxy) -> Option<usize> {
-        let at = if proxy.body_type == BodyType::Fixed { self.all.len() } else { self.movable_end };
+    /// Adds a proxy without a fat AABB at the free position `place`, or behind the others of its type if that is `None`. Returns its
+    /// index; `None` if there is no spare position for it.
+    pub fn add(&mut self, proxy: Proxy, place: Option<usize>) -> Option<usize> {
+        let end = if proxy.body_type == BodyType::Fixed { self.all.len() } else { self.movable_end };
+        let at = place.unwrap_or(end);
         if at == self.all.len() {
             self.push(proxy);
             self.next.push(NO_PROXY);
@@ -245,7 +247,7 @@ impl Proxies {
             let Shape { centre: [x, y], half_extents: [hx, hy], .. } = proxy.shape;
             (self.all[at], self.local_aabbs[at], self.travel[at]) = (proxy, [x, y, hx, hy], 0);
             self.box_bodies[at] = proxy.box_body();
-            (self.movable_end, self.live_count) = (at + 1, self.live_count + 1);
+            (self.movable_end, self.live_count) = (self.movable_end.max(at + 1), self.live_count + 1);
             self.one_way_count += usize::from(proxy.one_way.is_some());
         } else {
             return None;
@@ -258,11 +260,10 @@ impl Proxies {
         Some(at)
     }
 
-    /// Returns the last proxy of a geom of a non-static body for whose index `is_wanted` returns true.
-    pub fn last_movable(&self, is_wanted: impl Fn(usize) -> bool) -> Option<&Proxy> {
-        let proxies = self.all[..self.movable_end].iter().enumerate().rev();
-        let mut of_geoms = proxies.filter(|(_, proxy)| !(proxy.is_empty() || proxy.is_world));
-        of_geoms.find(|&(at, _)| is_wanted(at)).map(|(_, proxy)| proxy)
+    /// Returns the number by which the geom of a proxy is sorted as in the simulator's list; `None` for a free position and for a
+    /// world box.
+    pub fn list_key_of_geom(&self, at: usize) -> Option<u32> {
+        self.all.get(at).filter(|proxy| !(proxy.is_empty() || proxy.is_world)).map(|proxy| proxy.list_key)
     }
 
     /// Removes a proxy, which must have no pairs. Its position becomes free.

@@ -113,8 +113,9 @@ impl DirectSolver {
                 max_products = JOINTED_FACTOR_PRODUCTS_PER_BODY;
             }
             let mut merged = merged_history(members, history);
-            let similar = earlier.last().map(|island| &island.system.factor);
-            if island.system.factor.analyse(members.len(), edges, max_products * members.len(), similar) {
+            let (similar, max) =
+                (earlier.last().map(|other| &other.system.factor), max_products * members.len());
+            if island.system.factor.analyse(members.len(), edges, max, similar) {
                 stats.island_index = Some(*count as u32);
                 *count += 1;
             } else {

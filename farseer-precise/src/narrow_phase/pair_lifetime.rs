@@ -28,6 +28,20 @@ impl NarrowPhase<'_> {
         *self.dirty_pairs = separated;
     }
 
+    /// Removes pairs with their contact constraints. Touching ones get an event, and bodies that they support may wake.
+    pub fn remove_pairs(&mut self, mut pairs: Vec<usize>) {
+        // Descending order keeps the remaining indices valid.
+        pairs.sort_unstable();
+        pairs.dedup();
+        for pair in pairs.into_iter().rev() {
+            if self.pairs.has_constraint(pair) {
+                self.sleep.support_of_pair_removed(self.pairs.bodies_of(self.proxies, pair));
+            }
+            self.end_touch_event(pair);
+            self.delete_pair(pair);
+        }
+    }
+
     /// Adds a pair of the proxies A and B without contacts to the awake pairs, and returns its index.
     pub fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
         let all = self.proxies;

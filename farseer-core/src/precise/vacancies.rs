@@ -1,0 +1,83 @@
+//! Adapter: places in a dense list that bodies or geoms have left, and to which they may return.
+//!
+//! A body that is disabled or made static leaves the movable bodies, but keeps its place in the order of the simulator. Its index
+//! stays empty until the next rebuild. If it becomes movable again before, it returns to that index: all bodies then have the order
+//! that a rebuild gives them.
+
+use farseer_precise::reusing_clone;
+
+/// Entry of the table by slots that stands for no place, an index.
+const NO_PLACE: u32 = u32::MAX;
+
+/// Empty places by the objects that have left them. `I`: id of a body or geom.
+#[derive(Debug)]
+pub(super) struct Vacancies<I> {
+    /// For each place the object that has left it, with its key in the order of the simulator's list; `None` if no object has, or if
+    /// it has returned.
+    left: Vec<Option<(I, u32)>>,
+    /// For each slot of an id the place that the object has left; the first one for a geom of several convex pieces. Valid if `left`
+    /// agrees.
+    places: Vec<u32>,
+}
+
+reusing_clone! { [I: Clone] Vacancies<I> { left, places } }
+
+impl<I> Default for Vacancies<I> {
+    fn default() -> Self {
+        Vacancies { left: Vec::new(), places: Vec::new() }
+    }
+}
+
+impl<I: Copy + PartialEq> Vacancies<I> {
+    /// Forgets all places, because the list is rebuilt.
+    pub(super) fn clear(&mut self) {
+        self.left.clear();
+        self.places.clear();
+    }
+
+    /// Notes that the object `id` with this slot and key has left `place`.
+    pub(super) fn leave(&mut self, place: usize, (id, slot): (I, usize), key: u32) {
+        if self.left.len() <= place {
+            self.left.resize(place + 1, None);
+        }
+        if self.places.len() <= slot {
+            self.places.resize(slot + 1, NO_PLACE);
+        }
+        self.left[place] = Some((id, key));
+        self.places[slot] = place as u32;
+    }
+
+    /// Notes that an object has returned to `place`.
+    pub(super) fn fill(&mut self, place: usize) {
+        if let Some(entry) = self.left.get_mut(place) {
+            *entry = None;
+        }
+    }
+
+    /// Returns the place that the object `id` with this slot and key has left, the first of `count` places; `None` if it has left
+    /// none, or not as many.
+    pub(super) fn place_of(&self, (id, slot): (I, usize), key: u32, count: usize) -> Option<usize> {
+        let place = self.places.get(slot).copied().filter(|&place| place != NO_PLACE)?;
+        let place = usize::try_from(place).ok()?;
+        let of_object = self.left.get(place..)?.iter().take_while(|entry| **entry == Some((id, key))).count();
+        (of_object == count).then_some(place)
+    }
+
+    /// Returns the key of the object that has left `place`; `None` if none has.
+    pub(super) fn key_at(&self, place: usize) -> Option<u32> {
+        self.left.get(place).copied().flatten().map(|(_, key)| key)
+    }
+}
+
+/// Returns whether an object with this `key` may stand at `places`: the nearest key before them is less, and the nearest one after
+/// them is greater. `key_at` returns the key at a place, and places end before `end`.
+pub(super) fn fits_between(
+    places: std::ops::Range<usize>,
+    key: u32,
+    end: usize,
+    key_at: impl Fn(usize) -> Option<u32>,
+) -> bool {
+    let before = (0..places.start).rev().find_map(&key_at);
+    let after = (places.end..end).find_map(&key_at);
+    before.is_none_or(|before| before < key) && after.is_none_or(|after| key < after)
+}
