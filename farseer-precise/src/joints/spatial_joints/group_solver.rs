@@ -63,8 +63,7 @@ pub(in super::super) struct SpatialJointGroup {
     pub(super) initial_joints: Vec<JointState>,
     /// Velocities of the bodies in a substep before the joints act: x, y and z in length units/s, angular in radians/s.
     pub(super) unconstrained_velocities: Vec<Velocity4>,
-    /// Whether the energy of the group is checked: it has no motor, no joint with a moving kinematic body, and no body that moves
-    /// along the depth axis when the step begins.
+    /// Whether the energy of the group is checked: it has no motor, and no joint with a moving kinematic body.
     pub(super) is_passive: bool,
 }
 
@@ -138,8 +137,9 @@ impl SpatialJointGroup {
                     bodies.states.get(end.pose_body as usize).map_or(0.0, |hot| f64::from(hot.velocity[3]));
                 let [x, y, spin] = end.velocity;
                 let velocity = [x, y, spin, if end.pose_body == 0 { 0.0 } else { along_z }];
-                is_at_rest &= velocity == [0.0; 4];
+                // The velocity of a dynamic body is energy that the group has, not work that is done on it.
                 if side.node as usize >= self.bodies.len() {
+                    is_at_rest &= velocity == [0.0; 4];
                     self.velocities[side.node as usize] = velocity;
                 }
             }
