@@ -174,8 +174,11 @@ impl Precise {
         let had_one_way = self.solver.proxies.one_way_count > 0;
         let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
         if has_new_members {
+            // In the middle of an update, objects may be disposed and still be listed. A rebuild drops them.
+            let has_disposed = !(objects.bodies.disposed().is_empty() && objects.geoms.disposed().is_empty());
             self.edits.needs_rebuild = self.edits.needs_rebuild
                 || self.loaded.is_some()
+                || has_disposed
                 || !self.apply_add_remove(&new_members, objects);
         }
         debug_assert!(
