@@ -55,7 +55,8 @@ impl Precise {
         let listed = self.listed(objects);
         let world_proxies = self.solver.depth.as_ref().map_or(0, |space| space.world_proxy_count());
         let diff = MembershipDiff::new(&listed, changed, world_proxies)
-            .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.solver.grid));
+            .filter(|diff| !diff.involves_one_way(&listed) && diff.has_capacity(&listed, &self.solver.grid))
+            .filter(|diff| !diff.retypes_sleeping(&listed, &self.solver.sleep));
         let Some(members) = diff else { return false };
         // As a rebuild does: a handler may have caused the import in the middle of an update, and only one of two worlds with
         // equal snapshots may have the capacity to do without a rebuild.
@@ -194,6 +195,12 @@ impl MembershipDiff {
     fn involves_one_way(&self, listed: &Listed<'_>) -> bool {
         let mut new = self.added_geoms.iter().filter_map(|&id| listed.objects.geoms.get(id));
         listed.proxies.one_way_count > 0 || new.any(|geom| geom.one_way.is_some())
+    }
+
+    /// Returns whether a sleeping body becomes kinematic or dynamic in place. It would wake its island, and a rebuild does not.
+    fn retypes_sleeping(&self, listed: &Listed<'_>, sleep: &SleepState) -> bool {
+        let present = self.added_bodies.iter().filter_map(|&id| listed.ids.body_index(id));
+        present.filter(|&index| index < listed.bodies.first_static()).any(|index| sleep.is_asleep(index))
     }
 
     /// Returns the bodies and geoms that were added and removed. `changed`: what has entered or left the simulator's lists.
