@@ -12,8 +12,7 @@
 use crate::parameters::joints::SOFT_ROW_ANGLE_ERROR;
 use wide::f32x4;
 
-use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE};
-use super::articulated_body::LockedDofs;
+use super::super::direct_solver::joint::ANGLE;
 use super::block_pair::{JointLanes, set_lane_rounded};
 use super::joint_constraint::JointConstraint;
 use super::soft_law::{RowSoftnessLanes, clamp_symmetric};
@@ -97,7 +96,7 @@ impl MotorLimitLanes {
             None => Some(joint.range),
         };
         let reference = drive.map_or(0.0, |drive| f64::from(drive.reference));
-        let is_angle = !matches!(joint.locked, LockedDofs::Distance | LockedDofs::Line);
+        let is_angle = joint.locked.motor_row() == ANGLE;
         if is_angle {
             set_lane_rounded(&mut self.initial_position, lane, joint.angle - reference);
         }
@@ -206,11 +205,5 @@ impl MotorLimitLanes {
 /// Returns the row that motor and limits of a joint act on: ALONG (normal), ANGLE or ACROSS (tangent). Returns `None` if the
 /// joint has neither a motor nor limits.
 pub(super) fn motor_limit_row(joint: &JointConstraint) -> Option<usize> {
-    let has_range = joint.range[0] < joint.range[1];
-    match joint.locked {
-        LockedDofs::Distance => has_range.then_some(ALONG),
-        LockedDofs::Angle => has_range.then_some(ANGLE),
-        LockedDofs::Line => joint.drive.map(|_| ACROSS),
-        _ => joint.drive.map(|_| ANGLE),
-    }
+    (joint.has_limited_row() || joint.drive.is_some()).then_some(joint.locked.motor_row())
 }

@@ -1,9 +1,10 @@
-//! Relative pose of the two bodies of a joint, and the Jacobian of the joint's rows at this pose.
+//! Relative pose of the two bodies of a joint, the rows that each kind of joint locks, and their Jacobian at this pose.
 //!
 //! The direct solver and the soft rows of the iterative solver read from here the Jacobian, the position errors, and the
 //! coordinate that motor and limits act on.
 
-use super::super::direct_solver::constraint::Jacobian;
+use super::super::direct_solver::constraint::{Jacobian, RowMask};
+use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE};
 use super::super::direct_solver::mat3::Vec3;
 use super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, rotate};
 use super::articulation_step::cos_sin;
@@ -22,6 +23,35 @@ pub(super) struct JointFrame {
     pub(super) angle: f64,
     /// Axis of a prismatic joint in world coordinates, a unit vector; 0 for other joints.
     pub(super) axis: Vec2,
+}
+
+impl LockedDofs {
+    /// Returns the mask of the rows that a joint without a range locks: bit ALONG (normal), ANGLE or ACROSS (tangent). A range
+    /// turns the row of a distance or angle into limits.
+    pub(super) fn locked_rows(self) -> RowMask {
+        match self {
+            LockedDofs::Free | LockedDofs::Fixed => 0,
+            LockedDofs::Point => 1 << ALONG | 1 << ACROSS,
+            LockedDofs::Weld => 1 << ALONG | 1 << ANGLE | 1 << ACROSS,
+            LockedDofs::Angle => 1 << ANGLE,
+            LockedDofs::Distance => 1 << ALONG,
+            LockedDofs::Line => 1 << ALONG | 1 << ANGLE,
+        }
+    }
+
+    /// Returns whether a joint locks `row`: ALONG (normal), ANGLE or ACROSS (tangent).
+    pub(super) fn locks(self, row: usize) -> bool {
+        self.locked_rows() >> row & 1 == 1
+    }
+
+    /// Returns the row that motor and limits of a joint act on: ALONG (normal), ANGLE or ACROSS (tangent).
+    pub(super) fn motor_row(self) -> usize {
+        match self {
+            LockedDofs::Distance => ALONG,
+            LockedDofs::Line => ACROSS,
+            _ => ANGLE,
+        }
+    }
 }
 
 impl JointFrame {

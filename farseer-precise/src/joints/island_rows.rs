@@ -34,11 +34,6 @@ pub(crate) struct StepInterval {
     pub(crate) step_dt: f64,
 }
 
-/// Returns the row that motor and limits of a joint act on: ACROSS (along the axis) for a prismatic joint, else ANGLE.
-fn motor_row(link: LockedDofs) -> usize {
-    if link == LockedDofs::Line { ACROSS } else { ANGLE }
-}
-
 /// Returns the impulse limit in the unit of `impulse`: `impulse`, or infinity if `impulse` is `f32::MAX` or more.
 fn finite_or_infinite(impulse: f64) -> f64 {
     if impulse < f64::from(f32::MAX) { impulse } else { f64::INFINITY }
@@ -78,17 +73,15 @@ impl JointConstraint {
                 rows.add_bilateral_row(row, most);
             }
         };
-        match self.locked {
-            LockedDofs::Distance => hold(ALONG, frame.distance(), max_impulse),
-            LockedDofs::Angle => hold(ANGLE, self.angle, max_impulse),
-            LockedDofs::Weld | LockedDofs::Line => hold(ANGLE, self.angle, max_impulse),
-            LockedDofs::Point | LockedDofs::Free | LockedDofs::Fixed => {}
-        }
-        if matches!(self.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line) {
-            rows.add_bilateral_row(ALONG, f64::INFINITY);
-        }
-        if matches!(self.locked, LockedDofs::Point | LockedDofs::Weld) {
-            rows.add_bilateral_row(ACROSS, f64::INFINITY);
+        if self.locked == LockedDofs::Distance {
+            hold(ALONG, frame.distance(), max_impulse);
+        } else {
+            if self.locked.locks(ANGLE) {
+                hold(ANGLE, self.angle, max_impulse);
+            }
+            for row in [ALONG, ACROSS].into_iter().filter(|&row| self.locked.locks(row)) {
+                rows.add_bilateral_row(row, f64::INFINITY);
+            }
         }
         self.add_motor_and_limits(&mut rows, &frame, interval);
         rows
@@ -97,7 +90,7 @@ impl JointConstraint {
     /// Adds the row of motor and limits to `rows`, if the joint has a motor or limits.
     fn add_motor_and_limits(&self, rows: &mut JointRows, frame: &JointFrame, interval: StepInterval) {
         let Some(drive) = &self.drive else { return };
-        let row = motor_row(self.locked);
+        let row = self.locked.motor_row();
         let motor = drive.motor.map(|motor| MotorTarget {
             speed: motor.speed.into(),
             max_impulse: finite_or_infinite(f64::from(motor.greatest_effort) * interval.force_dt),
@@ -238,7 +231,7 @@ impl JointConstraint {
         if let Some((drive, limits)) = self.drive.and_then(|drive| Some((drive, drive.limits?))) {
             let travel = frame.travel(f64::from(drive.reference));
             let [lower, upper] = [limits.lower, limits.upper].map(f64::from);
-            errors[motor_row(self.locked)] = travel - travel.clamp(lower, upper);
+            errors[self.locked.motor_row()] = travel - travel.clamp(lower, upper);
         }
         errors
     }

@@ -4,6 +4,7 @@
 //! this folder and the direct solver read them and write their forces.
 
 use super::super::bodies::{BodySet, signed_angle};
+use super::super::direct_solver::joint::ANGLE;
 use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot, rotate};
 
 /// One side of a joint: a body or the world, with the anchor on it.
@@ -226,6 +227,11 @@ impl JointConstraint {
         [self.edge().is_bounded, self.drive.is_some(), self.fits_direct_solver()]
     }
 
+    /// Returns whether the joint limits a distance or angle to a range, instead of locking it.
+    pub(super) fn has_limited_row(&self) -> bool {
+        matches!(self.locked, LockedDofs::Distance | LockedDofs::Angle) && self.range[0] < self.range[1]
+    }
+
     /// Returns whether anchors, angle, axis or motor have changed from the last step to this one.
     pub(crate) fn has_moved(&self) -> bool {
         self.has_moved
@@ -233,7 +239,7 @@ impl JointConstraint {
 
     /// Returns whether the joint locks or drives an angle.
     pub fn has_angle(&self) -> bool {
-        matches!(self.locked, LockedDofs::Angle | LockedDofs::Weld | LockedDofs::Line) || self.drive.is_some()
+        self.locked.locks(ANGLE) || self.drive.is_some()
     }
 
     /// Returns the position error of the joint: length units; radians for a joint that locks an angle alone.

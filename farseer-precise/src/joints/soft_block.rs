@@ -431,13 +431,5 @@ impl SoftJointBlock {
 /// Returns the mask of a joint's equality rows: bit ALONG (normal), ANGLE or ACROSS (tangent). A distance or angle with a range
 /// has none, since its limits are in the motor-limit row.
 fn equality_rows(joint: &JointConstraint) -> RowMask {
-    let has_range = joint.range[0] < joint.range[1];
-    match joint.locked {
-        LockedDofs::Point => 1 << ALONG | 1 << ACROSS,
-        LockedDofs::Weld => 1 << ALONG | 1 << ANGLE | 1 << ACROSS,
-        LockedDofs::Line => 1 << ALONG | 1 << ANGLE,
-        LockedDofs::Distance if !has_range => 1 << ALONG,
-        LockedDofs::Angle if !has_range => 1 << ANGLE,
-        _ => 0,
-    }
+    if joint.has_limited_row() { 0 } else { joint.locked.locked_rows() }
 }
