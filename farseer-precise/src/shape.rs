@@ -46,6 +46,16 @@ pub struct Shape {
 }
 
 impl Shape {
+    /// Returns whether the shape is a polygon that is a whole outline, without a radius.
+    pub(crate) fn is_plain_polygon(self) -> bool {
+        self.kind == ShapeKind::Polygon
+    }
+
+    /// Returns whether the shape is a convex piece of an outline, or an edge of a chain: its edges know the adjacent edges.
+    pub(crate) fn is_linked(self) -> bool {
+        self.kind == ShapeKind::LinkedPolygon
+    }
+
     /// Returns the shape with half extents and `max_extent` enlarged by `distance`, in length units. Vertices and radius stay.
     pub(crate) fn expanded(self, distance: f32) -> Self {
         let [x, y] = self.half_extents;
@@ -91,7 +101,7 @@ impl<'a> ShapeRef<'a> {
 
     /// Returns for each edge the adjacent edges of the whole outline; an empty slice if the shape itself is a whole outline.
     pub(crate) fn adjacency(&self) -> &'a [Seam] {
-        if self.shape.kind == ShapeKind::LinkedPolygon {
+        if self.shape.is_linked() {
             &self.all_adjacency[self.shape.adjacency_start as usize..][..self.shape.vertex_count as usize]
         } else {
             &[]

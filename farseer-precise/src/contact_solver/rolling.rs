@@ -22,7 +22,7 @@ use crate::math::plane::{
 use crate::math::scalar;
 use crate::parameters::contacts::ROLLING_VERTEX_TOLERANCE;
 use crate::scaled_parameters::{Parameters, StepContext};
-use crate::shape::{ShapeKind, ShapeRef};
+use crate::shape::ShapeRef;
 use crate::storage::order::sort_by_number;
 
 /// A contact of a polygon that rolls over a static face in this step.
@@ -128,7 +128,7 @@ impl RollingSolver<'_> {
         let handle = state.constraint.filter(|&home| self.constraints.parked(home).is_none())?;
         let outline = self.proxies.shape_of(roll.proxies[1]);
         let is_flat = manifold.depth.normal_z == 0.0 && manifold.depth.patch_radius == 0.0;
-        let is_convex = matches!(outline.shape.kind, ShapeKind::Polygon | ShapeKind::Capsule);
+        let is_convex = !(outline.vertices.is_empty() || outline.shape.is_linked());
         let has_mass = self.constraints.get(state.kind, handle).inverse_masses[1] > 0.0;
         if !(is_flat && is_convex && has_mass) || manifold.arm_lead_angle == 0.0 {
             return None;

@@ -8,7 +8,6 @@ use super::posed_solid::{PosedSolid, min_separation};
 use crate::math::plane::{Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, translation};
 use crate::narrow_phase::manifold::Manifold;
 use crate::parameters::depth::PREDICTED_MISS_COSINE;
-use crate::shape::ShapeKind;
 
 /// Returns whether two prisms that are separated along one axis (in the plane or along z) will be separated along the other
 /// axis when the gap along the first one closes. `apart` is the separation in the plane, `gap` the separation along z, in
@@ -38,7 +37,7 @@ pub(super) fn will_miss_corner(
 /// one for the whole step. The face of the contact itself does not count. A body above an edge passes over it and does not hit
 /// the face that ends there.
 pub(super) fn will_miss_face(a: PosedSolid<'_>, b: PosedSolid<'_>, found: &Manifold) -> bool {
-    let are_polygons = [a, b].iter().all(|solid| solid.outline.shape.kind == ShapeKind::Polygon);
+    let are_polygons = [a, b].iter().all(|solid| solid.outline.shape.is_plain_polygon());
     if found.count == 0 || min_separation(found) <= 0.0 || !are_polygons {
         return false;
     }

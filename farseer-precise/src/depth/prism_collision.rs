@@ -22,7 +22,7 @@ use crate::math::plane::{
 use crate::narrow_phase::manifold::{Manifold, clip_to_edge, find_max_separation};
 use crate::narrow_phase::shape_dispatch::collide;
 use crate::parameters::depth::{GRAZED_RIM_OVERLAP, PRISM_ENTRY_MAX_AGE, RIM_SECANT_STEPS};
-use crate::shape::{ShapeKind, ShapeRef};
+use crate::shape::ShapeRef;
 
 /// Returns the contact manifold of A and B, with points relative to the position of body A. A is the less movable body.
 pub(super) fn collide_solids(
@@ -145,7 +145,7 @@ fn flush_face(
     b: PosedSolid<'_>,
     margins: ContactMargins,
 ) -> Option<(usize, Vector, [f32; 2])> {
-    if a.outline.shape.kind != ShapeKind::Polygon || b.outline.shape.kind != ShapeKind::Polygon {
+    if !(a.outline.shape.is_plain_polygon() && b.outline.shape.is_plain_polygon()) {
         return None;
     }
     let (qa, qb) = (rotation(a.pose), rotation(b.pose));

@@ -31,7 +31,7 @@ use crate::parameters::narrow_phase::{
     FACE_NORMAL_MAX_SIN, FLUSH_FACE_MAX_STEP, GHOST_MAX_PENETRATION, NORMAL_CONE_TOLERANCE_SIN,
 };
 use crate::scaled_parameters::Parameters;
-use crate::shape::{ShapeKind, ShapeRef};
+use crate::shape::ShapeRef;
 
 /// References to the state of the simulator that the ghost filter between flush geoms reads.
 pub(crate) struct FlushFilter<'a> {
@@ -325,8 +325,8 @@ impl<'a> FlushFilter<'a> {
 
 /// Returns whether a proxy is a polygon or an edge of a chain, of a static or kinematic body.
 fn has_faces(proxy: &Proxy) -> bool {
-    let is_flat = matches!(proxy.shape.kind, ShapeKind::Polygon | ShapeKind::LinkedPolygon)
-        && proxy.shape.vertex_count >= 2;
+    let is_flat =
+        (proxy.shape.is_plain_polygon() || proxy.shape.is_linked()) && proxy.shape.vertex_count >= 2;
     is_flat && matches!(proxy.body_type, BodyType::Fixed | BodyType::Kinematic)
 }
 

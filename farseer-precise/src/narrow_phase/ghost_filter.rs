@@ -27,7 +27,7 @@ use crate::narrow_phase::shape_pair::{ClosestFeatures, PairSide, ShapePair, Whic
 use crate::parameters::narrow_phase::{
     REFERENCE_EDGE_HYSTERESIS, SNAP_MAX_PENETRATION_RATIO, STRAIGHT_VERTEX_MAX_SIN, VORONOI_TOLERANCE_SIN,
 };
-use crate::shape::{ShapeKind, ShapeRef};
+use crate::shape::ShapeRef;
 
 /// Classification of a contact normal against the outline. The cases and their names are Box2D's: `b2_normalAdmit`,
 /// `b2_normalSkip` and `b2_normalSnap` of `enum b2NormalType` in `manifold.c` (E. Catto).
@@ -178,7 +178,7 @@ fn are_both_chain_edges(shapes: &ShapePair<'_>) -> bool {
 
 /// Returns whether a shape is an edge of a chain.
 fn is_chain_edge(shape: ShapeRef<'_>) -> bool {
-    shape.shape.kind == ShapeKind::LinkedPolygon && shape.shape.vertex_count == 2
+    shape.shape.is_linked() && shape.shape.vertex_count == 2
 }
 
 /// Returns whether a point is on the colliding side of a chain edge; true for all other shapes. `point` is in the frame of the

@@ -12,14 +12,9 @@ use crate::shape::{ShapeKind, ShapeRef};
 pub fn collide(a: ShapeRef<'_>, b: ShapeRef<'_>, pose_a: Pose, pose_b: Pose, margin: f32) -> Manifold {
     use ShapeKind::{Capsule, Circle, LinkedPolygon, Polygon};
     match (a.shape.kind, b.shape.kind) {
-        (Circle, Circle) => manifold::circles(a, b, pose_a, pose_b, margin),
-        (Circle, Polygon) => manifold::polygon_and_circle(b, a, pose_b, pose_a, margin).flip(pose_b, pose_a),
-        (Polygon, Circle) => manifold::polygon_and_circle(a, b, pose_a, pose_b, margin),
         (Polygon, Polygon) => manifold::polygons(a, b, pose_a, pose_b, margin),
-        (Circle, Capsule) => capsule::capsule_and_circle(b, a, pose_b, pose_a, margin).flip(pose_b, pose_a),
-        (Capsule, Circle) => capsule::capsule_and_circle(a, b, pose_a, pose_b, margin),
-        (Circle, LinkedPolygon) => ghost_filter::circle(b, a, pose_b, pose_a, margin).flip(pose_b, pose_a),
-        (LinkedPolygon, Circle) => ghost_filter::circle(a, b, pose_a, pose_b, margin),
+        (_, Circle) => collide_with_circle(a, b, pose_a, pose_b, margin),
+        (Circle, _) => collide_with_circle(b, a, pose_b, pose_a, margin).flip(pose_b, pose_a),
         (LinkedPolygon, Capsule) | (Capsule, LinkedPolygon) => {
             ghost_filter::capsule(&ShapePair::new(a, b, pose_a, pose_b), margin)
         }
@@ -27,5 +22,21 @@ pub fn collide(a: ShapeRef<'_>, b: ShapeRef<'_>, pose_a: Pose, pose_b: Pose, mar
             ghost_filter::polygons(&ShapePair::new(a, b, pose_a, pose_b), margin)
         }
         (Capsule, _) | (_, Capsule) => capsule::capsule(&ShapePair::new(a, b, pose_a, pose_b), margin),
+    }
+}
+
+/// Returns the manifold of a shape A of any kind and a circle B. `margin` is as in [`collide`].
+fn collide_with_circle(
+    a: ShapeRef<'_>,
+    circle: ShapeRef<'_>,
+    pose_a: Pose,
+    pose_b: Pose,
+    margin: f32,
+) -> Manifold {
+    match a.shape.kind {
+        ShapeKind::Circle => manifold::circles(a, circle, pose_a, pose_b, margin),
+        ShapeKind::Polygon => manifold::polygon_and_circle(a, circle, pose_a, pose_b, margin),
+        ShapeKind::Capsule => capsule::capsule_and_circle(a, circle, pose_a, pose_b, margin),
+        ShapeKind::LinkedPolygon => ghost_filter::circle(a, circle, pose_a, pose_b, margin),
     }
 }
