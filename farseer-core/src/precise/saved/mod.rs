@@ -74,6 +74,10 @@ pub(crate) struct Saved {
     delta_poses: Vec<(BodyId, [f32; 4])>,
     /// Ids of bodies that the game has woken since the last update.
     woken: Vec<BodyId>,
+    /// Ids of sleeping bodies that an override of a contact's surface wakes at the next import. Not serialised: they exist in
+    /// the middle of an update only, in which a handler may cause a rebuild.
+    #[serde(skip)]
+    wake_requests: Vec<BodyId>,
     /// Touch events that the game has not received yet.
     #[serde(rename = "changes")]
     touch_events: Vec<SavedTouchEvent>,

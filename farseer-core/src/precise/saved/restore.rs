@@ -76,6 +76,9 @@ impl Precise {
         self.sleep_pairs();
         self.edits.wake_requests.clear();
         self.edits.wake_requests.extend_from_slice(&saved.woken);
+        for &body in &saved.wake_requests {
+            self.body_of_saved_id(body).into_iter().for_each(|number| self.solver.sleep.request_wake(number));
+        }
         self.wake_requested_by_game();
     }
 

@@ -64,6 +64,12 @@ impl Precise {
             is_in_space: solver.depth.is_some(),
             delta_poses: self.save_delta_poses().collect(),
             woken: self.edits.wake_requests.clone(),
+            wake_requests: solver
+                .sleep
+                .wake_requests
+                .iter()
+                .filter_map(|&body| self.ids.bodies[body as usize])
+                .collect(),
             touch_events: self.save_touch_events(),
         }
     }
