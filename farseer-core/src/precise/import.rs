@@ -197,6 +197,7 @@ impl Precise {
                 self.reread_joints_of_unlisted(&bodies);
             }
             geoms.iter().for_each(|&geom| self.import_geom(geom, objects));
+            new_members.geoms.iter().for_each(|&geom| self.begin_travel(geom));
             if !had_one_way && self.solver.proxies.one_way_count > 0 {
                 self.solver.bodies.clear_delta_poses();
             }
@@ -211,6 +212,12 @@ impl Precise {
             before.is_none_or(|before| self.equals_rebuild(objects, &before)),
             "who comes and goes changes no bit of the others"
         );
+    }
+
+    /// Sets the travel of a new geom's proxies to 0. They have no pairs yet, and their body may have moved in the same import.
+    fn begin_travel(&mut self, geom: GeomId) {
+        let proxies = self.ids.proxies_of_geom(&self.solver.proxies, geom);
+        self.solver.proxies.travel[proxies].fill(0);
     }
 
     /// Returns the listed bodies and proxies, for a comparison with `objects`.
