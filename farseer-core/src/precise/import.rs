@@ -13,7 +13,7 @@ use super::depth_contact::is_geom;
 use super::geom_import::{
     ProxyImport, RecentShapes, one_way_direction, surface_coefficients, surface_velocity,
 };
-use super::ids::piece_at;
+use super::ids::{IdTable, piece_at};
 use super::listed::{Listed, is_simulated};
 use super::saved::{EditPolicy, Saved};
 use crate::body::{Body, BodyId};
@@ -190,14 +190,7 @@ impl Precise {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
             self.rebuild(objects, &saved, EditPolicy::Apply);
         } else {
-            self.wake_requested_by_game();
-            bodies.iter().for_each(|&body| self.import_body(body, objects));
-            bodies.retain(|&body| self.body_index(body).is_none());
-            if !bodies.is_empty() {
-                self.reread_joints_of_unlisted(&bodies);
-            }
-            geoms.iter().for_each(|&geom| self.import_geom(geom, objects));
-            new_members.geoms.iter().for_each(|&geom| self.begin_travel(geom));
+            self.apply_listed_edits(&mut bodies, &geoms, &new_members, objects);
             if !had_one_way && self.solver.proxies.one_way_count > 0 {
                 self.solver.bodies.clear_delta_poses();
             }
@@ -214,10 +207,23 @@ impl Precise {
         );
     }
 
-    /// Sets the travel of a new geom's proxies to 0. They have no pairs yet, and their body may have moved in the same import.
-    fn begin_travel(&mut self, geom: GeomId) {
-        let proxies = self.ids.proxies_of_geom(&self.solver.proxies, geom);
-        self.solver.proxies.travel[proxies].fill(0);
+    /// Applies the edits of `bodies` and `geoms` to the lists, which have all of them but those of `bodies` that are not simulated;
+    /// these remain in `bodies`. `new_members` have entered the lists in this import.
+    fn apply_listed_edits(
+        &mut self,
+        bodies: &mut Vec<BodyId>,
+        geoms: &[GeomId],
+        new_members: &NewMembers,
+        objects: &Objects,
+    ) {
+        self.wake_requested_by_game();
+        bodies.iter().for_each(|&body| self.import_body(body, objects));
+        bodies.retain(|&body| self.body_index(body).is_none());
+        if !bodies.is_empty() {
+            self.reread_joints_of_unlisted(bodies);
+        }
+        geoms.iter().for_each(|&geom| self.import_geom(geom, objects));
+        new_members.geoms.iter().for_each(|&geom| begin_travel(&self.ids, &mut self.solver.proxies, geom));
     }
 
     /// Returns the listed bodies and proxies, for a comparison with `objects`.
@@ -374,6 +380,12 @@ impl Precise {
         let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
         piece_at(&self.solver.proxies, first? + piece as usize, (geom, piece))
     }
+}
+
+/// Sets the travel of a new geom's proxies to 0. They have no pairs yet, and their body may have moved in the same import.
+fn begin_travel(ids: &IdTable, proxies: &mut Proxies, geom: GeomId) {
+    let places = ids.proxies_of_geom(proxies, geom);
+    proxies.travel[places].fill(0);
 }
 
 /// Returns whether a simulated body, if it is dynamic or kinematic, and all of its geoms are among the `members` that have

@@ -302,28 +302,7 @@ impl Precise {
         }
         let pair = self.solver.narrow_phase().add_pair(proxies);
         let responds = self.solver.pairs.all[pair].responds;
-        let SavedManifold {
-            rotations,
-            relative_pose,
-            normal,
-            count,
-            anchors,
-            separations,
-            features,
-            arm_lead_angle,
-            depth,
-        } = saved.manifold;
-        self.solver.pairs.manifolds[pair] = CachedManifold {
-            rotations,
-            relative_pose,
-            normal,
-            count,
-            anchors,
-            separations,
-            features,
-            arm_lead_angle,
-            depth,
-        };
+        self.solver.pairs.manifolds[pair] = saved.manifold.cached();
         let trigger = &mut self.solver.pairs.triggers[pair];
         (trigger.motion_at_check, trigger.motion_tolerance) = (saved.motion_at_check, saved.motion_tolerance);
         self.solver.pairs.all[pair].is_vetoed = saved.is_vetoed;
@@ -343,6 +322,34 @@ impl Precise {
             self.solver.pairs.triggers[pair].motion_tolerance = 0;
         }
         constraint.map(|row| (pair, row))
+    }
+}
+
+impl SavedManifold {
+    /// Returns the manifold as the narrow phase keeps it.
+    fn cached(&self) -> CachedManifold {
+        let SavedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            features,
+            arm_lead_angle,
+            depth,
+        } = *self;
+        CachedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            features,
+            arm_lead_angle,
+            depth,
+        }
     }
 }
 

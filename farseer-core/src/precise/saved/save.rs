@@ -7,7 +7,7 @@ use super::{
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
-use crate::precise::ids::geom_of;
+use crate::precise::ids::{IdTable, geom_of};
 use crate::storage::order::{packed_key, sort_by_number};
 use farseer_precise::broad_phase::pairs::CachedManifold;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
@@ -16,6 +16,7 @@ use farseer_precise::constraint_graph::{
 };
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::direct_solver::IslandHistory;
+use farseer_precise::island::sleep::SleepState;
 use farseer_precise::narrow_phase::TouchEvent;
 
 impl Precise {
@@ -64,12 +65,7 @@ impl Precise {
             is_in_space: solver.depth.is_some(),
             delta_poses: self.save_delta_poses().collect(),
             woken: self.edits.wake_requests.clone(),
-            wake_requests: solver
-                .sleep
-                .wake_requests
-                .iter()
-                .filter_map(|&body| self.ids.bodies[body as usize])
-                .collect(),
+            wake_requests: wake_requests(&self.ids, &solver.sleep).collect(),
             touch_events: self.save_touch_events(),
         }
     }
@@ -263,4 +259,10 @@ fn saved_proxy_order(proxies: &Proxies) -> Vec<usize> {
         sort_by_number(fixed, key);
     }
     order
+}
+
+/// Iterates over the ids of the bodies that wake at the next import, without those that the game has woken.
+fn wake_requests<'a>(ids: &'a IdTable, sleep: &'a SleepState) -> impl Iterator<Item = BodyId> + 'a {
+    let indices = sleep.wake_requests.iter().filter_map(|&body| usize::try_from(body).ok());
+    indices.filter_map(|body| *ids.bodies.get(body)?)
 }
