@@ -1,13 +1,17 @@
 //! A saved simulator continues with the same bits, and a damaged save is refused.
 
 use conformance::fixtures::depth::{
-    DT, ball, busy_scene, crate_box, run, set_surface, simulator, weightless, with_scheme,
+    DT, ball, busy_scene, crate_box, geom_of, run, set_surface, simulator, solid, weightless, with_scheme,
 };
 use serde_json::{Value, json};
 use twohalf::farseer_core::{
-    BodyFactory, BroadPhaseCollider, GeomPlacement, Methods, NarrowPhaseCollider, PhysicsSimulator, Vertices,
+    BodyFactory, BodyId, BroadPhaseCollider, GeomPlacement, Methods, NarrowPhaseCollider, PhysicsSimulator,
+    Vertices,
 };
-use twohalf::{DepthScheme, Event, Platform, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{
+    CharacterController, CharacterSettings, DepthProfile, DepthScheme, Event, MoveInput, Platform,
+    TwoHalfPhysicsSimulator, Vector2, Vector3,
+};
 
 fn loaded(simulator: &TwoHalfPhysicsSimulator) -> TwoHalfPhysicsSimulator {
     serde_json::from_str(&serde_json::to_string(simulator).unwrap()).unwrap()
@@ -273,4 +277,46 @@ pub(crate) fn a_geom_with_an_overflowing_outline_is_saved_and_loaded() {
     let (near, far) = simulator.depth_interval(geom).unwrap();
     assert!(near.is_finite() && far.is_finite());
     let _ = loaded(&simulator);
+}
+
+/// A body that was moved, and a geom with another depth, are where and as deep as in the last update until the next one: queries
+/// find neither, and contacts stay where they were, after loading, too.
+#[test]
+fn queries_of_a_loaded_simulator_know_edits_no_sooner_than_those_of_the_saved_one() {
+    let walk_past = |edit: fn(&mut TwoHalfPhysicsSimulator, BodyId)| {
+        let mut simulator = simulator();
+        simulator.set_depth_scheme(DepthScheme::Precise).unwrap();
+        let figure = solid(&mut simulator, [20.0, 40.0, 20.0], [0.0, 0.0, 0.0]);
+        let stair = solid(&mut simulator, [20.0, 6.0, 20.0], [0.0, 0.0, 200.0]);
+        run(&mut simulator, 20);
+        edit(&mut simulator, stair);
+        let mut loaded = loaded(&simulator);
+        assert!(simulator.contacts().eq(loaded.contacts()));
+        let wish = MoveInput { x: 50.0, ..MoveInput::default() };
+        let [a, b] = [&mut simulator, &mut loaded].map(|simulator| {
+            let mut walker = CharacterController::new(CharacterSettings::default());
+            simulator.walk(figure, &mut walker, wish, DT).unwrap();
+            simulator.snapshot()
+        });
+        assert!(a == b);
+    };
+    walk_past(|simulator, stair| {
+        simulator.body_mut(stair).unwrap().set_position3d(Vector3::new(5.0, 0.0, 0.0));
+    });
+    walk_past(|simulator, stair| {
+        let geom = geom_of(simulator, stair);
+        simulator.set_depth_profile(geom, DepthProfile::Prism { depth: 500.0 }).unwrap();
+    });
+}
+
+/// A geom that a game has disposed keeps its contacts until the next update, and so does its twin in a loaded simulator.
+#[test]
+fn contacts_of_a_disposed_geom_stay_until_the_next_update_after_loading_too() {
+    let mut simulator = simulator();
+    simulator.set_depth_scheme(DepthScheme::Precise).unwrap();
+    let body = solid(&mut simulator, [20.0, 40.0, 20.0], [0.0, 0.0, 0.0]);
+    run(&mut simulator, 20);
+    simulator.dispose(body).unwrap();
+    assert!(simulator.contacts().count() > 0);
+    assert!(simulator.contacts().eq(loaded(&simulator).contacts()));
 }

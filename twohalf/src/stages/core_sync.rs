@@ -29,10 +29,10 @@ pub(crate) fn list_loaded(core: &mut PhysicsSimulator, world: &World) {
         let (Some(body), Some(state)) = (core.body(id), world.depths.bodies.get(id)) else { continue };
         let input = state.core_input(state.velocity_z, 0.0, body.is_kinematic());
         core.set_depth_body(id, input);
-        for at in 0..core.geoms_of(id).len() {
-            push_profile_to_core(core, &world.depths, core.geoms_of(id)[at]);
-        }
     }
+    // A disposed geom, which its body has lost, keeps its contacts until the next update.
+    let geoms: Vec<GeomId> = core.geoms().collect();
+    geoms.into_iter().for_each(|id| push_profile_to_core(core, &world.depths, id));
     core.set_world_boxes(world.platforms.iter().map(|(id, platform)| platform.fixture(id)));
     core.rebuild_loaded_depth();
 }

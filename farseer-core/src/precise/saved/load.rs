@@ -4,6 +4,7 @@ use serde::{Serialize, Serializer};
 
 use super::{EditPolicy, Saved};
 use crate::body::{Body, BodyId};
+use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use farseer_precise::broad_phase::proxies::BodyType;
@@ -15,16 +16,18 @@ impl Serialize for Precise {
 }
 
 impl Saved {
-    /// Returns copies of the bodies that were disabled or have changed their type since the save, enabled and with the saved
-    /// type.
-    fn bodies_of_other_type(&self, objects: &Objects) -> Vec<(BodyId, Body)> {
+    /// Returns copies of the bodies that were moved or disabled or have changed their type since the last import, with the pose
+    /// and the type of that import, and enabled.
+    fn bodies_before_edits(&self, objects: &Objects) -> Vec<(BodyId, Body)> {
         let mut bodies: Vec<(BodyId, Body)> = Vec::new();
         for proxy in &self.proxies {
             let Some(id) = objects.geoms.get(proxy.geom).map(|geom| geom.body) else { continue };
             let Some(body) = objects.bodies.get(id).map(|entry| &entry.body) else { continue };
             let is_known = || bodies.iter().any(|&(other, _)| other == id);
-            if body_type_of(body) != Some(proxy.body_type) && !is_known() {
-                bodies.push((id, with_body_type(body.clone(), proxy.body_type)));
+            let has_moved = !is_at(body, proxy.imported.pose);
+            if (has_moved || body_type_of(body) != Some(proxy.body_type)) && !is_known() {
+                let before = with_body_type(body.clone(), proxy.body_type);
+                bodies.push((id, if has_moved { with_pose(before, proxy.imported.pose) } else { before }));
             }
         }
         bodies
@@ -49,6 +52,18 @@ fn with_body_type(mut body: Body, kind: BodyType) -> Body {
     body
 }
 
+/// Returns whether a body is at a pose in the world frame: x, y (length units), rotation (radians), z (not compared).
+fn is_at(body: &Body, [x, y, rotation, _]: [f32; 4]) -> bool {
+    body.position() == Vector2::new(x, y) && body.rotation() == rotation
+}
+
+/// Returns the body at a pose in the world frame: x, y (length units), rotation (radians), z (not used).
+fn with_pose(mut body: Body, [x, y, rotation, _]: [f32; 4]) -> Body {
+    body.set_position(Vector2::new(x, y));
+    body.set_rotation(rotation);
+    body
+}
+
 /// Swaps the states of `bodies` with those of the simulator's bodies, and makes disposed objects visible to look-ups or hides
 /// them.
 fn swap_states(bodies: &mut [(BodyId, Body)], objects: &mut Objects, shows_disposed: bool) {
@@ -64,19 +79,36 @@ fn swap_states(bodies: &mut [(BodyId, Body)], objects: &mut Objects, shows_dispo
 impl Precise {
     /// Rebuilds the lists from the loaded state, for contact queries before the next update.
     ///
-    /// Edits made before the save take effect in the next update, which rebuilds everything once more. Bodies that were
+    /// Edits made before the save take effect in the next update, which rebuilds everything once more. Bodies that were moved,
     /// disabled, disposed or changed in type since the last update are therefore listed as they were.
     pub(crate) fn rebuild_from_loaded(&mut self, objects: &mut Objects) {
         let Some(saved) = self.loaded.take() else { return };
-        let mut others = saved.bodies_of_other_type(objects);
+        let mut others = saved.bodies_before_edits(objects);
+        let has_moved = others.iter().any(|(id, before)| {
+            objects.bodies.get(*id).is_some_and(|entry| {
+                entry.body.position() != before.position() || entry.body.rotation() != before.rotation()
+            })
+        });
+        self.set_depths_before_edits(&saved, objects);
         swap_states(&mut others, objects, true);
         self.rebuild(objects, &saved, EditPolicy::Defer);
         swap_states(&mut others, objects, false);
         self.edits.bodies.extend(others.into_iter().map(|(id, _)| id));
         // The engine above sends all data of the depth axis again.
-        if self.has_depth() || self.save() != saved {
+        if self.has_depth() || has_moved || self.save() != saved {
             self.edits.needs_rebuild = true;
             self.loaded = Some(saved);
+        }
+    }
+
+    /// Sets the depth of each body to that of the last import.
+    fn set_depths_before_edits(&mut self, saved: &Saved, objects: &Objects) {
+        let Some(space) = self.solver.depth.as_deref_mut() else { return };
+        for proxy in &saved.proxies {
+            if let Some(geom) = objects.geoms.get(proxy.geom) {
+                let [.., z] = proxy.imported.pose;
+                space.body_mut(geom.body.slot()).z = z;
+            }
         }
     }
 }

@@ -282,6 +282,7 @@ struct SavedConstraint {
 pub(super) enum EditPolicy {
     /// Applies all edits with the rebuild.
     Apply,
-    /// Defers edits of collision filters and body types to the next update, and applies all others with the rebuild.
+    /// Defers edits of collision filters, surface coefficients, shapes, poses and body types to the next update, and applies all
+    /// others with the rebuild. AABBs stay those of the saved state.
     Defer,
 }

@@ -271,6 +271,14 @@ impl Precise {
             self.edits.geoms.push(geom_of(proxy));
             now.filter = then.filter;
         }
+        if edits == EditPolicy::Defer {
+            let [.., friction, restitution] = then.contact_properties;
+            let proxy = &mut self.solver.proxies.all[proxy_index as usize];
+            if [proxy.friction, proxy.restitution] != [friction, restitution] {
+                (proxy.friction, proxy.restitution) = (friction, restitution);
+                self.edits.geoms.push(geom_of(proxy));
+            }
+        }
         self.solver.proxies.travel[proxy_index as usize] = saved.travel;
         self.solver.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
         let has_moved = then.pose != now.pose;
@@ -279,7 +287,8 @@ impl Precise {
         if has_moved {
             self.solver.bodies.clear_delta_pose(self.solver.proxies.all[proxy_index as usize].body as usize);
         }
-        if has_moved || is_reshaped {
+        // Queries before the next update find the proxy where the last update left it.
+        if edits == EditPolicy::Apply && (has_moved || is_reshaped) {
             self.solver.fat_aabbs().teleport(proxy_index);
         }
         if saved.is_refitted || has_moved || is_reshaped || then.filter != now.filter {
