@@ -279,8 +279,8 @@ pub(crate) fn a_geom_with_an_overflowing_outline_is_saved_and_loaded() {
     let _ = loaded(&simulator);
 }
 
-/// A body that was moved, and a geom with another depth, are where and as deep as in the last update until the next one: queries
-/// find neither, and contacts stay where they were, after loading, too.
+/// A moved body and a geom with another depth take effect in the next update. Until then queries find them where they were, also
+/// after loading.
 #[test]
 fn queries_of_a_loaded_simulator_know_edits_no_sooner_than_those_of_the_saved_one() {
     let walk_past = |edit: fn(&mut TwoHalfPhysicsSimulator, BodyId)| {

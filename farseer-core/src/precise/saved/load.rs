@@ -8,6 +8,7 @@ use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use farseer_precise::broad_phase::proxies::BodyType;
+use farseer_precise::depth::state::DepthState;
 
 impl Serialize for Precise {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -64,6 +65,17 @@ fn with_pose(mut body: Body, [x, y, rotation, _]: [f32; 4]) -> Body {
     body
 }
 
+/// Sets the depth of each body with a proxy to that of the last import.
+fn set_depths_before_edits(depth: Option<&mut DepthState>, saved: &Saved, objects: &Objects) {
+    let Some(space) = depth else { return };
+    for proxy in &saved.proxies {
+        if let Some(geom) = objects.geoms.get(proxy.geom) {
+            let [.., z] = proxy.imported.pose;
+            space.body_mut(geom.body.slot()).z = z;
+        }
+    }
+}
+
 /// Swaps the states of `bodies` with those of the simulator's bodies, and makes disposed objects visible to look-ups or hides
 /// them.
 fn swap_states(bodies: &mut [(BodyId, Body)], objects: &mut Objects, shows_disposed: bool) {
@@ -89,7 +101,7 @@ impl Precise {
                 entry.body.position() != before.position() || entry.body.rotation() != before.rotation()
             })
         });
-        self.set_depths_before_edits(&saved, objects);
+        set_depths_before_edits(self.solver.depth.as_deref_mut(), &saved, objects);
         swap_states(&mut others, objects, true);
         self.rebuild(objects, &saved, EditPolicy::Defer);
         swap_states(&mut others, objects, false);
@@ -98,17 +110,6 @@ impl Precise {
         if self.has_depth() || has_moved || self.save() != saved {
             self.edits.needs_rebuild = true;
             self.loaded = Some(saved);
-        }
-    }
-
-    /// Sets the depth of each body to that of the last import.
-    fn set_depths_before_edits(&mut self, saved: &Saved, objects: &Objects) {
-        let Some(space) = self.solver.depth.as_deref_mut() else { return };
-        for proxy in &saved.proxies {
-            if let Some(geom) = objects.geoms.get(proxy.geom) {
-                let [.., z] = proxy.imported.pose;
-                space.body_mut(geom.body.slot()).z = z;
-            }
         }
     }
 }

@@ -263,29 +263,30 @@ impl Precise {
     /// Restores travel and fat AABB of a proxy. Returns whether a property that its contacts depend on has changed since the
     /// save.
     fn restore_proxy(&mut self, proxy_index: u32, saved: &SavedProxy, edits: EditPolicy) -> bool {
-        let (then, mut now) = (saved.imported, self.imported_state_of(proxy_index as usize));
+        let at = proxy_index as usize;
+        let (then, mut now) = (saved.imported, self.imported_state_of(at));
         if edits == EditPolicy::Defer && then.filter != now.filter {
             let [filter @ .., responds] = then.filter;
-            let proxy = &mut self.solver.proxies.all[proxy_index as usize];
+            let proxy = &mut self.solver.proxies.all[at];
             (proxy.filter, proxy.responds) = (filter, responds != 0);
             self.edits.geoms.push(geom_of(proxy));
             now.filter = then.filter;
         }
         if edits == EditPolicy::Defer {
             let [.., friction, restitution] = then.contact_properties;
-            let proxy = &mut self.solver.proxies.all[proxy_index as usize];
+            let proxy = &mut self.solver.proxies.all[at];
             if [proxy.friction, proxy.restitution] != [friction, restitution] {
                 (proxy.friction, proxy.restitution) = (friction, restitution);
                 self.edits.geoms.push(geom_of(proxy));
             }
         }
-        self.solver.proxies.travel[proxy_index as usize] = saved.travel;
+        self.solver.proxies.travel[at] = saved.travel;
         self.solver.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
         let has_moved = then.pose != now.pose;
         // The saved AABB and manifolds belong to the former shape.
         let is_reshaped = then.fingerprint != now.fingerprint;
         if has_moved {
-            self.solver.bodies.clear_delta_pose(self.solver.proxies.all[proxy_index as usize].body as usize);
+            self.solver.bodies.clear_delta_pose(self.solver.proxies.all[at].body as usize);
         }
         // Queries before the next update find the proxy where the last update left it.
         if edits == EditPolicy::Apply && (has_moved || is_reshaped) {
