@@ -231,8 +231,8 @@ impl Solver {
 
     /// Removes all pairs and their constraints, and adapts their lists to the present numbers of proxies and bodies.
     pub fn clear_pairs(&mut self) {
-        self.grid.reset(self.proxies.all.len());
-        self.pairs.reset(self.proxies.all.len());
+        self.grid.reset(self.proxies.position_count());
+        self.pairs.reset(self.proxies.position_count());
         self.constraints.clear();
         self.color_usage.reset(&self.bodies.inverse_mass_inertia[..self.bodies.states.len()]);
         if let Some(space) = &self.depth {

@@ -40,7 +40,7 @@ impl Solver {
     /// Second stage of a step, the broad phase: removes pairs whose fat AABBs do not overlap any more, and returns the number of
     /// new candidate pairs. The adapter knows the geoms of each candidate; candidates are sorted by creation numbers.
     pub fn find_pairs(&mut self) -> usize {
-        let mut refitted = std::mem::take(&mut self.proxies.refitted);
+        let refitted = self.proxies.take_refitted();
         if !refitted.is_empty() {
             self.narrow_phase().remove_separated_pairs(&refitted);
         }
@@ -48,12 +48,11 @@ impl Solver {
         let found = self.find_new_pairs(&refitted);
         self.searched_static_proxies.clear();
         if self.depth.is_none() {
-            let proxies = &self.proxies.all;
-            let is_static_sensor = |&&proxy: &&u32| !proxies[proxy as usize].body_type.takes_impulses();
+            let proxies = &self.proxies;
+            let is_static_sensor = |&&proxy: &&u32| !proxies.proxy(proxy).body_type.takes_impulses();
             self.searched_static_proxies.extend(refitted.iter().filter(is_static_sensor));
         }
-        refitted.clear();
-        self.proxies.refitted = refitted;
+        self.proxies.return_refitted(refitted);
         found
     }
 

@@ -106,10 +106,10 @@ impl Precise {
         let pairs = removed_proxies.iter().flat_map(|&proxy| self.solver.pairs.pairs_of(proxy));
         let pairs = pairs.collect();
         self.solver.narrow_phase().remove_pairs(pairs);
-        self.solver.proxies.refitted.retain(|proxy| removed_proxies.binary_search(proxy).is_err());
+        self.solver.proxies.retain_refitted(|proxy| removed_proxies.binary_search(proxy).is_err());
         // The list of a body begins with its newest proxy, so that descending order finds each at the head.
         for &proxy in removed_proxies.iter().rev() {
-            let removed = &self.solver.proxies.all[proxy as usize];
+            let removed = self.solver.proxies.proxy(proxy);
             let (geom, body, key) = (geom_of(removed), removed.body as usize, removed.list_key);
             if body < self.solver.bodies.first_static() && is_geom_listed(objects, geom) {
                 self.ids.vacant_proxies.leave(proxy as usize, (geom, geom.slot()), key);
@@ -163,7 +163,7 @@ impl Precise {
             self.ids.add_body(index, geom.body);
         }
         self.proxy_import(objects).add(id, place);
-        let count = self.solver.proxies.all.len();
+        let count = self.solver.proxies.position_count();
         self.solver.proxy_flags.resize(count, false);
         self.solver.grid.grow(count);
         self.solver.pairs.grow(count);
@@ -347,7 +347,7 @@ impl MembershipDiff {
     fn is_complete(&self, listed: &Listed<'_>, world_proxies: usize) -> bool {
         let is_removed = |proxy: u32| self.removed_proxies.binary_search(&proxy).is_ok();
         let has_removed_body = |proxy: &u32| {
-            let body = listed.proxies.all[*proxy as usize].body as usize;
+            let body = listed.proxies.body_of(*proxy);
             body >= listed.bodies.first_static() || self.removed_bodies.binary_search(&body).is_ok()
         };
         let Objects { bodies, geoms, .. } = listed.objects;
@@ -395,14 +395,14 @@ impl MembershipDiff {
             movable_pieces += if is_movable(geom.body) { count } else { 0 };
         }
         let appended_bodies = self.body_places.iter().filter(|place| place.is_none()).count();
-        let positions = proxies.all.len() - (proxies.first_fixed - proxies.movable_end);
+        let positions = proxies.position_count() - (proxies.first_fixed - proxies.movable_end);
         let is_full_enough = |live: usize, removed: usize, places: usize| {
             2 * (live - removed) + MIN_EMPTY_POSITIONS_TO_COMPACT + spare_capacity(bodies.poses.len())
                 >= places
         };
         bodies.last_movable + appended_bodies < bodies.first_static()
             && proxies.movable_end + movable_pieces <= proxies.first_fixed
-            && grid.has_capacity(proxies.all.len() + pieces)
+            && grid.has_capacity(proxies.position_count() + pieces)
             && is_full_enough(bodies.movable_count, self.removed_bodies.len(), bodies.last_movable)
             && is_full_enough(proxies.live_count, self.removed_proxies.len(), positions)
     }

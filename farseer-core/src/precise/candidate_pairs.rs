@@ -7,7 +7,7 @@ use crate::geom::GeomId;
 impl Precise {
     /// Returns the number of proxies whose fat AABB has changed since the last [`find_pairs`](farseer_precise::Solver::find_pairs).
     pub(crate) fn refitted_count(&self) -> usize {
-        self.solver.proxies.refitted.len()
+        self.solver.proxies.refitted().len()
     }
 
     /// Returns the geoms of the candidate pair `at`, an index into `new_pairs`. The geom with the smaller creation number is
@@ -21,7 +21,7 @@ impl Precise {
     pub(crate) fn add_candidate_pair(&mut self, at: usize) {
         let proxies = self.solver.new_pairs[at];
         let pair = self.solver.narrow_phase().add_pair(proxies);
-        if self.solver.pairs.all[pair].is_static_sensor {
+        if self.solver.pairs.state(pair).is_static_sensor {
             self.solver.narrow_phase().sleep_pair(pair);
         } else {
             self.solver.sleep.wake_for_new_pair(&self.solver.pairs, &self.solver.proxies, pair);
@@ -36,12 +36,12 @@ impl Precise {
 
     /// Returns the geoms of a pair, the one with the smaller creation number first.
     pub(crate) fn geoms_of(&self, pair: usize) -> (GeomId, GeomId) {
-        self.geoms_of_proxies(self.solver.pairs.triggers[pair].proxies)
+        self.geoms_of_proxies(self.solver.pairs.proxies_of(pair))
     }
 
     /// Returns the geoms of two proxies, the one with the smaller creation number first.
     fn geoms_of_proxies(&self, proxies: [u32; 2]) -> (GeomId, GeomId) {
-        let [a, b] = proxies.map(|proxy| &self.solver.proxies.all[proxy as usize]);
+        let [a, b] = proxies.map(|proxy| self.solver.proxies.proxy(proxy));
         if a.creation_number < b.creation_number {
             (geom_of(a), geom_of(b))
         } else {

@@ -40,11 +40,9 @@ impl Precise {
     /// axes.
     pub(crate) fn arbiter_of_pair(&self, pair: usize) -> Option<ArbiterRef<'static>> {
         let solver = &self.solver;
-        solver.pairs.all.get(pair).filter(|state| state.is_touching && solver.depth.is_none())?;
+        solver.pairs.get(pair).filter(|state| state.is_touching && solver.depth.is_none())?;
         let contact = solver.contact_reader().planar_contact(pair);
-        let numbers = solver.pairs.triggers[pair]
-            .proxies
-            .map(|proxy| solver.proxies.all[proxy as usize].creation_number);
+        let numbers = solver.pairs.proxies_of(pair).map(|proxy| solver.proxies.proxy(proxy).creation_number);
         let contacts = ContactSource::Copied(contacts_of(&contact, numbers), contact.count);
         let friction = contact.friction;
         Some(ArbiterRef { handle: pair as u32, geoms: self.geoms_of(pair), friction, contacts })
@@ -65,7 +63,7 @@ impl Precise {
         let [one, other] = events.first()?.owners.map(GeomId::from_bits);
         let geoms = (one, other);
         let touching_now =
-            self.pairs_between(geoms).filter(|&pair| self.solver.pairs.all[pair].is_touching).count();
+            self.pairs_between(geoms).filter(|&pair| self.solver.pairs.is_touching(pair)).count();
         let begun = events.iter().filter(|change| change.begins).count();
         let touching_before = (touching_now + events.len() - begun).saturating_sub(begun);
         ((touching_before > 0) != (touching_now > 0)).then_some((geoms, touching_now > 0))
@@ -75,7 +73,7 @@ impl Precise {
     pub(super) fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
         let solver = &self.solver;
         // A chain may have thousands of pieces, and a floor thousands of pairs, so the pieces of the smaller geom are searched.
-        let is_movable = |at: u32| solver.proxies.all[at as usize].body_type == BodyType::Dynamic;
+        let is_movable = |at: u32| solver.proxies.proxy(at).body_type == BodyType::Dynamic;
         let is_small = self.proxy_of(other, 1).is_none() && self.proxy_of(other, 0).is_some_and(is_movable);
         let (one, other) = if is_small { (one, other) } else { (other, one) };
         let proxies = [self.single_proxy(one), self.single_proxy(other)];
@@ -83,11 +81,10 @@ impl Precise {
             [Some(one), Some(other)] => (solver.pairs.find([one, other]), u32::MAX),
             _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
         };
-        let is_piece =
-            move |at: &u32| solver.proxies.all.get(*at as usize).is_some_and(|proxy| geom_of(proxy) == other);
+        let is_piece = move |at: &u32| solver.proxies.get(*at).is_some_and(|proxy| geom_of(proxy) == other);
         let is_with_one = move |pair: &usize| {
-            let proxies = solver.pairs.triggers[*pair].proxies;
-            proxies.iter().any(|&proxy| geom_of(&solver.proxies.all[proxy as usize]) == one)
+            let proxies = solver.pairs.proxies_of(*pair);
+            proxies.iter().any(|&proxy| geom_of(solver.proxies.proxy(proxy)) == one)
         };
         let of_pieces = (first..u32::MAX).take_while(is_piece).flat_map(|piece| solver.pairs.pairs_of(piece));
         pair.into_iter().chain(of_pieces.filter(is_with_one))
@@ -107,8 +104,8 @@ impl Precise {
     pub(crate) fn contacts_between(&self, geoms: (GeomId, GeomId)) -> u32 {
         let pairs = self.pairs_between(geoms);
         pairs
-            .filter(|&pair| self.solver.pairs.all[pair].is_touching)
-            .map(|pair| self.solver.pairs.manifolds[pair].count)
+            .filter(|&pair| self.solver.pairs.is_touching(pair))
+            .map(|pair| self.solver.pairs.manifold(pair).count)
             .sum()
     }
 
@@ -122,7 +119,7 @@ impl Precise {
         let with_numbers = |pair: usize| {
             Some((touching_pair_key(&self.solver.pairs, &self.solver.proxies, pair)?, pair as u32))
         };
-        let is_reported = |pair: &usize| self.solver.pairs.all[*pair].is_reported;
+        let is_reported = |pair: &usize| self.solver.pairs.state(*pair).is_reported;
         let count = if self.solver.pairs.reported_count > 0 { self.solver.pairs.count() } else { 0 };
         touching.extend((0..count).filter(is_reported).filter_map(with_numbers));
         for &(geoms, _) in events.iter().filter(|(_, begins)| *begins) {
@@ -171,7 +168,7 @@ impl Precise {
 /// Returns the sort key of a pair: the creation numbers of both geoms, the smaller one first, packed into one number.
 /// `None` if the pair does not touch or a handler has disabled it.
 fn touching_pair_key(pairs: &Pairs, proxies: &Proxies, pair: usize) -> Option<u128> {
-    pairs.all.get(pair).filter(|state| state.is_touching && !state.is_vetoed)?;
-    let [a, b] = pairs.triggers[pair].proxies.map(|proxy| proxies.all[proxy as usize].creation_number);
+    pairs.get(pair).filter(|state| state.is_touching && !state.is_vetoed)?;
+    let [a, b] = pairs.proxies_of(pair).map(|proxy| proxies.proxy(proxy).creation_number);
     Some(packed_key(if a < b { [a, b] } else { [b, a] }))
 }

@@ -40,9 +40,9 @@ impl Precise {
 
     /// Returns the manifold of deepest penetration among the touching convex pieces of two geoms; `None` if no pieces touch.
     fn deepest_contact_between(&self, geoms: (GeomId, GeomId)) -> Option<DepthContact> {
-        let touching = self.pairs_between(geoms).filter(|&pair| self.solver.pairs.all[pair].is_touching);
-        let touches = touching
-            .filter_map(|pair| Some((self.solver.pairs.triggers[pair].proxies, self.depth_contact(pair)?)));
+        let touching = self.pairs_between(geoms).filter(|&pair| self.solver.pairs.is_touching(pair));
+        let touches =
+            touching.filter_map(|pair| Some((self.solver.pairs.proxies_of(pair), self.depth_contact(pair)?)));
         // Ties: by pieces. Loading a snapshot reorders pairs, but not pieces.
         let order = |(pieces, touch): &([u32; 2], DepthContact),
                      (others, other): &([u32; 2], DepthContact)| {
@@ -64,14 +64,14 @@ impl Precise {
     pub(crate) fn depth_neighbours_of(&self, body_index: usize) -> impl Iterator<Item = GeomId> + '_ {
         let solver = &self.solver;
         let others = solver.proxies.proxies_of(body_index).flat_map(move |proxy| {
-            solver.pairs.pairs_of(proxy).filter(|&pair| solver.pairs.all[pair].has_response()).map(
+            solver.pairs.pairs_of(proxy).filter(|&pair| solver.pairs.state(pair).has_response()).map(
                 move |pair| {
-                    let [a, b] = solver.pairs.triggers[pair].proxies;
+                    let [a, b] = solver.pairs.proxies_of(pair);
                     if a == proxy { b } else { a }
                 },
             )
         });
-        let others = others.map(|other| &solver.proxies.all[other as usize]);
+        let others = others.map(|other| solver.proxies.proxy(other));
         others.filter(|proxy| !proxy.is_world).map(geom_of)
     }
 
@@ -85,9 +85,9 @@ impl Precise {
         let refused = solver
             .pairs
             .pairs_of_body(&solver.proxies, body_index)
-            .filter(|&pair| solver.pairs.all[pair].is_vetoed);
+            .filter(|&pair| solver.pairs.state(pair).is_vetoed);
         refused.map(move |pair| {
-            let [a, b] = solver.pairs.triggers[pair].proxies.map(|proxy| &solver.proxies.all[proxy as usize]);
+            let [a, b] = solver.pairs.proxies_of(pair).map(|proxy| solver.proxies.proxy(proxy));
             let (this, other) = if a.body as usize == body_index { (a, b) } else { (b, a) };
             (geom_of(this), contact_target_of(geom_of(other)))
         })
@@ -101,9 +101,9 @@ impl Precise {
         let (bounds, depths) = ([low[0], low[1], high[0], high[1]], DepthInterval::new(low[2], high[2]));
         self.solver.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
             let at = at as usize;
-            let proxy = &self.solver.proxies.all[at];
-            let is_near =
-                overlap(&bounds, &self.solver.proxies.fat_aabbs[at]) && space.interval(at).overlaps(depths);
+            let proxy = self.solver.proxies.proxy(at as u32);
+            let is_near = overlap(&bounds, self.solver.proxies.fat_aabb_of(at as u32))
+                && space.interval(at).overlaps(depths);
             if is_near && !proxy.is_world {
                 find(geom_of(proxy));
             }
@@ -120,7 +120,7 @@ impl Precise {
         let solver = &self.solver;
         let count = if solver.pairs.reported_count > 0 { solver.pairs.count() } else { 0 };
         let is_heard =
-            |pair: &usize| solver.pairs.all[*pair].is_touching && solver.pairs.all[*pair].is_reported;
+            |pair: &usize| solver.pairs.is_touching(*pair) && solver.pairs.state(*pair).is_reported;
         (0..count).filter(is_heard).filter_map(|pair| Some((pair, self.depth_contact(pair)?)))
     }
 
@@ -129,11 +129,11 @@ impl Precise {
     /// box or the ground.
     pub(crate) fn depth_contact(&self, pair: usize) -> Option<DepthContact> {
         let solver = &self.solver;
-        let state = solver.pairs.all.get(pair).filter(|state| !state.is_vetoed)?;
+        let state = solver.pairs.get(pair).filter(|state| !state.is_vetoed)?;
         let space = solver.depth.as_ref()?;
         let contact = solver.contact_reader().spatial_contact(pair)?;
-        let proxies = solver.pairs.triggers[pair].proxies;
-        let [a, b] = proxies.map(|proxy| &solver.proxies.all[proxy as usize]);
+        let proxies = solver.pairs.proxies_of(pair);
+        let [a, b] = proxies.map(|proxy| solver.proxies.proxy(proxy));
         // Normals point from A to B.
         let is_b = a.is_world || a.creation_number < b.creation_number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };

@@ -151,7 +151,7 @@ impl Precise {
     pub(super) fn saved_body_id(&self, body_index: usize) -> Option<BodyId> {
         let of_world_box = || {
             let mut proxies =
-                self.solver.proxies.proxies_of(body_index).map(|at| &self.solver.proxies.all[at as usize]);
+                self.solver.proxies.proxies_of(body_index).map(|at| self.solver.proxies.proxy(at));
             proxies
                 .find(|proxy| proxy.body_type == BodyType::Hinged)
                 .map(|proxy| world_box_body_id(geom_of(proxy)))

@@ -76,7 +76,7 @@ impl<'a> ProxyImport<'a> {
                 continue;
             }
             recent_outlines.share_pieces(geom);
-            self.ids.add_geom(id, self.proxies.all.len());
+            self.ids.add_geom(id, self.proxies.position_count());
             for piece in 0..geom.pieces().len() {
                 if let Some(proxy) = self.proxy(id, piece) {
                     self.proxies.push(proxy);

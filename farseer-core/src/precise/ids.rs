@@ -50,7 +50,7 @@ pub(super) fn geom_of(proxy: &Proxy) -> GeomId {
 
 /// Returns `at` if the proxy with this index is the given convex piece of a geom; else `None`.
 pub(super) fn piece_at(proxies: &Proxies, at: usize, (geom, piece): (GeomId, u32)) -> Option<u32> {
-    let proxy = proxies.all.get(at)?;
+    let proxy = proxies.get(at as u32)?;
     (proxy.owner == owner_of(geom) && proxy.piece == piece).then_some(at as u32)
 }
 
@@ -125,7 +125,7 @@ impl IdTable {
         let first = self.first_proxy(geom).and_then(|first| piece_at(proxies, first, (geom, 0)));
         let Some(first) = first.map(|first| first as usize) else { return 0..0 };
         let owner = owner_of(geom);
-        let count = proxies.all[first..].iter().take_while(|proxy| proxy.owner == owner).count();
+        let count = proxies.positions_from(first as u32).take_while(|proxy| proxy.owner == owner).count();
         first..first + count
     }
 }

@@ -88,7 +88,7 @@ impl Precise {
     /// units.
     pub(super) fn compute_extents(&mut self, index: usize, objects: &Objects) {
         let Solver { bodies, proxies, depth, .. } = &mut self.solver;
-        let shapes = proxies.proxies_of(index).map(|proxy| proxies.all[proxy as usize].shape);
+        let shapes = proxies.proxies_of(index).map(|proxy| proxies.proxy(proxy).shape);
         bodies.compute_extents(index, shapes.map(|shape| (shape, proxies.vertices.min_extent(shape))));
         if let Some(space) = depth.as_deref_mut() {
             space.update_is_ball(index, proxies);
@@ -123,13 +123,14 @@ impl Precise {
     /// Calls `apply` for each proxy of a geom, and updates the pairs of that proxy by the [`ProxyUpdate`] that `apply` returns.
     fn update_proxies(&mut self, geom: GeomId, mut apply: impl FnMut(&mut Proxy) -> ProxyUpdate) {
         for at in self.ids.proxies_of_geom(&self.solver.proxies, geom) {
-            let was_one_way = self.solver.proxies.all[at].one_way.is_some();
-            let update = apply(&mut self.solver.proxies.all[at]);
-            self.solver.proxies.one_way_count += usize::from(self.solver.proxies.all[at].one_way.is_some());
+            let was_one_way = self.solver.proxies.proxy(at as u32).one_way.is_some();
+            let update = apply(self.solver.proxies.proxy_mut(at as u32));
+            self.solver.proxies.one_way_count +=
+                usize::from(self.solver.proxies.proxy(at as u32).one_way.is_some());
             self.solver.proxies.one_way_count -= usize::from(was_one_way);
             if update.moved {
                 self.solver.fat_aabbs().teleport(at as u32);
-                self.solver.proxies.refitted.push(at as u32);
+                self.solver.proxies.search_pairs_of(at as u32);
             }
             if update.contacts || update.moved {
                 self.solver.invalidate_pairs(at as u32);
@@ -359,7 +360,7 @@ impl Precise {
             .as_mut()
             .is_some_and(|space| space.add_ground_and_static_proxies(proxies, bodies.poses.len()));
         self.solver.proxies.link_bodies(self.solver.bodies.poses.len());
-        self.solver.proxy_flags.resize(self.solver.proxies.all.len(), false);
+        self.solver.proxy_flags.resize(self.solver.proxies.position_count(), false);
     }
 
     /// Returns the parts from which the proxies of geoms follow.
@@ -385,7 +386,7 @@ impl Precise {
 /// Sets the travel of a new geom's proxies to 0. They have no pairs yet, and their body may have moved in the same import.
 fn begin_travel(ids: &IdTable, proxies: &mut Proxies, geom: GeomId) {
     let places = ids.proxies_of_geom(proxies, geom);
-    proxies.travel[places].fill(0);
+    places.for_each(|at| proxies.set_travel(at as u32, 0));
 }
 
 /// Returns whether a simulated body, if it is dynamic or kinematic, and all of its geoms are among the `members` that have
@@ -407,7 +408,7 @@ fn set_geomless_extent(bodies: &mut BodySet, proxies: &Proxies, index: usize, bo
 /// Sets for each pair of a proxy whether a collision handler is called for the pair.
 fn update_callbacks(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
     pairs.for_each_index_of(proxy, |pairs, pair| {
-        let is_reported = is_pair_reported(proxies, pairs.triggers[pair].proxies);
+        let is_reported = is_pair_reported(proxies, pairs.proxies_of(pair));
         pairs.set_reported(pair, is_reported);
     });
 }
@@ -415,7 +416,7 @@ fn update_callbacks(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
 /// Resets the one-way states of all pairs of a proxy, after the one-way direction of the proxy has changed.
 pub(super) fn reset_one_way_states(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
     pairs.for_each_index_of(proxy, |pairs, pair| {
-        pairs.all[pair].one_way_state = initial_one_way_state(proxies, pairs, pair);
+        pairs.state_mut(pair).one_way_state = initial_one_way_state(proxies, pairs, pair);
     });
 }
 

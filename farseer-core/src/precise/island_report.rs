@@ -192,7 +192,7 @@ impl Precise {
         let numbers = bodies.iter().filter_map(|&body| self.ids.body_index(body));
         for body in numbers.filter(|&body| solver.bodies.is_dynamic(body)) {
             let pairs = solver.pairs.pairs_of_body(&solver.proxies, body);
-            for pair in pairs.filter(|&pair| solver.pairs.all[pair].constraint.is_some()) {
+            for pair in pairs.filter(|&pair| solver.pairs.has_constraint(pair)) {
                 let [overlap, approach] = contacts.of_pair(pair);
                 (residual.overlap, residual.approach) =
                     (residual.overlap.max(overlap), residual.approach.max(approach));
@@ -221,7 +221,7 @@ fn is_awake(bodies: &BodySet, sleep: &SleepState, body: usize) -> bool {
 /// dynamic one.
 fn rows_by_body(bodies: &BodySet, proxies: &Proxies, pairs: &Pairs, sleep: &SleepState) -> Vec<usize> {
     let mut rows = vec![0; bodies.states.len()];
-    for pair in (0..pairs.awake_count).filter(|&pair| pairs.all[pair].constraint.is_some()) {
+    for pair in (0..pairs.awake_count).filter(|&pair| pairs.has_constraint(pair)) {
         let [(a, _), (b, _)] = pairs.bodies_of(proxies, pair);
         let body = [a, b].into_iter().rfind(|&body| is_awake(bodies, sleep, body));
         body.into_iter().for_each(|body| rows[body] += 1);
@@ -248,7 +248,7 @@ impl ContactErrors<'_> {
     ///
     /// The excess is the approach speed minus the speed that closes the gap in one update.
     fn of_pair(&self, pair: usize) -> [f32; 2] {
-        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
         let [outline_a, outline_b] = [a, b].map(|proxy| self.proxies.vertices.shape_ref(proxy.shape));
         let Manifold { normal, count, points, separations, .. } =

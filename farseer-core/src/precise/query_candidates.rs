@@ -39,7 +39,7 @@ impl Precise {
         let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
         // Each geom after the key by which the list is sorted.
         let of_proxy = |proxy: u32| {
-            let proxy = &solver.proxies.all[proxy as usize];
+            let proxy = solver.proxies.proxy(proxy);
             (proxy.list_key, geom_of(proxy))
         };
         let mut found: Vec<(u32, GeomId)> =
@@ -76,7 +76,7 @@ impl Precise {
         let Some(proxy) = self.proxy_of(id, 0).filter(|_| !has_own_pose && geom.pieces().len() == 1) else {
             return false;
         };
-        let shape = self.solver.proxies.all[proxy as usize].shape;
+        let shape = self.solver.proxies.proxy(proxy).shape;
         let tolerance = PIECE_MAX_SHORTFALL_RATIO * self.solver.parameters.speculative_distance;
         let on_body = GeomPose::of_body(Vector2::zeros(), 0.0, geom.offset, geom.rotation_offset).matrix;
         let is_covered = |&corner: &Vector2| {

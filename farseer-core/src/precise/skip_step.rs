@@ -45,7 +45,7 @@ impl Precise {
     fn has_no_work(&self) -> bool {
         let solver = &self.solver;
         solver.pairs.awake_count == 0
-            && solver.proxies.refitted.is_empty()
+            && solver.proxies.refitted().is_empty()
             && solver.proxies.one_way_count == 0
             && solver.enlarged_proxies.is_empty()
             && solver.touch_events.is_empty()

@@ -1,9 +1,5 @@
 //! Broad phase: computes fat AABBs and moves their proxies in the hash grid.
 
-use std::ops::Range;
-
-use wide::f32x4;
-
 use super::hash_grid::{HashGrid, PackedAabb};
 use super::pairs::Pairs;
 use super::proxies::{BodyType, Proxies, Proxy};
@@ -12,7 +8,6 @@ use crate::depth::feature_gate::FeatureGate;
 use crate::depth::interface::DepthInterval;
 use crate::depth::state::DepthState;
 use crate::island::sleep::SleepState;
-use crate::math::lanes::{columns, gather, select};
 use crate::math::plane::length;
 use crate::math::scalar::nearest_finite;
 use crate::parameters::narrow_phase::CCD_MAX_COORDINATE;
@@ -48,7 +43,7 @@ impl Proxies {
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> PackedAabb {
-        let turning = self.all[proxy as usize].shape.max_extent * turned.abs().min(2.0);
+        let turning = self.proxy(proxy).shape.max_extent * turned.abs().min(2.0);
         let [x, y, to_x, to_y] = self.tight_aabb(proxy as usize, bodies, parameters);
         let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
         let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
@@ -67,71 +62,6 @@ pub(crate) fn is_fast_kinematic(proxy: &Proxy, bodies: &BodySet, parameters: &Pa
     distance > parameters.speculative_distance && distance < CCD_MAX_COORDINATE
 }
 
-/// Adds the motion in the step to `Proxies::travel`, and adds each proxy whose tight AABB has left its fat AABB to
-/// `Proxies::refitted`.
-///
-/// The motion of a proxy is |dx| + |dy| + |dz| + extent * |rotation|, for the displacement of its body in the step. The extent
-/// is the greatest distance of the surface from the body's origin. The motion is an upper bound for the path of each point of
-/// the proxy, rounded up to a multiple of 2^-26 length units. The tight AABB includes the speculative distance.
-#[inline(always)]
-fn find_escaped_proxies(
-    proxies: &mut Proxies,
-    bodies: &BodySet,
-    runs: &[Range<usize>],
-    parameters: &Parameters,
-) {
-    let scale = f32x4::splat(parameters.travel_scale());
-    let speculative_distance = f32x4::splat(parameters.speculative_distance);
-    let Proxies {
-        all,
-        local_aabbs: boxes,
-        fat_aabbs: bounds,
-        travel: motion,
-        refitted: escaped,
-        movable_end: movable,
-        ..
-    } = proxies;
-    for four in runs.iter().flat_map(|run| run.clone().step_by(4)) {
-        let of = &all[four..four + 4];
-        let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
-        let [x, y, c, s] = gather(&bodies.poses, &places);
-        let [dx, dy, turned, dz] = gather(&bodies.delta_pose, &places);
-        let [Some(boxes), Some(bounds)] = [&*boxes, &*bounds].map(|of| of[four..].first_chunk::<4>()) else {
-            continue;
-        };
-        let [cx, cy, hx, hy] = columns(boxes);
-        let radius = f32x4::new(std::array::from_fn(|lane| of[lane].shape.radius));
-        let reach = f32x4::new(std::array::from_fn(|lane| of[lane].shape.max_extent));
-        let (x, y) = (x + (c * cx - s * cy), y + (s * cx + c * cy));
-        let (ac, as_) = (c.abs(), s.abs());
-        let (ex, ey) = (
-            ac * hx + as_ * hy + radius + speculative_distance,
-            as_ * hx + ac * hy + radius + speculative_distance,
-        );
-        let [low_x, low_y, high_x, high_y] = columns(bounds);
-        let has_left = (x - ex).simd_lt(low_x)
-            | (y - ey).simd_lt(low_y)
-            | (x + ex).simd_gt(high_x)
-            | (y + ey).simd_gt(high_y);
-        let travel = (dx.abs() + dy.abs() + dz.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
-        add_travel(&mut motion[four..four + 4], travel);
-        let left = has_left.to_bitmask();
-        for lane in (0..4).filter(|lane| left >> lane & 1 == 1 && four + lane < *movable) {
-            escaped.push((four + lane) as u32);
-        }
-    }
-}
-
-/// Adds the motions `travel` of four proxies, at most 1e9 each, to their counters, wrapping. Unit: 2^-26 length units.
-#[inline(always)]
-fn add_travel(counters: &mut [u32], travel: f32x4) {
-    let most = f32x4::splat(1e9);
-    let way = select(travel.simd_lt(most), travel, most).to_array();
-    for (counter, way) in counters.iter_mut().zip(way) {
-        *counter = counter.wrapping_add(way as u32);
-    }
-}
-
 /// Parts that the fat AABBs of proxies depend on, and those that store them.
 pub struct FatAabbs<'a> {
     pub(crate) bodies: &'a BodySet,
@@ -148,13 +78,13 @@ impl FatAabbs<'_> {
     /// the pairs of these proxies.
     pub(crate) fn refit(&mut self, sleep: &SleepState, pairs: &Pairs) {
         let runs = &sleep.awake_proxy_runs;
-        find_escaped_proxies(self.proxies, self.bodies, runs, self.parameters);
+        self.proxies.find_escaped(self.bodies, runs, self.parameters);
         if let Some(space) = &self.depth {
             space.collect_escaped(self.proxies, self.bodies, runs, self.parameters);
         }
-        for at in 0..self.proxies.refitted.len() {
-            let proxy = self.proxies.refitted[at];
-            let extent = self.proxies.all[proxy as usize].shape.max_extent;
+        for at in 0..self.proxies.refitted().len() {
+            let proxy = self.proxies.refitted()[at];
+            let extent = self.proxies.proxy(proxy).shape.max_extent;
             let margin = match pairs.pairs_of(proxy).next() {
                 None => self.parameters.margin_without_pairs(extent),
                 Some(_) => self.parameters.margin_for_extent(extent),
@@ -166,22 +96,22 @@ impl FatAabbs<'_> {
     /// Computes and stores the fat AABB of a proxy, and moves the proxy in the hash grid. The margin is always the one for
     /// proxies that are in pairs ([`Parameters::margin_for_extent`]).
     pub(crate) fn enlarge(&mut self, proxy: u32) {
-        let extent = self.proxies.all[proxy as usize].shape.max_extent;
+        let extent = self.proxies.proxy(proxy).shape.max_extent;
         self.enlarge_by(proxy, self.parameters.margin_for_extent(extent));
     }
 
     /// Computes and stores the fat AABB of a proxy with `margin`, and moves the proxy in the hash grid.
     fn enlarge_by(&mut self, proxy: u32, margin: AabbMargin) {
         let bounds = self.proxies.fat_aabb(proxy as usize, self.bodies, self.parameters, margin, self.dt);
-        self.proxies.fat_aabbs[proxy as usize] = bounds;
-        let may_stop = self.proxies.all[proxy as usize].may_stop();
+        self.proxies.set_fat_aabb(proxy, bounds);
+        let may_stop = self.proxies.proxy(proxy).may_stop();
         let Some(depth) = &mut self.depth else {
             return self.grid.insert_or_move(proxy, &bounds, may_stop);
         };
         if proxy == depth.ground_proxy {
-            self.proxies.fat_aabbs[proxy as usize] = GROUND_BOUNDS;
+            self.proxies.set_fat_aabb(proxy, GROUND_BOUNDS);
         }
-        let body = self.proxies.all[proxy as usize].body;
+        let body = self.proxies.proxy(proxy).body;
         let speed = self.bodies.states.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
         depth.set_fat_interval(proxy, body, speed * self.dt, margin, self.parameters.speculative_distance);
         if depth.is_in_grid(proxy) {
@@ -192,21 +122,21 @@ impl FatAabbs<'_> {
     /// Moves a proxy to the new pose of its body at once: computes a new fat AABB, and raises the travel so that all pairs of
     /// the proxy become due for an update.
     pub fn teleport(&mut self, proxy: u32) {
-        let travel = &mut self.proxies.travel[proxy as usize];
-        *travel = travel.wrapping_add(TELEPORT_TRAVEL);
+        let travel = self.proxies.travel_of(proxy).wrapping_add(TELEPORT_TRAVEL);
+        self.proxies.set_travel(proxy, travel);
         self.enlarge(proxy);
     }
 
     /// Inserts a new proxy into the broad phase: computes its fat AABB and lists the proxy for the next search of pairs.
     pub fn insert(&mut self, proxy: u32) {
-        self.proxies.refitted.push(proxy);
+        self.proxies.search_pairs_of(proxy);
         self.enlarge(proxy);
     }
 
     /// Inserts a proxy into the broad phase with a saved fat AABB (`bounds`) and fat interval along z (`depths`), length units.
     pub fn insert_saved(&mut self, proxy: u32, bounds: PackedAabb, depths: DepthInterval) {
-        self.proxies.fat_aabbs[proxy as usize] = bounds;
-        let may_stop = self.proxies.all[proxy as usize].may_stop();
+        self.proxies.set_fat_aabb(proxy, bounds);
+        let may_stop = self.proxies.proxy(proxy).may_stop();
         let Some(space) = &mut self.depth else {
             return self.grid.insert_or_move(proxy, &bounds, may_stop);
         };
@@ -224,10 +154,10 @@ impl FatAabbs<'_> {
             return false;
         }
         self.enlarge(proxy);
-        let body = self.proxies.all[proxy as usize].body;
-        let may_stop = self.proxies.all[proxy as usize].may_stop();
-        let bounds = aabb_union(&self.proxies.fat_aabbs[proxy as usize], &swept);
-        self.proxies.fat_aabbs[proxy as usize] = bounds;
+        let body = self.proxies.proxy(proxy).body;
+        let may_stop = self.proxies.proxy(proxy).may_stop();
+        let bounds = aabb_union(self.proxies.fat_aabb_of(proxy), &swept);
+        self.proxies.set_fat_aabb(proxy, bounds);
         if let Some(space) = &mut self.depth {
             let margin = self.parameters.speculative_distance;
             let depths = space.swept_interval(proxy, body, displacement[3], margin);
@@ -247,10 +177,10 @@ impl FatAabbs<'_> {
         let mut next = self.proxies.first_of_body(body);
         while let Some(proxy) = next {
             next = self.proxies.next_of_body(proxy);
-            if is_fast_kinematic(&self.proxies.all[proxy as usize], self.bodies, self.parameters, self.dt)
+            if is_fast_kinematic(self.proxies.proxy(proxy), self.bodies, self.parameters, self.dt)
                 && self.enlarge_to_sweep(proxy, displacement)
             {
-                self.proxies.refitted.push(proxy);
+                self.proxies.search_pairs_of(proxy);
             }
         }
     }
@@ -277,8 +207,8 @@ impl FatAabbs<'_> {
     /// Returns whether the fat AABB of a proxy contains `swept_aabb` and, with a depth axis, the fat interval contains the
     /// swept interval of a displacement `dz` along z, length units.
     fn contains(&self, proxy: u32, swept_aabb: &PackedAabb, dz: f32) -> bool {
-        let body = self.proxies.all[proxy as usize].body;
-        aabb_contains(&self.proxies.fat_aabbs[proxy as usize], swept_aabb)
+        let body = self.proxies.proxy(proxy).body;
+        aabb_contains(self.proxies.fat_aabb_of(proxy), swept_aabb)
             && self.depth.as_ref().is_none_or(|space| {
                 let depths = space.swept_interval(proxy, body, dz, self.parameters.speculative_distance);
                 space.interval(proxy as usize).contains(depths)

@@ -19,7 +19,7 @@ pub fn order_pair(
     depth: Option<FeatureGate<&DepthState>>,
     [one, other]: [u32; 2],
 ) -> Option<[u32; 2]> {
-    let [proxy, partner] = [one, other].map(|proxy| &proxies.all[proxy as usize]);
+    let [proxy, partner] = [one, other].map(|proxy| proxies.proxy(proxy));
     let key = |proxy: &Proxy| (proxy.body_type, proxy.creation_number, proxy.piece);
     let may_be_pushed = [proxy, partner].iter().any(|proxy| proxy.body_type == BodyType::Dynamic);
     let is_sensor_pair = depth.is_none() && !(proxy.responds && partner.responds);
@@ -37,8 +37,7 @@ pub(crate) fn fat_aabbs_overlap(
     depth: Option<FeatureGate<&DepthState>>,
     [a, b]: [u32; 2],
 ) -> bool {
-    let bounds = &proxies.fat_aabbs;
-    overlap(&bounds[a as usize], &bounds[b as usize])
+    overlap(proxies.fat_aabb_of(a), proxies.fat_aabb_of(b))
         && depth.as_ref().is_none_or(|space| space.intervals_overlap(a, b))
 }
 
@@ -63,9 +62,9 @@ impl PairFinder<'_> {
         }
         for &proxy in refitted {
             pairs.partners(proxy).for_each(|partner| known[partner as usize] = true);
-            let bounds = proxies.fat_aabbs[proxy as usize];
+            let bounds = *proxies.fat_aabb_of(proxy);
             let mut find = |other: u32| {
-                let [one, partner] = [proxy, other].map(|proxy| &proxies.all[proxy as usize]);
+                let [one, partner] = [proxy, other].map(|proxy| proxies.proxy(proxy));
                 if !known[other as usize] && one.may_meet(partner) {
                     found.extend(order_pair(proxies, depth, [proxy, other]));
                 }
@@ -92,7 +91,7 @@ impl PairFinder<'_> {
 /// Returns whether the game's handlers are called for a pair in every update in which it touches. Pairs of two static bodies are
 /// reported only when they begin to touch.
 pub fn is_pair_reported(proxies: &Proxies, pair: [u32; 2]) -> bool {
-    let both = pair.map(|proxy| &proxies.all[proxy as usize]);
+    let both = pair.map(|proxy| proxies.proxy(proxy));
     !both.iter().all(|proxy| proxy.body_type == BodyType::Fixed)
         && both.iter().any(|proxy| proxy.is_reported && !proxy.is_world)
 }

@@ -140,11 +140,11 @@ struct PairLinks {
 #[derive(Debug, Default)]
 pub struct Pairs {
     /// When the contacts of each pair are next updated, by pair index.
-    pub triggers: Vec<RecheckTrigger>,
+    triggers: Vec<RecheckTrigger>,
     /// The pairs, by pair index.
-    pub all: Vec<Pair>,
+    all: Vec<Pair>,
     /// The manifold of each pair, by pair index.
-    pub manifolds: Vec<CachedManifold>,
+    manifolds: Vec<CachedManifold>,
     links: Vec<PairLinks>,
     /// Number of awake pairs. They have the indices below it.
     pub awake_count: usize,
@@ -179,6 +179,85 @@ impl Pairs {
     /// Enlarges the heads of the lists to `proxies` proxies, which have no pairs at first. The present pairs stay.
     pub fn grow(&mut self, proxies: usize) {
         self.heads.resize(proxies, NO_PAIR);
+    }
+
+    /// Returns the state of a pair.
+    #[inline(always)]
+    pub fn state(&self, pair: usize) -> &Pair {
+        &self.all[pair]
+    }
+
+    /// Returns the state of a pair, to change. The fields that are counted have verbs of their own:
+    /// [`set_touching`](Self::set_touching), [`set_reported`](Self::set_reported).
+    #[inline(always)]
+    pub fn state_mut(&mut self, pair: usize) -> &mut Pair {
+        &mut self.all[pair]
+    }
+
+    /// Returns the state of a pair; `None` if no pair has this index.
+    #[inline]
+    pub fn get(&self, pair: usize) -> Option<&Pair> {
+        self.all.get(pair)
+    }
+
+    /// Returns whether a pair touches.
+    #[inline(always)]
+    pub fn is_touching(&self, pair: usize) -> bool {
+        self.all[pair].is_touching
+    }
+
+    /// Returns the indices of the proxies A and B of a pair.
+    #[inline(always)]
+    pub fn proxies_of(&self, pair: usize) -> [u32; 2] {
+        self.triggers[pair].proxies
+    }
+
+    /// Returns the data that decide whether a pair is due for an update.
+    #[inline(always)]
+    pub fn trigger(&self, pair: usize) -> &RecheckTrigger {
+        &self.triggers[pair]
+    }
+
+    /// Iterates over the data that decide whether a pair is due for an update, of the awake pairs, ascending.
+    #[inline(always)]
+    pub(crate) fn awake_triggers(&self) -> impl ExactSizeIterator<Item = &RecheckTrigger> {
+        self.triggers[..self.awake_count].iter()
+    }
+
+    /// Restores the saved motion of a pair: see [`RecheckTrigger`], 2^-26 length units.
+    pub fn restore_motion(&mut self, pair: usize, motion_at_check: u32, motion_tolerance: u32) {
+        let proxies = self.proxies_of(pair);
+        self.triggers[pair] = RecheckTrigger { proxies, motion_at_check, motion_tolerance };
+    }
+
+    /// Sets the motion of a pair at its update, which has taken place now: see [`RecheckTrigger::motion_at_check`].
+    #[inline(always)]
+    pub(crate) fn set_motion_at_check(&mut self, pair: usize, motion_at_check: u32) {
+        self.triggers[pair].motion_at_check = motion_at_check;
+    }
+
+    /// Sets the motion that makes a pair due for an update: see [`RecheckTrigger::motion_tolerance`].
+    #[inline(always)]
+    pub(crate) fn set_motion_tolerance(&mut self, pair: usize, motion_tolerance: u32) {
+        self.triggers[pair].motion_tolerance = motion_tolerance;
+    }
+
+    /// Lets the next narrow phase update a pair, whether it has moved or not.
+    #[inline(always)]
+    pub fn recheck(&mut self, pair: usize) {
+        self.triggers[pair].motion_tolerance = 0;
+    }
+
+    /// Returns the cached manifold of a pair.
+    #[inline(always)]
+    pub fn manifold(&self, pair: usize) -> &CachedManifold {
+        &self.manifolds[pair]
+    }
+
+    /// Returns the cached manifold of a pair, to change.
+    #[inline(always)]
+    pub fn manifold_mut(&mut self, pair: usize) -> &mut CachedManifold {
+        &mut self.manifolds[pair]
     }
 
     /// Returns the number of pairs, awake and asleep.
@@ -221,7 +300,7 @@ impl Pairs {
     /// Returns body index and body type of A and of B of a pair.
     pub fn bodies_of(&self, proxies: &Proxies, pair: usize) -> [(usize, BodyType); 2] {
         self.triggers[pair].proxies.map(|proxy| {
-            let proxy = &proxies.all[proxy as usize];
+            let proxy = proxies.proxy(proxy);
             (proxy.body as usize, proxy.body_type)
         })
     }

@@ -4,11 +4,15 @@
 //! change in every step (margin: E. Catto, Box2D 3). `Proxies` stores the proxies of non-static bodies first, then spare
 //! positions, then the proxies of static bodies.
 
+mod escape;
+
 use crate::parameters::broad_phase::COLLISION_MAX_COORDINATE;
 use serde::{Deserialize, Serialize};
+use wide::f32x4;
 
 use crate::bodies::{BodySet, spare_capacity};
 use crate::broad_phase::hash_grid::PackedAabb;
+use crate::math::lanes::gather;
 use crate::math::plane::{Vector, rotate, rotation};
 use crate::math::scalar::nearest_finite;
 use crate::reusing_clone;
@@ -143,7 +147,7 @@ impl Proxy {
 #[derive(Debug, Default)]
 pub struct Proxies {
     /// The proxies, and empty ones at free and spare positions.
-    pub all: Vec<Proxy>,
+    all: Vec<Proxy>,
     /// Index of the first spare position, which follows the proxies of non-static bodies. Spare positions end at `first_fixed`.
     pub movable_end: usize,
     /// Index of the first proxy of a static body.
@@ -155,15 +159,15 @@ pub struct Proxies {
     /// Vertices and edge normals of all shapes.
     pub vertices: VertexPool,
     /// AABB of each shape in the frame of its body, without its radius: centre x, y, then half extents x, y, in length units.
-    pub(crate) local_aabbs: Vec<[f32; 4]>,
+    local_aabbs: Vec<[f32; 4]>,
     /// For each proxy, the index of its body if the proxy is a box about the origin of the body; else `None`.
-    pub(crate) box_bodies: Vec<Option<u32>>,
+    box_bodies: Vec<Option<u32>>,
     /// Fat AABB of each proxy: [min x, min y, max x, max y] in length units, world axes.
-    pub fat_aabbs: Vec<PackedAabb>,
+    fat_aabbs: Vec<PackedAabb>,
     /// Path length of each proxy since it was added: a bound for all of its points, in 2^-26 length units. The counter wraps.
-    pub travel: Vec<u32>,
+    travel: Vec<u32>,
     /// Indices of the proxies with a new fat AABB. The next broad phase searches their pairs.
-    pub refitted: Vec<u32>,
+    refitted: Vec<u32>,
     /// Index of the first proxy of each body, or [`NO_PROXY`].
     heads: Vec<u32>,
     /// For each proxy, the index of the next proxy of the same body, or [`NO_PROXY`].
@@ -184,7 +188,123 @@ impl Proxies {
         packed_key([a.creation_number, a.piece, b.creation_number, b.piece])
     }
 
+    /// Returns the number of positions: proxies, spare and free positions.
+    #[inline]
+    pub fn position_count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Returns a proxy.
+    #[inline(always)]
+    pub fn proxy(&self, proxy: u32) -> &Proxy {
+        &self.all[proxy as usize]
+    }
+
+    /// Returns the properties of a proxy, to change. Body, shape and one-way direction stay.
+    #[inline(always)]
+    pub fn proxy_mut(&mut self, proxy: u32) -> &mut Proxy {
+        &mut self.all[proxy as usize]
+    }
+
+    /// Returns a proxy; `None` if no position has this index.
+    #[inline]
+    pub fn get(&self, proxy: u32) -> Option<&Proxy> {
+        self.all.get(proxy as usize)
+    }
+
+    /// Iterates over all positions from one on, ascending. Spare and free positions are empty proxies.
+    #[inline]
+    pub fn positions_from(&self, first: u32) -> std::slice::Iter<'_, Proxy> {
+        self.all[first as usize..].iter()
+    }
+
+    /// Returns the index of the body of a proxy.
+    #[inline(always)]
+    pub fn body_of(&self, proxy: u32) -> usize {
+        self.all[proxy as usize].body as usize
+    }
+
+    /// Returns the fat AABB of a proxy: [min x, min y, max x, max y] in length units, world axes.
+    #[inline(always)]
+    pub fn fat_aabb_of(&self, proxy: u32) -> &PackedAabb {
+        &self.fat_aabbs[proxy as usize]
+    }
+
+    /// Stores the fat AABB of a proxy: [min x, min y, max x, max y] in length units, world axes.
+    #[inline(always)]
+    pub(crate) fn set_fat_aabb(&mut self, proxy: u32, bounds: PackedAabb) {
+        self.fat_aabbs[proxy as usize] = bounds;
+    }
+
+    /// Returns the path length of a proxy since it was added, in 2^-26 length units, wrapping.
+    #[inline(always)]
+    pub fn travel_of(&self, proxy: u32) -> u32 {
+        self.travel[proxy as usize]
+    }
+
+    /// Sets the path length of a proxy, in 2^-26 length units.
+    #[inline]
+    pub fn set_travel(&mut self, proxy: u32, travel: u32) {
+        self.travel[proxy as usize] = travel;
+    }
+
+    /// Returns the proxies whose pairs the next broad phase searches.
+    #[inline]
+    pub fn refitted(&self) -> &[u32] {
+        &self.refitted
+    }
+
+    /// Lets the next broad phase search the pairs of a proxy.
+    #[inline]
+    pub fn search_pairs_of(&mut self, proxy: u32) {
+        self.refitted.push(proxy);
+    }
+
+    /// Removes the proxies from the next search of pairs for which `is_kept` returns false.
+    pub fn retain_refitted(&mut self, is_kept: impl FnMut(&u32) -> bool) {
+        self.refitted.retain(is_kept);
+    }
+
+    /// Sorts the proxies whose pairs the next broad phase searches by index, each once.
+    pub(crate) fn sort_refitted(&mut self) {
+        self.refitted.sort_unstable();
+        self.refitted.dedup();
+    }
+
+    /// Takes the list of the proxies whose pairs are searched. [`return_refitted`](Self::return_refitted) gives its memory back.
+    #[inline]
+    pub(crate) fn take_refitted(&mut self) -> Vec<u32> {
+        std::mem::take(&mut self.refitted)
+    }
+
+    /// Empties the list of the proxies whose pairs have been searched, and keeps its memory.
+    #[inline]
+    pub(crate) fn return_refitted(&mut self, mut searched: Vec<u32>) {
+        searched.clear();
+        self.refitted = searched;
+    }
+
+    /// Returns whether a proxy is a box about the origin of its body.
+    #[inline(always)]
+    pub(crate) fn is_centred_box(&self, proxy: u32) -> bool {
+        self.box_bodies[proxy as usize].is_some()
+    }
+
+    /// Returns the bodies of four proxies; 0 for a proxy that is no box about the origin of its body.
+    #[inline(always)]
+    pub(crate) fn box_bodies_of(&self, proxies: [u32; 4]) -> [u32; 4] {
+        proxies.map(|proxy| self.box_bodies[proxy as usize].unwrap_or(0))
+    }
+
+    /// Returns the half extents x and y of four proxies without their radii, one proxy in each lane, length units.
+    #[inline(always)]
+    pub(crate) fn half_extents_of(&self, proxies: &[u32; 4]) -> [f32x4; 2] {
+        let [.., half_x, half_y] = gather(&self.local_aabbs, proxies);
+        [half_x, half_y]
+    }
+
     /// Returns the shape of a proxy, in the frame of its body.
+    #[inline]
     pub(crate) fn shape_of(&self, proxy: u32) -> ShapeRef<'_> {
         self.vertices.shape_ref(self.all[proxy as usize].shape)
     }

@@ -35,10 +35,10 @@ impl RollingSolver<'_> {
     /// faces of one plane, or slides on that plane or leaves it.
     fn pivot_through_step(&self, roll: &mut RollingContact, step: &StepContext) -> Option<PivotState> {
         let [at_a, at_b] = roll.proxies;
-        let pair = self.pairs.pairs_of(at_b).find(|&at| self.pairs.triggers[at].proxies == roll.proxies)?;
+        let pair = self.pairs.pairs_of(at_b).find(|&at| self.pairs.proxies_of(at) == roll.proxies)?;
         roll.pair = pair as u32;
-        let b = self.proxies.all[at_b as usize].body as usize;
-        let state = &self.pairs.all[pair];
+        let b = self.proxies.body_of(at_b);
+        let state = self.pairs.state(pair);
         let constraint = self.constraints.get(state.kind, state.constraint?);
         let outline = self.proxies.shape_of(at_b);
         let ([x, y, spin, z], force_delta) = (self.bodies.states[b].velocity, self.bodies.force_delta[b]);
@@ -48,8 +48,8 @@ impl RollingSolver<'_> {
         if !(is_in_plane && can_turn && outline.vertices.len() > 2) || self.joints.has_joint(b) {
             return None;
         }
-        let pose_a = self.bodies.poses[self.proxies.all[at_a as usize].body as usize];
-        let contact_plane = StaticPlane::of(&self.pairs.manifolds[pair]);
+        let pose_a = self.bodies.poses[self.proxies.body_of(at_a)];
+        let contact_plane = StaticPlane::of(self.pairs.manifold(pair));
         let offset = contact_plane.offset
             + dot(difference(translation(pose_a), translation(self.bodies.poses[b])), contact_plane.normal);
         let plane = StaticPlane { normal: contact_plane.normal, offset };
@@ -90,10 +90,10 @@ impl RollingSolver<'_> {
     fn min_coplanar_friction(&self, b: usize, at_b: u32, plane: &StaticPlane) -> Option<f32> {
         let mut friction = f32::MAX;
         for pair in self.pairs.pairs_of_body(self.proxies, b) {
-            let state = &self.pairs.all[pair];
+            let state = self.pairs.state(pair);
             let Some(handle) = state.constraint else { continue };
             let (constraint, [_, other]) =
-                (self.constraints.get(state.kind, handle), self.pairs.triggers[pair].proxies);
+                (self.constraints.get(state.kind, handle), self.pairs.proxies_of(pair));
             let is_still =
                 [constraint.tangent_speed, constraint.depth.across_speed, constraint.depth.normal_z]
                     == [0.0; 3];
@@ -115,12 +115,11 @@ impl RollingSolver<'_> {
     /// for a ground of `twohalf` that is not parallel to the plane. The offset of the plane is measured from the origin of body
     /// B.
     fn height_above_plane(&self, pair: usize, plane: &StaticPlane) -> f32 {
-        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
-        let [a, b] =
-            [at_a, at_b].map(|proxy| self.bodies.poses[self.proxies.all[proxy as usize].body as usize]);
+        let [at_a, at_b] = self.pairs.proxies_of(pair);
+        let [a, b] = [at_a, at_b].map(|proxy| self.bodies.poses[self.proxies.body_of(proxy)]);
         let above = dot(difference(translation(a), translation(b)), plane.normal) - plane.offset;
-        if self.pairs.all[pair].is_on_ground {
-            let contact_plane = StaticPlane::of(&self.pairs.manifolds[pair]);
+        if self.pairs.state(pair).is_on_ground {
+            let contact_plane = StaticPlane::of(self.pairs.manifold(pair));
             let is_level = cross(contact_plane.normal, plane.normal).abs() <= PIVOT_PLANE_TOLERANCE;
             return if is_level { above + contact_plane.offset } else { f32::MAX };
         }
@@ -131,7 +130,7 @@ impl RollingSolver<'_> {
     /// Returns whether static faces in the plane are under both ends of the polygon's edge that faces the plane. The body is
     /// first rotated by `turned` radians and moved by `path` (x, y in length units).
     fn is_edge_supported(&self, at_b: u32, plane: &StaticPlane, turned: f32, path: Vector) -> bool {
-        let pose = self.bodies.poses[self.proxies.all[at_b as usize].body as usize];
+        let pose = self.bodies.poses[self.proxies.body_of(at_b)];
         let (sine, cosine) = scalar::sin_cos(turned);
         let q = rotate([cosine, sine], rotation(pose));
         let outline = self.proxies.shape_of(at_b);
@@ -144,7 +143,7 @@ impl RollingSolver<'_> {
     /// Returns whether the static face of the pair lies in `plane` and under `point`. The point is relative to the origin of
     /// body B, in world axes, length units.
     fn supports_point(&self, pair: usize, at_b: u32, plane: &StaticPlane, point: Vector) -> bool {
-        let (state, [at_a, other]) = (&self.pairs.all[pair], self.pairs.triggers[pair].proxies);
+        let (state, [at_a, other]) = (self.pairs.state(pair), self.pairs.proxies_of(pair));
         let is_met = state.constraint.is_some() || self.is_planar;
         let is_static_contact = state.kind.is_static && state.has_response();
         let is_level = || {
@@ -156,8 +155,8 @@ impl RollingSolver<'_> {
         if state.is_on_ground {
             return true;
         }
-        let (face, b) = (self.proxies.shape_of(at_a), self.proxies.all[at_b as usize].body as usize);
-        let pose_a = self.bodies.poses[self.proxies.all[at_a as usize].body as usize];
+        let (face, b) = (self.proxies.shape_of(at_a), self.proxies.body_of(at_b));
+        let pose_a = self.bodies.poses[self.proxies.body_of(at_a)];
         let apart = difference(translation(self.bodies.poses[b]), translation(pose_a));
         let q = rotation(pose_a);
         let direction = rotate_inverse(q, plane.normal);
@@ -172,12 +171,12 @@ impl RollingSolver<'_> {
     /// of the polygon get impulse 0.
     pub(crate) fn store_pivot(&mut self, roll: &RollingContact, after: &PivotState, step: &StepContext) {
         let at_b = roll.proxies[1];
-        let b = self.proxies.all[at_b as usize].body as usize;
+        let b = self.proxies.body_of(at_b);
         let [x, y] = after.velocity();
         self.bodies.states[b].velocity = [x, y, after.angular_velocity, 0.0];
         let impulse = scaled(after.reaction, step.h / self.bodies.inverse_mass_inertia[b][0]);
         for pair in self.pairs.pairs_of(at_b) {
-            let state = self.pairs.all[pair];
+            let state = *self.pairs.state(pair);
             let Some(handle) = state.constraint else { continue };
             let mut constraint = self.constraints.get(state.kind, handle);
             let is_pivot_contact = pair as u32 == roll.pair;

@@ -120,11 +120,9 @@ impl RollingSolver<'_> {
     /// `None` if a point is not at a vertex, if the polygon does not rotate or is not convex, or if the contact is not planar
     /// or not in the iterative solver.
     fn match_vertices(&self, roll: &mut RollingContact) -> Option<()> {
-        let pair = self
-            .pairs
-            .pairs_of(roll.proxies[1])
-            .find(|&at| self.pairs.triggers[at].proxies == roll.proxies)?;
-        let (state, manifold) = (&self.pairs.all[pair], &self.pairs.manifolds[pair]);
+        let pair =
+            self.pairs.pairs_of(roll.proxies[1]).find(|&at| self.pairs.proxies_of(at) == roll.proxies)?;
+        let (state, manifold) = (self.pairs.state(pair), self.pairs.manifold(pair));
         let handle = state.constraint.filter(|&home| self.constraints.parked(home).is_none())?;
         let outline = self.proxies.shape_of(roll.proxies[1]);
         let is_flat = manifold.depth.normal_z == 0.0 && manifold.depth.patch_radius == 0.0;
@@ -166,9 +164,9 @@ impl RollingSolver<'_> {
         }
         let (pair, [at_a, at_b]) = (roll.pair as usize, roll.proxies);
         (roll.end_velocity_offsets, roll.initial_impulses) = ([0.0; 2], [f32::MAX; 2]);
-        let Some(handle) = self.pairs.all[pair].constraint else { return };
-        let [a, b] = roll.proxies.map(|proxy| self.proxies.all[proxy as usize].body as usize);
-        let manifold = &self.pairs.manifolds[pair];
+        let Some(handle) = self.pairs.state(pair).constraint else { return };
+        let [a, b] = roll.proxies.map(|proxy| self.proxies.body_of(proxy));
+        let manifold = self.pairs.manifold(pair);
         let plane = StaticPlane::of(manifold);
         let path = if is_first { [0.0; 4] } else { self.bodies.delta_pose[b] };
         let half_turn = 0.5 * step.h * self.bodies.states[b].velocity[2];
@@ -182,11 +180,11 @@ impl RollingSolver<'_> {
         let face = self.proxies.shape_of(at_a);
         let on_face =
             |arm: &Vector| is_over_face(face, rotation(self.bodies.poses[a]), plane.normal, sum(apart, *arm));
-        if !self.pairs.all[pair].is_on_ground && !arms.iter().all(on_face) {
+        if !self.pairs.state(pair).is_on_ground && !arms.iter().all(on_face) {
             return;
         }
         let radius = outline.shape.radius;
-        let kind = self.pairs.all[pair].kind;
+        let kind = self.pairs.state(pair).kind;
         let old = self.constraints.get(kind, handle);
         let mut constraint = old;
         for at in 0..2 {
@@ -257,7 +255,7 @@ impl RollingSolver<'_> {
     /// early. So a vertex that does not reach the face in this substep gets a separation that excludes it from the relaxation.
     pub(crate) fn set_relax_separations(&mut self, rolling: &mut [RollingContact]) {
         for roll in rolling.iter_mut().filter(|roll| roll.pivot.is_none()) {
-            let state = &self.pairs.all[roll.pair as usize];
+            let state = self.pairs.state(roll.pair as usize);
             let Some(handle) = state.constraint else { continue };
             let constraint = self.constraints.get(state.kind, handle);
             let [x, y, turned, _] = self.bodies.states[constraint.b as usize].displacement;
@@ -278,7 +276,7 @@ impl RollingSolver<'_> {
     /// change.
     pub(crate) fn save_delta_poses(&self, rolling: &mut [RollingContact]) {
         for roll in rolling {
-            let path = self.bodies.delta_pose[self.proxies.all[roll.proxies[1] as usize].body as usize];
+            let path = self.bodies.delta_pose[self.proxies.body_of(roll.proxies[1])];
             roll.delta_pose = roll.pivot.map_or(path, |after| {
                 [after.delta_position[0], after.delta_position[1], after.delta_rotation, 0.0]
             });
@@ -288,8 +286,7 @@ impl RollingSolver<'_> {
     /// Sets the displacement of each rolling polygon in the step to the stored one, after the midpoint correction.
     pub(crate) fn restore_delta_poses(&mut self, rolling: &[RollingContact]) {
         for roll in rolling {
-            self.bodies.delta_pose[self.proxies.all[roll.proxies[1] as usize].body as usize] =
-                roll.delta_pose;
+            self.bodies.delta_pose[self.proxies.body_of(roll.proxies[1])] = roll.delta_pose;
         }
     }
 }

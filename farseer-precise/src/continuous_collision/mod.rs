@@ -138,14 +138,14 @@ pub(crate) fn end_paths(bodies: &mut BodySet, fast: &mut Vec<FastBody>, substeps
 /// with the smaller creation number first. The game gets a collision and a separation event for each pair of geoms.
 fn record_sensor_passthroughs(motion: SweptMotion<'_>, fast: &[FastBody], passthroughs: &mut Vec<[u32; 2]>) {
     let SweptMotion { proxies, pairs, .. } = motion;
-    let number = |proxy: u32| proxies.all[proxy as usize].creation_number;
+    let number = |proxy: u32| proxies.proxy(proxy).creation_number;
     for &FastBody { body, toi: time, .. } in fast {
         for pair in proxies.proxies_of(body as usize).flat_map(|proxy| pairs.pairs_of(proxy)) {
-            let state = &pairs.all[pair];
+            let state = pairs.state(pair);
             if state.responds || state.is_touching || state.is_vetoed {
                 continue;
             }
-            let two = pairs.triggers[pair].proxies;
+            let two = pairs.proxies_of(pair);
             let impact_time = motion.time_of_impact(two, TOI_PENETRATION_RATIO);
             if impact_time.is_some_and(|met| met < time)
                 && motion.is_separated_after(pair, body as usize, time)

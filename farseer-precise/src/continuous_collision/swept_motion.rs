@@ -43,7 +43,7 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns the convex shape of a proxy on its path through the step, with `fraction` of its displacement.
     fn swept_shape(&self, proxy: u32, fraction: f32) -> SweptShape<'a> {
-        let Proxy { body, shape, .. } = self.proxies.all[proxy as usize];
+        let Proxy { body, shape, .. } = *self.proxies.proxy(proxy);
         let outline = self.proxies.vertices.shape_ref(shape);
         SweptShape {
             shape: outline,
@@ -69,7 +69,7 @@ impl<'a> SweptMotion<'a> {
         let stoppers = self.stopper_levels();
         for &FastBody { body, .. } in fast_bodies {
             for proxy in self.proxies.proxies_of(body as usize) {
-                let levels = if self.proxies.all[proxy as usize].responds { stoppers } else { !0 };
+                let levels = if self.proxies.proxy(proxy).responds { stoppers } else { !0 };
                 if levels != 0 {
                     self.query_sweep(proxy, self.displacement(body), levels, (is_known, pairs));
                 }
@@ -92,7 +92,7 @@ impl<'a> SweptMotion<'a> {
         (is_known, pairs): (&mut [bool], &mut Vec<[u32; 2]>),
     ) {
         let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
-        if aabb_contains(&self.proxies.fat_aabbs[proxy as usize], &swept) {
+        if aabb_contains(self.proxies.fat_aabb_of(proxy), &swept) {
             return;
         }
         self.pairs.partners(proxy).for_each(|partner| is_known[partner as usize] = true);
@@ -108,7 +108,7 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns whether `other` may stop the fast body of `proxy`, or is a sensor that reports it. Both are indices of proxies.
     fn is_ccd_candidate(&self, proxy: u32, other: u32) -> bool {
-        let [one, other] = [proxy, other].map(|proxy| &self.proxies.all[proxy as usize]);
+        let [one, other] = [proxy, other].map(|proxy| self.proxies.proxy(proxy));
         let is_bullet = |proxy: &Proxy| self.bodies.are_bullets.get(proxy.body as usize) == Some(&true);
         let may_stop = other.may_stop()
             || self.sleep.is_asleep(other.body as usize)
@@ -122,7 +122,7 @@ impl<'a> SweptMotion<'a> {
     /// `accepts` returns false are ignored. `None` without an impact.
     pub(crate) fn first_toi(&self, body: usize, accepts: impl Fn(usize) -> bool) -> Option<(f32, usize)> {
         let mut first: Option<(f32, usize)> = None;
-        let creation_numbers = |pair: usize| self.proxies.creation_numbers(self.pairs.triggers[pair].proxies);
+        let creation_numbers = |pair: usize| self.proxies.creation_numbers(self.pairs.proxies_of(pair));
         let pairs = self.pairs.pairs_of_body(self.proxies, body);
         for pair in pairs.filter(|&pair| accepts(pair) && self.is_ccd_pair(pair, body)) {
             let Some(time) = self.toi_of_pair(pair) else { continue };
@@ -139,17 +139,17 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns whether continuous collision stops `body` at the other body of the pair.
     fn is_ccd_pair(&self, pair: usize, body: usize) -> bool {
-        let state = &self.pairs.all[pair];
+        let state = self.pairs.state(pair);
         let [(a, body_type), (b, _)] = self.pairs.bodies_of(self.proxies, pair);
         let other = if a == body { b } else { a };
         // A body that moves towards a bullet would pass it where the bullet stops.
         let is_bullet = [body, other].iter().any(|&side| self.bodies.are_bullets.get(side) == Some(&true));
         let is_immovable = body_type != BodyType::Dynamic || self.sleep.is_asleep(other);
         // With a depth axis, the solver keeps bodies apart that are already in contact.
-        let is_in_contact = self.depth.is_some() && self.pairs.manifolds[pair].count > 0;
+        let is_in_contact = self.depth.is_some() && self.pairs.manifold(pair).count > 0;
         let passes_in_depth = || {
             self.depth.as_ref().is_some_and(|space| {
-                let proxies = self.pairs.triggers[pair].proxies;
+                let proxies = self.pairs.proxies_of(pair);
                 space.passes_one_way_box(
                     proxies,
                     self.proxies,
@@ -187,7 +187,7 @@ impl<'a> SweptMotion<'a> {
     /// Returns the time of impact of a pair as a fraction of the step; `None` without an impact. Flush neighbours of a tile
     /// [hide](FlushFilter) the side faces of the tile.
     fn toi_of_pair(&self, pair: usize) -> Option<f32> {
-        let proxies = self.pairs.triggers[pair].proxies;
+        let proxies = self.pairs.proxies_of(pair);
         if self.depth.is_some() {
             return self.time_of_impact(proxies, TOI_PENETRATION_RATIO);
         }
@@ -208,7 +208,7 @@ impl<'a> SweptMotion<'a> {
             });
         };
         let reach = self.parameters.speculative_distance;
-        let paths = proxies.map(|proxy| self.displacement(self.proxies.all[proxy as usize].body));
+        let paths = proxies.map(|proxy| self.displacement(self.proxies.proxy(proxy).body));
         conservative_advancement(penetration * reach, TOI_TOLERANCE_RATIO * reach, |part| {
             space.distance_and_closing_speed(proxies, self.proxies, self.bodies, paths, part)
         })
@@ -248,8 +248,7 @@ impl<'a> SweptMotion<'a> {
     /// x, y (length units), rotation (radians), z (length units). Zeros without an impact.
     pub(crate) fn carried_motion(&self, fast: &[FastBody], fast_body: &FastBody) -> [f32; 4] {
         let &FastBody { body, toi, pair: Some(pair), hit_body, .. } = fast_body else { return [0.0; 4] };
-        let proxies =
-            self.pairs.triggers[pair as usize].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let proxies = self.pairs.proxies_of(pair as usize).map(|proxy| self.proxies.proxy(proxy));
         let other = if proxies[0].body == hit_body { proxies[1] } else { proxies[0] };
         let pose = self.bodies.poses[body as usize];
         let displacement = self.bodies.delta_pose[body as usize];
@@ -278,8 +277,8 @@ impl<'a> SweptMotion<'a> {
     /// Returns whether the shapes of a pair are separated at the end of the step, if the path of `body` ends at `fraction` of
     /// its displacement.
     pub(crate) fn is_separated_after(&self, pair: usize, body: usize, fraction: f32) -> bool {
-        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| {
-            let is_stopped = self.proxies.all[proxy as usize].body as usize == body;
+        let [a, b] = self.pairs.proxies_of(pair).map(|proxy| {
+            let is_stopped = self.proxies.body_of(proxy) == body;
             self.swept_shape(proxy, if is_stopped { fraction } else { 1.0 })
         });
         SweptPair { a, b }.separation(1.0).0 > 0.0

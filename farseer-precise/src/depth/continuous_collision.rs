@@ -74,7 +74,7 @@ impl DepthState {
         bodies: &BodySet,
         path: [f32; 4],
     ) -> SweptSolid<'a> {
-        let proxy: &Proxy = &proxies.all[at as usize];
+        let proxy: &Proxy = proxies.proxy(at);
         let plane = SweptShape {
             shape: proxies.vertices.shape_ref(proxy.shape),
             pose: bodies.poses[proxy.body as usize],
@@ -121,7 +121,7 @@ impl DepthState {
         fraction: f32,
     ) -> (f32, f32) {
         let [(a, way_a), (b, way_b)] = [(a, paths[0]), (b, paths[1])].map(|(at, path)| {
-            let proxy = &proxies.all[at as usize];
+            let proxy = proxies.proxy(at);
             let outline = proxies.vertices.shape_ref(proxy.shape);
             let plane =
                 SweptShape { shape: outline, pose: bodies.poses[proxy.body as usize], displacement: path };

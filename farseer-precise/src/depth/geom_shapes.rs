@@ -24,8 +24,8 @@ impl DepthState {
         self.extents.clear();
         self.vertical_solids.clear();
         self.intervals.clear();
-        self.intervals.resize(proxies.all.len(), DepthInterval::default());
-        for proxy in &proxies.all {
+        self.intervals.resize(proxies.position_count(), DepthInterval::default());
+        for proxy in proxies.positions_from(0) {
             let extent = self.extent_of(proxy.owner);
             self.extents.push(extent);
         }

@@ -139,7 +139,7 @@ pub(crate) fn brace_at_stops(
             distance < HINGE_STOP_MAX_ANGLE && away * angular_velocity <= 0.0 && away * pull <= 0.0
         };
         let at_stop = [rests(angle - least, 1.0), rests(greatest - angle, -1.0)];
-        let of_box = || pairs.pairs_of_body(proxies, body as usize).map(|pair| &pairs.all[pair]);
+        let of_box = || pairs.pairs_of_body(proxies, body as usize).map(|pair| pairs.state(pair));
         let is_pressed = |side: usize| {
             of_box().any(|pair| pair.is_touching && drives_towards_stop(constraints, pair, side))
         };

@@ -26,7 +26,7 @@ impl DepthState {
         bodies: &BodySet,
         contact_margin: f32,
     ) -> bool {
-        let proxy = |at: u32| &proxies.all[at as usize];
+        let proxy = |at: u32| proxies.proxy(at);
         if !self.is_one_way(proxy(a)) {
             return false;
         }

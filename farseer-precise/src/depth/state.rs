@@ -129,7 +129,7 @@ impl DepthState {
 impl DepthState {
     /// Sets `is_ball` of a body: true if all of its geoms are spheres centred at the origin of the body.
     pub fn update_is_ball(&mut self, body_index: usize, proxies: &Proxies) {
-        let is_centred = |at: u32| self.is_sphere(at) && proxies.all[at as usize].shape.centre == [0.0; 2];
+        let is_centred = |at: u32| self.is_sphere(at) && proxies.proxy(at).shape.centre == [0.0; 2];
         let mut of_body = proxies.proxies_of(body_index).peekable();
         self.is_ball[body_index] = of_body.peek().is_some() && of_body.all(is_centred);
         self.has_balls |= self.is_ball[body_index];
@@ -314,21 +314,21 @@ impl DepthState {
         runs: &[Range<usize>],
         tuning: &Parameters,
     ) {
-        let before = proxies.refitted.len();
-        for at in runs.iter().cloned().flatten().filter(|&at| at < proxies.movable_end) {
-            let body = proxies.all[at].body as usize;
+        let before = proxies.refitted().len();
+        let movable_end = proxies.movable_end;
+        for at in runs.iter().cloned().flatten().filter(|&at| at < movable_end) {
+            let body = proxies.body_of(at as u32);
             let z = self.z_positions[body];
             let half = self.extents[at].half_depth + tuning.speculative_distance;
             let DepthInterval { low, high } = self.intervals[at];
             if bodies.delta_pose.get(body).is_some_and(|path| path[3] != 0.0)
                 && (z - half < low || z + half > high)
             {
-                proxies.refitted.push(at as u32);
+                proxies.search_pairs_of(at as u32);
             }
         }
-        if proxies.refitted.len() > before {
-            proxies.refitted.sort_unstable();
-            proxies.refitted.dedup();
+        if proxies.refitted().len() > before {
+            proxies.sort_refitted();
         }
     }
 }

@@ -183,7 +183,7 @@ impl DepthState {
     /// under a proxy, has a restitution coefficient above 0. `body_count`: number of bodies, with boxes and the ground.
     pub fn add_ground_and_static_proxies(&mut self, proxies: &mut Proxies, body_count: usize) -> bool {
         let still = self.world_boxes.len() - self.moving_boxes.len();
-        self.ground_proxy = proxies.all.len() as u32;
+        self.ground_proxy = proxies.position_count() as u32;
         let ground =
             Proxy { list_key: NO_WORLD_BOX, ..world_proxy(ground_numbers(), body_count - still - 1) };
         proxies.push(ground);
@@ -214,7 +214,7 @@ impl DepthState {
             let shape = proxies.vertices.add_box([x, y]).expanded(lean);
             let SurfaceCoefficients { friction, restitution } = *surface;
             any_bounces |= restitution > 0.0;
-            self.box_proxies[place] = proxies.all.len() as u32;
+            self.box_proxies[place] = proxies.position_count() as u32;
             proxies.push(Proxy {
                 list_key: place as u32,
                 body_type: mobility,
@@ -292,7 +292,7 @@ impl DepthState {
                 }
                 let proxy = self.box_proxies[place as usize] as usize;
                 let vertical = vertical_of(world_box);
-                proxies.all[proxy].fingerprint = Fingerprint::of_world_box(world_box);
+                proxies.proxy_mut(proxy as u32).fingerprint = Fingerprint::of_world_box(world_box);
                 if let Some(known) = self.extents[proxy].vertical.checked_sub(1) {
                     self.vertical_solids[known as usize] = vertical;
                 }
@@ -317,7 +317,7 @@ impl FatAabbs<'_> {
     fn pair_sweeping_box(&mut self, at: usize, pairs: &mut Pairs) {
         let Some(space) = &self.depth else { return };
         let proxy = space.box_proxies[space.moving_boxes[at] as usize];
-        let one = &self.proxies.all[proxy as usize];
+        let one = self.proxies.proxy(proxy);
         if space.sweep_distance(one, self.bodies, self.parameters, self.dt) == 0.0 {
             return;
         }
@@ -326,8 +326,8 @@ impl FatAabbs<'_> {
             self.insert(proxy);
         }
         pairs.for_each_index_of(proxy, |pairs, pair| {
-            if pairs.manifolds[pair].count == 0 {
-                pairs.triggers[pair].motion_tolerance = 0;
+            if pairs.manifold(pair).count == 0 {
+                pairs.recheck(pair);
             }
         });
     }

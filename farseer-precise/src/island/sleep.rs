@@ -191,7 +191,7 @@ impl SleepState {
     /// Returns whether a body of the pair may move: it is kinematic, or awake and movable by impulses. Always false for a
     /// sensor pair without a body that impulses can move.
     pub(crate) fn may_move(&self, pairs: &Pairs, proxies: &Proxies, pair: usize) -> bool {
-        !pairs.all[pair].is_static_sensor
+        !pairs.state(pair).is_static_sensor
             && pairs.bodies_of(proxies, pair).iter().any(|&(body, body_type)| match body_type {
                 BodyType::Fixed => false,
                 BodyType::Kinematic => true,
@@ -277,7 +277,11 @@ impl SleepState {
     pub fn update_runs(&mut self, proxies: &Proxies) {
         let SleepState { next_in_ring, awake_body_runs, awake_proxy_runs, .. } = self;
         runs(next_in_ring.len(), |number| is_awake(next_in_ring, number as u32), awake_body_runs);
-        runs(proxies.first_fixed, |at| is_awake(next_in_ring, proxies.all[at].body), awake_proxy_runs);
+        runs(
+            proxies.first_fixed,
+            |at| is_awake(next_in_ring, proxies.proxy(at as u32).body),
+            awake_proxy_runs,
+        );
     }
 
     /// Updates the index ranges of awake bodies and of their proxies, where some of these `bodies` or `changed_proxies` were added
@@ -291,7 +295,7 @@ impl SleepState {
             update_run(body, |number| is_awake(next_in_ring, number as u32), awake_body_runs);
         }
         for &proxy in changed_proxies.iter().filter(|&&proxy| proxy < proxies.first_fixed) {
-            update_run(proxy, |at| is_awake(next_in_ring, proxies.all[at].body), awake_proxy_runs);
+            update_run(proxy, |at| is_awake(next_in_ring, proxies.proxy(at as u32).body), awake_proxy_runs);
         }
     }
 

@@ -12,7 +12,7 @@ use crate::storage::order::sort_by_number;
 pub fn wake_touched(sleep: &mut SleepState, pairs: &Pairs, proxies: &Proxies) {
     let mut touched = std::mem::take(&mut sleep.touched_pairs);
     // A pair that a handler has rejected has lost its constraint.
-    touched.retain(|&pair| pairs.all[pair as usize].constraint.is_some());
+    touched.retain(|&pair| pairs.has_constraint(pair as usize));
     for pair in touched.drain(..) {
         sleep.request_wake_of_pair(pairs.bodies_of(proxies, pair as usize));
     }
@@ -21,7 +21,7 @@ pub fn wake_touched(sleep: &mut SleepState, pairs: &Pairs, proxies: &Proxies) {
 
 /// Requests that the sleeping bodies wake with which a body has contact constraints.
 pub fn wake_partners(sleep: &mut SleepState, pairs: &Pairs, proxies: &Proxies, body: usize) {
-    for pair in pairs.pairs_of_body(proxies, body).filter(|&pair| pairs.all[pair].constraint.is_some()) {
+    for pair in pairs.pairs_of_body(proxies, body).filter(|&pair| pairs.has_constraint(pair)) {
         sleep.request_wake_of_pair(pairs.bodies_of(proxies, pair));
     }
 }
@@ -34,7 +34,7 @@ pub fn are_sleeping_pairs_parked(
     constraints: &ConstraintGraph,
 ) -> bool {
     (0..pairs.count()).all(|pair| {
-        pairs.all[pair].constraint.is_none_or(|constraint| {
+        pairs.state(pair).constraint.is_none_or(|constraint| {
             let is_asleep = constraints.sleeping_constraint(constraint).is_some();
             pairs
                 .bodies_of(proxies, pair)
@@ -84,11 +84,11 @@ fn wake_pairs(narrow_phase: &mut NarrowPhase<'_>, woken_bodies: &[u32], h: f32) 
     for &body in woken_bodies {
         pairs.extend(all.pairs_of_body(proxies, body as usize));
     }
-    sort_by_number(&mut pairs, |&pair| proxies.creation_numbers(all.triggers[pair].proxies));
+    sort_by_number(&mut pairs, |&pair| all.creation_numbers(proxies, pair));
     pairs.dedup();
     for &pair in &pairs {
         narrow_phase.set_constraint_asleep(pair, false, h);
-        if narrow_phase.pairs.all[pair].constraint.is_none() {
+        if !narrow_phase.pairs.has_constraint(pair) {
             narrow_phase.pairs.invalidate(pair);
         }
     }

@@ -31,7 +31,7 @@ impl NarrowPhase<'_> {
         for (at, gap) in four.into_iter().zip(gaps) {
             if gap > self.parameters.speculative_distance {
                 let pair = std::mem::replace(&mut dirty[at], NO_PAIR) as usize;
-                self.pairs.triggers[pair].motion_at_check = self.total_travel(&self.pairs.triggers[pair]);
+                self.pairs.set_motion_at_check(pair, self.total_travel(self.pairs.trigger(pair)));
                 self.end_contact(pair, gap - self.parameters.speculative_distance);
             }
         }
@@ -40,19 +40,20 @@ impl NarrowPhase<'_> {
     /// Returns whether a pair consists of two boxes and has no contact.
     #[inline(always)]
     fn are_boxes_without_contact(&self, pair: usize) -> bool {
-        let state = &self.pairs.all[pair];
-        let [a, b] = self.pairs.triggers[pair].proxies;
-        let is_box = |proxy: u32| self.proxies.box_bodies[proxy as usize].is_some();
-        state.constraint.is_none() & !state.is_touching & is_box(a) & is_box(b)
+        let state = self.pairs.state(pair);
+        let [a, b] = self.pairs.proxies_of(pair);
+        state.constraint.is_none()
+            & !state.is_touching
+            & self.proxies.is_centred_box(a)
+            & self.proxies.is_centred_box(b)
     }
 
     /// Returns the separations of four pairs of boxes along the best face normal, in length units, negative for penetration.
     fn box_pair_separations(&self, pairs: [usize; 4]) -> [f32; 4] {
         let side = |side: usize| {
-            let proxies = pairs.map(|pair| self.pairs.triggers[pair].proxies[side]);
-            let bodies = proxies.map(|proxy| self.proxies.box_bodies[proxy as usize].unwrap_or(0));
-            let [.., half_x, half_y] = gather(&self.proxies.local_aabbs, &proxies);
-            ([half_x, half_y], gather(&self.bodies.poses, &bodies))
+            let proxies = pairs.map(|pair| self.pairs.proxies_of(pair)[side]);
+            let bodies = self.proxies.box_bodies_of(proxies);
+            (self.proxies.half_extents_of(&proxies), gather(&self.bodies.poses, &bodies))
         };
         box_separations(side(0), side(1), self.parameters.speculative_distance)
     }

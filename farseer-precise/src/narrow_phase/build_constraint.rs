@@ -16,7 +16,7 @@ use crate::surface::{mix_friction, mix_restitution};
 impl NarrowPhase<'_> {
     /// Returns the contact constraint of a pair, built from its cached manifold. All impulses of the constraint are 0.
     pub(super) fn build_constraint(&self, pair: usize, two: ProxyPair<'_>) -> ContactConstraint {
-        let cached = &self.pairs.manifolds[pair];
+        let cached = self.pairs.manifold(pair);
         let is_fixed = self.is_fixed(two.a);
         let [[mass_a, inertia_a], [mass_b, inertia_b]] =
             [two.a, two.b].map(|proxy| self.bodies.inverse_mass_inertia[proxy.body as usize]);
@@ -86,7 +86,7 @@ impl NarrowPhase<'_> {
             anchors,
             depth: CachedManifoldZ { normal_z, patch_radius, points_z, .. },
             ..
-        } = self.pairs.manifolds[pair];
+        } = *self.pairs.manifold(pair);
         let (tangent, [ux, uy, uz]) = tangents([x, y, normal_z]);
         let points = &anchors[..count as usize];
         let arms = |along: Vector| {
@@ -110,7 +110,7 @@ impl NarrowPhase<'_> {
             tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
             across_arms[0] = mean([ux, uy, uz]);
         }
-        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        let [at_a, at_b] = self.pairs.proxies_of(pair);
         let [friction, restitution] = space.combined_surface([at_a, at_b], [two.a, two.b], self.friction);
         ContactConstraint {
             friction,
@@ -144,7 +144,7 @@ impl NarrowPhase<'_> {
     /// Restores friction, restitution and tangent speed of a pair's contact constraint after a handler of the game has changed
     /// them.
     pub(crate) fn reset_surface_parameters(&mut self, pair: usize) {
-        let state = self.pairs.all[pair];
+        let state = *self.pairs.state(pair);
         let Some(handle) = state.constraint else { return };
         let [friction, restitution, tangent_speed] = self.surface_parameters(pair);
         let constraint = ContactConstraint {

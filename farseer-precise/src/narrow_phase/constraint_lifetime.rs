@@ -13,13 +13,13 @@ impl NarrowPhase<'_> {
     /// Adds the contact constraint of a pair to the constraint graph, in a colour without another constraint of its bodies
     /// (static ones do not count) or, if all colours have one, in the overflow colour.
     pub(super) fn add_constraint(&mut self, pair: usize, constraint: &ContactConstraint) {
-        let kind = self.pairs.all[pair].kind;
+        let kind = self.pairs.state(pair).kind;
         let free = self.palette.free_colors(kind, [constraint.a, constraint.b]);
         let color = self.constraints.choose_color(kind, free);
         self.palette.set_color(kind, [constraint.a, constraint.b], color, true);
         self.direct.note_constraint_change([constraint.a, constraint.b], self.depth.is_some());
         self.direct.watch_friction(constraint.b, self.depth.is_some());
-        self.pairs.all[pair].constraint = Some(self.constraints.add(kind, color, constraint));
+        self.pairs.state_mut(pair).constraint = Some(self.constraints.add(kind, color, constraint));
         if [constraint.a, constraint.b].into_iter().any(|body| self.sleep.is_asleep(body as usize)) {
             self.sleep.record_touch(pair);
         }
@@ -27,8 +27,8 @@ impl NarrowPhase<'_> {
 
     /// Removes the contact constraint of a pair from the constraint graph or the parked ones, if the pair has one.
     pub(crate) fn remove_constraint(&mut self, pair: usize) {
-        let kind = self.pairs.all[pair].kind;
-        let Some(handle) = self.pairs.all[pair].constraint.take() else { return };
+        let kind = self.pairs.state(pair).kind;
+        let Some(handle) = self.pairs.state_mut(pair).constraint.take() else { return };
         let ContactConstraint { a, b, .. } = self.constraints.get(kind, handle);
         let color = self.constraints.parked(handle).map_or(handle.color, |parked| parked.color);
         self.palette.set_color(kind, [a, b], color, false);
@@ -50,8 +50,8 @@ impl NarrowPhase<'_> {
     /// half of [`is_heavy_on_light`](Self::is_heavy_on_light), for normals within 60 degrees of gravity.
     #[inline(never)]
     fn test_heavy_on_light(&self, pair: usize, normal: Vector) -> bool {
-        let inverse_masses = self.pairs.triggers[pair].proxies.map(|proxy| {
-            let body = self.proxies.all[proxy as usize].body;
+        let inverse_masses = self.pairs.proxies_of(pair).map(|proxy| {
+            let body = self.proxies.proxy(proxy).body;
             self.bodies.inverse_mass_inertia[body as usize][0]
         });
         is_heavy_on_light(inverse_masses, normal, self.gravity_delta)
@@ -60,8 +60,8 @@ impl NarrowPhase<'_> {
     /// Removes a pair with its contact constraint, and emits an end-touch event if the pair touched. Sleeping bodies of a pair
     /// with a constraint are asked to wake.
     pub(crate) fn remove_pair(&mut self, pair: usize) {
-        if pair >= self.pairs.awake_count && self.pairs.all[pair].constraint.is_some() {
-            let bodies = self.pairs.triggers[pair].proxies.map(|proxy| self.proxies.all[proxy as usize].body);
+        if pair >= self.pairs.awake_count && self.pairs.has_constraint(pair) {
+            let bodies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy).body);
             bodies.into_iter().for_each(|body| self.sleep.request_wake(body as usize));
         }
         self.end_touch_event(pair);
@@ -70,7 +70,7 @@ impl NarrowPhase<'_> {
 
     /// Emits an end-touch event if the pair touches. It is called before the pair is removed.
     pub fn end_touch_event(&mut self, pair: usize) {
-        if self.pairs.all[pair].is_touching {
+        if self.pairs.is_touching(pair) {
             self.emit_touch_event(pair, false);
         }
     }
@@ -91,8 +91,8 @@ impl NarrowPhase<'_> {
         }
         self.pairs.swap(one, other);
         for pair in [one, other] {
-            if let Some(handle) = self.pairs.all[pair].constraint {
-                self.constraints.set_pair(self.pairs.all[pair].kind, handle, pair as u32);
+            if let Some(handle) = self.pairs.state(pair).constraint {
+                self.constraints.set_pair(self.pairs.state(pair).kind, handle, pair as u32);
             }
         }
     }
@@ -118,7 +118,7 @@ impl NarrowPhase<'_> {
         let two = self.proxy_pair(pair);
         let manifold = self.collide(pair, two, f32::MAX);
         self.cache_manifold(pair, two, &manifold);
-        let kind = self.pairs.all[pair].kind;
+        let kind = self.pairs.state(pair).kind;
         let now = self.build_constraint(pair, two);
         let mut constraint = self.constraints.get(kind, handle);
         (constraint.normal, constraint.tangent_arms, constraint.tangent_mass) =
@@ -133,10 +133,10 @@ impl NarrowPhase<'_> {
     /// Parks the contact constraint of a pair that falls asleep, or returns it to the constraint graph. `h` is the length of
     /// the present substeps in seconds. A parked constraint stores it, and on the return its impulses are scaled to it.
     pub(crate) fn set_constraint_asleep(&mut self, pair: usize, falls_asleep: bool, h: f32) {
-        let kind = self.pairs.all[pair].kind;
-        let Some(handle) = self.pairs.all[pair].constraint else { return };
+        let kind = self.pairs.state(pair).kind;
+        let Some(handle) = self.pairs.state(pair).constraint else { return };
         if falls_asleep
-            && self.pairs.triggers[pair].motion_tolerance == UPDATED_BY_SOLVER
+            && self.pairs.trigger(pair).motion_tolerance == UPDATED_BY_SOLVER
             && self.constraints.sleeping_constraint(handle).is_none()
         {
             self.cache_circle_manifold(pair, handle);
@@ -150,7 +150,7 @@ impl NarrowPhase<'_> {
         self.direct.timer.is_due |= moved != handle
             && (self.depth.is_none()
                 || handle.is_in_direct_solver()
-                || self.is_heavy_on_light(pair, self.pairs.manifolds[pair].normal));
+                || self.is_heavy_on_light(pair, self.pairs.manifold(pair).normal));
         set_handle(self.pairs, self.constraints, pair, moved);
     }
 
@@ -169,7 +169,7 @@ impl NarrowPhase<'_> {
     ) {
         let mut constraint = self.build_constraint(pair, self.proxy_pair(pair));
         set(&mut constraint);
-        let kind = self.pairs.all[pair].kind;
+        let kind = self.pairs.state(pair).kind;
         let color = self.palette.reserve_color(kind, [constraint.a, constraint.b], color);
         self.palette.set_color(kind, [constraint.a, constraint.b], color, true);
         // A damaged snapshot may declare a constraint of awake bodies asleep.
@@ -191,7 +191,7 @@ impl NarrowPhase<'_> {
                 self.constraints.add(kind, color, &constraint)
             }
         };
-        self.pairs.all[pair].constraint = Some(handle);
+        self.pairs.state_mut(pair).constraint = Some(handle);
     }
 }
 
@@ -205,8 +205,8 @@ pub(crate) fn move_to_direct_solver(
     is_direct: bool,
     h: f32,
 ) {
-    let kind = pairs.all[pair].kind;
-    let Some(handle) = pairs.all[pair].constraint else { return };
+    let kind = pairs.state(pair).kind;
+    let Some(handle) = pairs.state(pair).constraint else { return };
     let moved =
         if is_direct { constraints.park(kind, handle, true, h) } else { constraints.unpark(kind, handle, h) };
     set_handle(pairs, constraints, pair, moved);
@@ -215,13 +215,13 @@ pub(crate) fn move_to_direct_solver(
 /// Stores in a pair the new handle of its contact constraint, which was moved, and then the handles of constraints that filled
 /// the gap.
 fn set_handle(pairs: &mut Pairs, constraints: &mut ConstraintGraph, pair: usize, handle: ConstraintHandle) {
-    pairs.all[pair].constraint = Some(handle);
+    pairs.state_mut(pair).constraint = Some(handle);
     update_moved_handles(pairs, constraints);
 }
 
 /// Stores in the pairs the new handles of contact constraints that the constraint graph has moved to fill gaps in its lists.
 fn update_moved_handles(pairs: &mut Pairs, constraints: &mut ConstraintGraph) {
     for (pair, handle) in constraints.drain_moved() {
-        pairs.all[pair as usize].constraint = Some(handle);
+        pairs.state_mut(pair as usize).constraint = Some(handle);
     }
 }

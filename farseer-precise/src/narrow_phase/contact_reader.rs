@@ -65,14 +65,14 @@ pub struct ContactReader<'a> {
 impl ContactReader<'_> {
     /// Returns the contact constraint of a pair; `None` if the pair has none.
     fn constraint(&self, pair: usize) -> Option<ContactConstraint> {
-        let state = &self.pairs.all[pair];
+        let state = self.pairs.state(pair);
         state.constraint.map(|handle| self.constraints.get(state.kind, handle))
     }
 
     /// Returns the contact of a pair in the plane.
     pub fn planar_contact(&self, pair: usize) -> PlanarContact {
-        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
-        let manifold = &self.pairs.manifolds[pair];
+        let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
+        let manifold = self.pairs.manifold(pair);
         let constraint = self.constraint(pair);
         let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
         let [ca, sa, cb, sb] = manifold.rotations;
@@ -102,10 +102,10 @@ impl ContactReader<'_> {
     /// Returns the contact of a pair in three axes. `None` if the shapes are beyond the contact margin.
     pub fn spatial_contact(&self, pair: usize) -> Option<SpatialContact> {
         let space = self.depth.as_ref()?;
-        let proxies = self.pairs.triggers[pair].proxies;
-        let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let proxies = self.pairs.proxies_of(pair);
+        let [a, b] = proxies.map(|proxy| self.proxies.proxy(proxy));
         let CachedManifold { normal: [x, y], count, anchors, separations, features, depth: frozen, .. } =
-            &self.pairs.manifolds[pair];
+            self.pairs.manifold(pair);
         if *count == 0 {
             return None;
         }

@@ -33,12 +33,12 @@ impl NarrowPhase<'_> {
     /// component in the plane.
     pub(super) fn may_recycle(&self, pair: usize, two: ProxyPair<'_>) -> bool {
         let Some(space) = self.depth else { return !self.are_both_circles(two) };
-        let (kind, proxies) = (self.pairs.all[pair].kind, self.pairs.triggers[pair].proxies);
+        let (kind, proxies) = (self.pairs.state(pair).kind, self.pairs.proxies_of(pair));
         // The contact axis of an upright shape may change between vertical and lateral.
         if proxies.iter().any(|&proxy| space.is_vertical(proxy)) {
             return false;
         }
-        let is_in_plane = self.pairs.manifolds[pair].depth.normal_z.abs() < 1.0;
+        let is_in_plane = self.pairs.manifold(pair).depth.normal_z.abs() < 1.0;
         kind.has_two_points
             && (!is_in_plane || space.overlap_along_z(proxies, space.relative_z(two.a, two.b)))
     }
@@ -46,7 +46,7 @@ impl NarrowPhase<'_> {
     /// Recycles the manifold of a pair: computes the separations in the present poses and stores them in the contact
     /// constraint. Returns false, without a change, if the bodies have moved too far or the pair has no constraint.
     pub(super) fn recycle_contact(&mut self, pair: usize, two: ProxyPair<'_>) -> bool {
-        let cached = &self.pairs.manifolds[pair];
+        let cached = self.pairs.manifold(pair);
         let (qa, qb) = (rotation(two.pose_a), rotation(two.pose_b));
         let [ca, sa, cb, sb] = cached.rotations;
         let [rotation_a, rotation_b] = [rotate_inverse([ca, sa], qa), rotate_inverse([cb, sb], qb)];
@@ -71,8 +71,10 @@ impl NarrowPhase<'_> {
             return false;
         }
         let separations = self.current_separations(cached, two);
-        match self.pairs.all[pair].constraint {
-            Some(handle) => self.constraints.set_separations(self.pairs.all[pair].kind, handle, separations),
+        match self.pairs.state(pair).constraint {
+            Some(handle) => {
+                self.constraints.set_separations(self.pairs.state(pair).kind, handle, separations)
+            }
             None => return false,
         }
         true
@@ -99,7 +101,7 @@ impl NarrowPhase<'_> {
     /// Returns the rotation of B in this step at its present angular velocity, in radians, signed. It is 0 unless A is static
     /// and both shapes are polygons or capsules.
     fn rotation_on_static(&self, pair: usize, two: ProxyPair<'_>) -> f32 {
-        let ConstraintKind { has_two_points, is_static, .. } = self.pairs.all[pair].kind;
+        let ConstraintKind { has_two_points, is_static, .. } = self.pairs.state(pair).kind;
         if has_two_points && is_static {
             // In a pair with a sensor both bodies may be static.
             self.bodies.states.get(two.b.body as usize).map_or(0.0, |state| state.velocity[2] * self.dt)
@@ -111,7 +113,7 @@ impl NarrowPhase<'_> {
     /// Returns `Some(true)` if B rolls fast over a static face, so that its contacts are updated in every substep;
     /// `Some(false)` if B rolls slowly. Returns `None` if B does not roll.
     pub(super) fn rolling_speed_class(&self, pair: usize, two: ProxyPair<'_>) -> Option<bool> {
-        let is_rolling = self.pairs.manifolds[pair].arm_lead_angle != 0.0 && self.is_rolling_over(pair, two);
+        let is_rolling = self.pairs.manifold(pair).arm_lead_angle != 0.0 && self.is_rolling_over(pair, two);
         is_rolling.then(|| self.rotation_on_static(pair, two).abs() > ROLLING_MIN_ANGLE_PER_STEP)
     }
 
@@ -129,7 +131,7 @@ impl NarrowPhase<'_> {
     /// the centre of mass of B is r, and the height of that centre above the point y. Capsules, and bodies with contacts on
     /// other bodies than static ones, count as unable to topple.
     fn has_energy_to_topple(&self, pair: usize, two: ProxyPair<'_>) -> bool {
-        let (body, cached) = (two.b.body as usize, &self.pairs.manifolds[pair]);
+        let (body, cached) = (two.b.body as usize, self.pairs.manifold(pair));
         let [mass, inertia] = self.bodies.inverse_mass_inertia[body];
         if !(self.palette.touches_only_static(body)
             && mass > 0.0
@@ -150,7 +152,7 @@ impl NarrowPhase<'_> {
     /// Caches a manifold of a pair, with the poses `two` for which it was computed.
     pub(super) fn cache_manifold(&mut self, pair: usize, two: ProxyPair<'_>, manifold: &Manifold) {
         let count =
-            if self.pairs.all[pair].kind.has_two_points { manifold.count } else { manifold.count.min(1) };
+            if self.pairs.state(pair).kind.has_two_points { manifold.count } else { manifold.count.min(1) };
         let offset = if self.are_both_circles(two) {
             // The offset of circles is along the normal, as at their time of impact, so that normal impulses exert no torque.
             let [ra, rb] = [two.a, two.b].map(|proxy| proxy.shape.radius);
@@ -165,7 +167,7 @@ impl NarrowPhase<'_> {
         let [qa, qb] = [rotation(two.pose_a), rotation(two.pose_b)];
         let arm_lead_angle =
             if manifold.is_reference_on_b { 0.0 } else { 0.5 * self.rotation_on_static(pair, two) };
-        self.pairs.manifolds[pair] = CachedManifold {
+        *self.pairs.manifold_mut(pair) = CachedManifold {
             rotations: [qa[0], qa[1], qb[0], qb[1]],
             relative_pose: two.relative_pose(),
             normal: manifold.normal,
@@ -192,10 +194,10 @@ impl NarrowPhase<'_> {
         two: ProxyPair<'_>,
         manifold: &Manifold,
     ) -> [Option<usize>; 2] {
-        if !self.pairs.all[pair].kind.has_two_points {
+        if !self.pairs.state(pair).kind.has_two_points {
             return [Some(0), None];
         }
-        let old = &self.pairs.manifolds[pair];
+        let old = self.pairs.manifold(pair);
         let old_count = old.count as usize;
         let mut matched = [None; 2];
         let mut is_taken = [false; 2];

@@ -99,9 +99,9 @@ impl<'a> FlushFilter<'a> {
     /// filter applies if A is a static or kinematic polygon and B belongs to a dynamic body that also has a pair with another
     /// such polygon.
     fn filter_pair(&self, pair: usize) -> Option<FilteredPair<'a>> {
-        let state = &self.pairs.all[pair];
-        let proxies = self.pairs.triggers[pair].proxies;
-        let [a, b] = proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let state = self.pairs.state(pair);
+        let proxies = self.pairs.proxies_of(pair);
+        let [a, b] = proxies.map(|proxy| self.proxies.proxy(proxy));
         let may_be_hidden = state.responds && has_faces(a) && b.body_type == BodyType::Dynamic;
         if !may_be_hidden || self.neighbours(proxies, a).next().is_none() {
             return None;
@@ -113,8 +113,8 @@ impl<'a> FlushFilter<'a> {
     /// proxies A and B.
     fn neighbours(&self, [at_a, at_b]: [u32; 2], a: &'a Proxy) -> impl Iterator<Item = &'a Proxy> + '_ {
         self.pairs.pairs_of(at_b).filter_map(move |pair| {
-            let [other, _] = self.pairs.triggers[pair].proxies;
-            let (state, c) = (&self.pairs.all[pair], &self.proxies.all[other as usize]);
+            let [other, _] = self.pairs.proxies_of(pair);
+            let (state, c) = (self.pairs.state(pair), self.proxies.proxy(other));
             let is_closed = matches!(state.one_way_state, OneWayState::Closed | OneWayState::Landed);
             let is_other_piece = other != at_a && other != at_b && c.owner != a.owner && has_faces(c);
             // The narrow phase runs before the handlers of this update decide.

@@ -10,13 +10,13 @@ impl NarrowPhase<'_> {
         let mut has_vetoes = false;
         for pair in 0..self.pairs.count() {
             let is_awake = pair < self.pairs.awake_count;
-            let was_vetoed = std::mem::take(&mut self.pairs.all[pair].is_vetoed);
-            self.pairs.all[pair].was_vetoed = was_vetoed;
+            let was_vetoed = std::mem::take(&mut self.pairs.state_mut(pair).is_vetoed);
+            self.pairs.state_mut(pair).was_vetoed = was_vetoed;
             has_vetoes |= was_vetoed;
             if was_vetoed && is_awake {
                 self.pairs.invalidate(pair);
             }
-            if is_awake && std::mem::take(&mut self.pairs.all[pair].has_surface_override) {
+            if is_awake && std::mem::take(&mut self.pairs.state_mut(pair).has_surface_override) {
                 self.reset_surface_parameters(pair);
             }
         }
@@ -25,24 +25,24 @@ impl NarrowPhase<'_> {
 
     /// Disables all contacts of a pair for this step: removes its contact constraint.
     pub fn veto(&mut self, pair: usize) {
-        if self.pairs.all[pair].constraint.is_some() {
+        if self.pairs.has_constraint(pair) {
             self.sleep.request_wake_of_pair(self.pairs.bodies_of(self.proxies, pair));
         }
-        self.pairs.all[pair].is_vetoed = true;
+        self.pairs.state_mut(pair).is_vetoed = true;
         self.remove_constraint(pair);
         self.revoke_landing(pair);
         // In three axes a disabled pair does not count as touching.
-        if self.depth.is_some() && self.pairs.all[pair].is_touching {
+        if self.depth.is_some() && self.pairs.is_touching(pair) {
             self.emit_touch_event(pair, false);
         }
         // Without a constraint the solver does not update the pair, so the narrow phase must.
-        self.pairs.triggers[pair].motion_tolerance = 0;
+        self.pairs.recheck(pair);
     }
 
     /// Retains only some contact points of a pair. The other points exert no impulses in this step. Returns whether the pair has
     /// a contact constraint.
     pub fn retain_points(&mut self, pair: usize, is_kept: [bool; 2]) -> bool {
-        let state = self.pairs.all[pair];
+        let state = *self.pairs.state(pair);
         let Some(handle) = state.constraint else { return false };
         self.sleep.request_wake_of_pair(self.pairs.bodies_of(self.proxies, pair));
         let mut constraint = self.constraints.get(state.kind, handle);
@@ -50,14 +50,14 @@ impl NarrowPhase<'_> {
             (point.normal_mass, point.normal_impulse, point.rest_impulse) = (0.0, 0.0, 0.0);
         }
         self.constraints.set(state.kind, handle, &constraint);
-        self.pairs.all[pair].is_vetoed = true;
+        self.pairs.state_mut(pair).is_vetoed = true;
         true
     }
 
     /// Overrides friction, restitution and tangent speed of a pair for this step. A sleeping pair wakes if these values differ
     /// from those with which it fell asleep. Returns the restitution coefficient if the contact constraint has changed.
     pub fn override_surface(&mut self, pair: usize, surface: SurfaceOverride) -> Option<f32> {
-        let state = self.pairs.all[pair];
+        let state = *self.pairs.state(pair);
         let is_asleep = pair >= self.pairs.awake_count;
         let Some(handle) = state.constraint.filter(|_| is_asleep || surface != SurfaceOverride::default())
         else {
@@ -79,7 +79,7 @@ impl NarrowPhase<'_> {
         }
         self.sleep.request_wake_of_pair(self.pairs.bodies_of(self.proxies, pair));
         self.constraints.set(state.kind, handle, &constraint);
-        self.pairs.all[pair].has_surface_override = true;
+        self.pairs.state_mut(pair).has_surface_override = true;
         Some(constraint.restitution)
     }
 }

@@ -53,7 +53,7 @@ impl<'a> NarrowPhase<'a> {
         let mut ahead = std::mem::take(self.dirty_pairs);
         let NarrowPhase { bodies, proxies, pairs, parameters, dt, .. } = self;
         for proxy in bodies.kinematic.iter().flat_map(|&number| proxies.proxies_of(number as usize)) {
-            if is_fast_kinematic(&proxies.all[proxy as usize], bodies, parameters, *dt) {
+            if is_fast_kinematic(proxies.proxy(proxy), bodies, parameters, *dt) {
                 ahead.extend(pairs.pairs_of(proxy).map(|pair| pair as u32));
             }
         }
@@ -66,8 +66,8 @@ impl<'a> NarrowPhase<'a> {
     /// Adds the contact of a kinematic body A with a dynamic body B that A will hit within the step. Pairs that have a contact
     /// already are skipped.
     fn add_swept_contact(&mut self, pair: usize) {
-        let state = &self.pairs.all[pair];
-        let is_new = self.pairs.manifolds[pair].count == 0 && state.has_response();
+        let state = self.pairs.state(pair);
+        let is_new = self.pairs.manifold(pair).count == 0 && state.has_response();
         let two = self.proxy_pair(pair);
         if !is_new || two.b.body_type != BodyType::Dynamic || self.is_carried_equally(pair, two) {
             return;
@@ -81,7 +81,7 @@ impl<'a> NarrowPhase<'a> {
             return;
         }
         self.stats.computed += 1;
-        self.pairs.triggers[pair].motion_at_check = self.total_travel(&self.pairs.triggers[pair]);
+        self.pairs.set_motion_at_check(pair, self.total_travel(self.pairs.trigger(pair)));
         self.store_manifold(pair, then, &manifold, approach);
         self.update_touch_state(pair, then);
     }
@@ -89,11 +89,11 @@ impl<'a> NarrowPhase<'a> {
     /// Returns whether B already touches another kinematic body that moves like A. B then slides or rolls on both as on static
     /// bodies, and the narrow phase itself distinguishes a seam from a wall.
     fn is_carried_equally(&self, pair: usize, two: ProxyPair<'_>) -> bool {
-        let [_, at_b] = self.pairs.triggers[pair].proxies;
+        let [_, at_b] = self.pairs.proxies_of(pair);
         self.pairs.pairs_of(at_b).any(|other| {
-            let carrier = &self.proxies.all[self.pairs.triggers[other].proxies[0] as usize];
+            let carrier = self.proxies.proxy(self.pairs.proxies_of(other)[0]);
             other != pair
-                && self.pairs.manifolds[other].count > 0
+                && self.pairs.manifold(other).count > 0
                 && carrier.body_type == BodyType::Kinematic
                 && self.move_together(two.a, carrier)
         })
@@ -137,7 +137,7 @@ impl<'a> NarrowPhase<'a> {
             }),
             Some(space) => conservative_advancement(0.0, tolerance, |fraction| {
                 space.distance_and_closing_speed(
-                    self.pairs.triggers[pair].proxies,
+                    self.pairs.proxies_of(pair),
                     self.proxies,
                     self.bodies,
                     displacements,
@@ -163,7 +163,7 @@ impl<'a> NarrowPhase<'a> {
         let margin = self.parameters.speculative_distance;
         let [a, b] = [two.a, two.b].map(|proxy| self.proxies.vertices.shape_ref(proxy.shape));
         let Some(space) = self.depth else { return collide(a, b, two.pose_a, two.pose_b, margin) };
-        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        let [at_a, at_b] = self.pairs.proxies_of(pair);
         let solid = |at: u32, proxy: &'a Proxy, pose: Pose, displacement: [f32; 4]| {
             let shape = self.proxies.vertices.shape_ref(proxy.shape);
             let mut solid = space.posed_solid(at, proxy, shape, (self.bodies, self.dt));

@@ -124,7 +124,7 @@ impl<'a> NarrowPhase<'a> {
     /// Returns the proxies of a pair with the present poses of their bodies.
     #[inline(always)]
     fn proxy_pair(&self, pair: usize) -> ProxyPair<'a> {
-        let [a, b] = self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize]);
+        let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let pose = |proxy: &Proxy| self.bodies.poses[proxy.body as usize];
         ProxyPair { a, b, pose_a: pose(a), pose_b: pose(b) }
     }
@@ -133,7 +133,7 @@ impl<'a> NarrowPhase<'a> {
     /// 2^-26 length units, wrapping. [`RecheckTrigger::motion_at_check`] stores such a sum.
     #[inline(always)]
     pub(crate) fn total_travel(&self, trigger: &RecheckTrigger) -> u32 {
-        let [a, b] = trigger.proxies.map(|proxy| self.proxies.travel[proxy as usize]);
+        let [a, b] = trigger.proxies.map(|proxy| self.proxies.travel_of(proxy));
         a.wrapping_add(b)
     }
 
@@ -155,7 +155,7 @@ impl<'a> NarrowPhase<'a> {
     fn collect_dirty_pairs(&self, dirty: &mut Vec<u32>) -> usize {
         let (awake, mut count) = (self.pairs.awake_count, 0);
         dirty.resize(awake, 0);
-        for (pair, trigger) in self.pairs.triggers[..awake].iter().enumerate() {
+        for (pair, trigger) in self.pairs.awake_triggers().enumerate() {
             let moved = self.total_travel(trigger).wrapping_sub(trigger.motion_at_check);
             dirty[count] = pair as u32;
             count += usize::from(
@@ -169,9 +169,9 @@ impl<'a> NarrowPhase<'a> {
     /// Updates the manifold, the contact constraint and the touch state of a pair.
     pub(crate) fn update_contact(&mut self, pair: usize) {
         let two = self.proxy_pair(pair);
-        let is_known = self.pairs.manifolds[pair].count > 0
-            && self.pairs.triggers[pair].motion_tolerance != UPDATED_BY_SOLVER;
-        self.pairs.triggers[pair].motion_at_check = self.total_travel(&self.pairs.triggers[pair]);
+        let is_known = self.pairs.manifold(pair).count > 0
+            && self.pairs.trigger(pair).motion_tolerance != UPDATED_BY_SOLVER;
+        self.pairs.set_motion_at_check(pair, self.total_travel(self.pairs.trigger(pair)));
         if is_known && self.may_recycle(pair, two) && self.recycle_contact(pair, two) {
             self.stats.recycled += 1;
             self.update_touch_state(pair, two);
@@ -228,29 +228,28 @@ impl<'a> NarrowPhase<'a> {
             if two.a.body_type != BodyType::Dynamic && manifold.count > 0 && two.a.shape.vertex_count > 0 {
                 return self.flush_filter().filter_manifold(pair, manifold, margin);
             }
-            let is_new = manifold.count > 0 && !self.pairs.all[pair].is_touching;
+            let is_new = manifold.count > 0 && !self.pairs.is_touching(pair);
             return if is_new && self.are_both_circles(two) {
                 self.circle_contact_at_toi(two, manifold)
             } else {
                 manifold
             };
         };
-        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        let [at_a, at_b] = self.pairs.proxies_of(pair);
         if let Some([a, b]) = space.dynamic_spheres([at_a, at_b], [two.a, two.b], (self.bodies, self.dt)) {
-            return collide_spheres(a, b, self.pairs.manifolds[pair].count == 0, margin);
+            return collide_spheres(a, b, self.pairs.manifold(pair).count == 0, margin);
         }
         let solid =
             |at: u32, proxy: &'a Proxy| space.posed_solid(at, proxy, shape_of(proxy), (self.bodies, self.dt));
         let CachedManifold { count, features, depth: CachedManifoldZ { normal_z, .. }, .. } =
-            self.pairs.manifolds[pair];
+            *self.pairs.manifold(pair);
         let previous_axis = match normal_z {
             _ if count == 0 => PreviousAxis::NoContact,
             _ if space.had_vertical_axis([at_a, at_b], features[0]) => PreviousAxis::Vertical,
             1.0 | -1.0 => PreviousAxis::Depth(normal_z),
             _ => PreviousAxis::Plane,
         };
-        let all = &self.proxies.all;
-        let (a, b) = (solid(at_a, &all[at_a as usize]), solid(at_b, &all[at_b as usize]));
+        let (a, b) = (solid(at_a, self.proxies.proxy(at_a)), solid(at_b, self.proxies.proxy(at_b)));
         let a = space.with_yaw_displacement(a, two.a, &b, (self.bodies, self.dt));
         let previous_penetration = self.previous_penetration(pair, two);
         let limits = ContactMargins::new(
@@ -267,15 +266,15 @@ impl<'a> NarrowPhase<'a> {
     fn end_contact(&mut self, pair: usize, extra_distance: f32) {
         self.record_separation(pair);
         self.remove_constraint(pair);
-        if self.pairs.all[pair].is_touching {
+        if self.pairs.is_touching(pair) {
             self.emit_touch_event(pair, false);
         }
         // Most of these pairs had no contacts, and their cached manifold is default already.
-        if self.pairs.manifolds[pair].count > 0 {
-            self.pairs.manifolds[pair] = CachedManifold::default();
+        if self.pairs.manifold(pair).count > 0 {
+            *self.pairs.manifold_mut(pair) = CachedManifold::default();
         }
         let slack = extra_distance.clamp(0.0, SEPARATED_PAIR_MAX_SLACK * self.parameters.length_unit);
-        self.pairs.triggers[pair].motion_tolerance = (slack * self.parameters.travel_scale()) as u32;
+        self.pairs.set_motion_tolerance(pair, (slack * self.parameters.travel_scale()) as u32);
     }
 
     /// Caches a manifold and adds or updates the contact constraint, with a warm start from the old one. `approach` holds the
@@ -287,18 +286,18 @@ impl<'a> NarrowPhase<'a> {
         manifold: &Manifold,
         approach: ApproachDistances,
     ) {
-        let state = self.pairs.all[pair];
+        let state = *self.pairs.state(pair);
         let old = state.constraint.map(|handle| self.constraints.get(state.kind, handle));
         let matched = self.match_points(pair, two, manifold);
-        let previous_normal = self.pairs.manifolds[pair].normal;
+        let previous_normal = self.pairs.manifold(pair).normal;
         self.cache_manifold(pair, two, manifold);
-        self.pairs.manifolds[pair].depth.z_offset += approach.z;
+        self.pairs.manifold_mut(pair).depth.z_offset += approach.z;
         if !state.has_response() {
             return;
         }
         let old = old.unwrap_or_default();
         if let Some(is_fast) = self.rolling_speed_class(pair, two) {
-            self.rolling_contacts.push(RollingContact::new(self.pairs.triggers[pair].proxies, is_fast));
+            self.rolling_contacts.push(RollingContact::new(self.pairs.proxies_of(pair), is_fast));
         }
         let mut constraint = self.build_constraint(pair, two);
         transfer_friction_impulse(&mut constraint, &old);

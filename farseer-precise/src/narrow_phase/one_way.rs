@@ -37,7 +37,7 @@ pub(crate) struct PairMotion<'a> {
 impl PairMotion<'_> {
     /// Returns the proxies A and B of a pair.
     fn proxies_of_pair(&self, pair: usize) -> [&Proxy; 2] {
-        self.pairs.triggers[pair].proxies.map(|proxy| &self.proxies.all[proxy as usize])
+        self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy))
     }
 
     /// Returns the shapes of a pair with their poses before the motion and their displacements.
@@ -66,25 +66,23 @@ impl PairMotion<'_> {
     /// Returns the pairs that share one [`OneWayState`] with the pair `pair`, this pair included. They are the pairs between
     /// the one-way geom and all geoms of the other body that are not one-way themselves.
     fn group(&self, pair: usize) -> impl Iterator<Item = usize> + '_ {
-        let group_proxies = self.pairs.triggers[pair].proxies;
-        let body = self.proxies.all[group_proxies[1] as usize].body as usize;
+        let group_proxies = self.pairs.proxies_of(pair);
+        let body = self.proxies.body_of(group_proxies[1]);
         let pairs = self.pairs.pairs_of_body(self.proxies, body);
-        pairs.filter(move |&other| {
-            is_of_group(self.proxies, group_proxies, self.pairs.triggers[other].proxies)
-        })
+        pairs.filter(move |&other| is_of_group(self.proxies, group_proxies, self.pairs.proxies_of(other)))
     }
 
     /// Returns the state that a new pair takes over from the other pairs of its group: pairs of the same one-way geom and the
     /// same other body. `Apart` if it is the first pair.
     pub(crate) fn state_of_group(&self, pair: usize) -> OneWayState {
         let others = self.group(pair).filter(|&other| other != pair);
-        let mut known = others.map(|other| self.pairs.all[other].one_way_state);
+        let mut known = others.map(|other| self.pairs.state(other).one_way_state);
         known.find(|&state| state != OneWayState::Closed).unwrap_or(OneWayState::Apart)
     }
 
     /// Returns whether a pair of this pair's group (same one-way geom, same other body) has a contact constraint.
     pub(crate) fn has_group_constraint(&self, pair: usize) -> bool {
-        self.group(pair).any(|other| self.pairs.all[other].constraint.is_some())
+        self.group(pair).any(|other| self.pairs.has_constraint(other))
     }
 
     /// Returns the pairs of this pair's group (same one-way geom, same other body) whose shapes overlap in the present poses.
@@ -101,7 +99,7 @@ impl PairMotion<'_> {
     /// Returns the state of a pair's group (same one-way geom, same other body) after the motion of the step. The group must
     /// not have landed yet.
     pub(crate) fn resolve_state(&self, pair: usize) -> OneWayState {
-        if self.pairs.all[pair].one_way_state == OneWayState::Passes {
+        if self.pairs.state(pair).one_way_state == OneWayState::Passes {
             return if self.group_overlaps(pair) { OneWayState::Passes } else { OneWayState::Apart };
         }
         // Shapes that overlap now have touched at the end of the motion at the latest.
@@ -158,7 +156,7 @@ impl<'a> NarrowPhase<'a> {
     /// the next begins.
     pub(crate) fn release_one_way(&mut self) {
         for pair in 0..self.pairs.count() {
-            let state = &self.pairs.all[pair];
+            let state = self.pairs.state(pair);
             if state.one_way_state == OneWayState::Landed && state.constraint.is_none() {
                 let motion = self.last_step_motion();
                 if !motion.has_group_constraint(pair) && !motion.group_overlaps(pair) {
@@ -190,7 +188,7 @@ impl<'a> NarrowPhase<'a> {
         two: narrow_phase::ProxyPair<'a>,
         manifold: &Manifold,
     ) -> bool {
-        let known = self.pairs.all[pair].one_way_state;
+        let known = self.pairs.state(pair).one_way_state;
         if matches!(known, OneWayState::Closed | OneWayState::Landed) {
             return false;
         }
@@ -218,7 +216,7 @@ impl<'a> NarrowPhase<'a> {
     /// Sets the group of a pair (same one-way geom, same other body) from `Landed` back to `Apart`, unless a pair of the group
     /// has a contact constraint. It is called after a handler of the game has disabled the contact.
     pub(crate) fn revoke_landing(&mut self, pair: usize) {
-        if self.pairs.all[pair].one_way_state == OneWayState::Landed
+        if self.pairs.state(pair).one_way_state == OneWayState::Landed
             && !self.last_step_motion().has_group_constraint(pair)
         {
             self.pairs.set_one_way_state(self.proxies, pair, OneWayState::Apart);
@@ -228,14 +226,14 @@ impl<'a> NarrowPhase<'a> {
     /// Returns whether B passes through A, a one-way platform in three axes. B passes if it has no contact with A and does not
     /// land on A in this step.
     pub(crate) fn is_passable_3d(&self, pair: usize, two: narrow_phase::ProxyPair<'a>) -> bool {
-        let state = &self.pairs.all[pair];
+        let state = self.pairs.state(pair);
         let Some(space) = self.depth.filter(|space| state.responds && space.is_one_way(two.a)) else {
             return false;
         };
         let solid = |at: u32, proxy: &'a Proxy| {
             space.posed_solid(at, proxy, self.proxies.vertices.shape_ref(proxy.shape), (self.bodies, self.dt))
         };
-        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        let [at_a, at_b] = self.pairs.proxies_of(pair);
         state.constraint.is_none()
             && !will_land(solid(at_a, two.a), solid(at_b, two.b), self.parameters.speculative_distance)
     }
@@ -244,8 +242,8 @@ impl<'a> NarrowPhase<'a> {
 impl Pairs {
     /// Sets the state of all pairs of a pair's group: those between the same one-way geom and the same other body.
     pub(crate) fn set_one_way_state(&mut self, proxies: &Proxies, pair: usize, state: OneWayState) {
-        let group_proxies = self.triggers[pair].proxies;
-        let body = proxies.all[group_proxies[1] as usize].body as usize;
+        let group_proxies = self.proxies_of(pair);
+        let body = proxies.body_of(group_proxies[1]);
         for proxy in proxies.proxies_of(body) {
             self.for_each_pair_of(proxy, |other_proxies, other| {
                 if is_of_group(proxies, group_proxies, other_proxies)
@@ -262,7 +260,7 @@ impl Pairs {
 /// same one-way geom and the same body on the other side.
 fn is_of_group(proxies: &Proxies, [a, b]: [u32; 2], [one, other]: [u32; 2]) -> bool {
     let belongs = |proxy: u32, to: u32| {
-        let (proxy, to) = (&proxies.all[proxy as usize], &proxies.all[to as usize]);
+        let (proxy, to) = (proxies.proxy(proxy), proxies.proxy(to));
         if to.one_way.is_some() {
             proxy.owner == to.owner
         } else {

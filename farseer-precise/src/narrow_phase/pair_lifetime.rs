@@ -14,8 +14,7 @@ impl NarrowPhase<'_> {
         let mut separated = std::mem::take(self.dirty_pairs);
         let NarrowPhase { proxies, pairs, depth, .. } = self;
         for &proxy in refitted {
-            let is_separated =
-                |&pair: &usize| !fat_aabbs_overlap(proxies, *depth, pairs.triggers[pair].proxies);
+            let is_separated = |&pair: &usize| !fat_aabbs_overlap(proxies, *depth, pairs.proxies_of(pair));
             separated.extend(pairs.pairs_of(proxy).filter(is_separated).map(|pair| pair as u32));
         }
         // Removal from the last pair on keeps the indices of the others valid.
@@ -45,15 +44,15 @@ impl NarrowPhase<'_> {
     /// Adds a pair of the proxies A and B without contacts to the awake pairs, and returns its index.
     pub fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
         let all = self.proxies;
-        let [a, b] = proxies.map(|proxy| &all.all[proxy as usize]);
+        let [a, b] = proxies.map(|proxy| all.proxy(proxy));
         let (responds, is_reported) = (a.responds && b.responds, is_pair_reported(all, proxies));
         let is_static_sensor = !(a.body_type.takes_impulses() || b.body_type.takes_impulses());
         let pair = self.pairs.push(proxies, self.constraint_kind(proxies), responds, is_reported);
         self.pairs.set_static_sensor(pair, is_static_sensor);
-        self.pairs.all[pair].is_on_ground =
+        self.pairs.state_mut(pair).is_on_ground =
             self.depth.as_ref().is_some_and(|space| space.ground_proxy == proxies[0]);
-        self.pairs.all[pair].one_way_state = initial_one_way_state(all, self.pairs, pair);
-        if self.pairs.all[pair].one_way_state != OneWayState::Closed {
+        self.pairs.state_mut(pair).one_way_state = initial_one_way_state(all, self.pairs, pair);
+        if self.pairs.state(pair).one_way_state != OneWayState::Closed {
             let motion = PairMotion {
                 bodies: self.bodies,
                 proxies: all,
@@ -62,7 +61,7 @@ impl NarrowPhase<'_> {
                 is_after_step: false,
             };
             let state = motion.state_of_group(pair);
-            self.pairs.all[pair].one_way_state = state;
+            self.pairs.state_mut(pair).one_way_state = state;
         }
         self.wake_pair(pair)
     }
@@ -70,7 +69,7 @@ impl NarrowPhase<'_> {
     /// Returns the kind of the contact constraint of a pair [A, B]: whether it has two points, whether A is static, and whether
     /// there is a depth axis.
     fn constraint_kind(&self, proxies: [u32; 2]) -> ConstraintKind {
-        let [a, b] = proxies.map(|proxy| self.proxies.all[proxy as usize].shape);
+        let [a, b] = proxies.map(|proxy| self.proxies.proxy(proxy).shape);
         let is_fixed = proxies[0] as usize >= self.proxies.first_fixed;
         match &self.depth {
             None => ConstraintKind {
@@ -88,8 +87,8 @@ impl NarrowPhase<'_> {
 
 /// Returns the one-way state of a new pair: `Apart` if the pair has collision response and a one-way geom, else `Closed`.
 pub fn initial_one_way_state(proxies: &Proxies, pairs: &Pairs, pair: usize) -> OneWayState {
-    let is_one_way = |proxy: u32| proxies.all[proxy as usize].one_way.is_some();
-    if pairs.all[pair].responds && pairs.triggers[pair].proxies.into_iter().any(is_one_way) {
+    let is_one_way = |proxy: u32| proxies.proxy(proxy).one_way.is_some();
+    if pairs.state(pair).responds && pairs.proxies_of(pair).into_iter().any(is_one_way) {
         OneWayState::Apart
     } else {
         OneWayState::Closed

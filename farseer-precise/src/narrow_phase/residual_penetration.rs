@@ -13,7 +13,7 @@ impl NarrowPhase<'_> {
     /// units, at least 0. The result is `f32::MAX` if A is dynamic, since bodies on top of A may press A deeper. It is 0 for spheres and for
     /// the ground, which has no edges.
     pub(super) fn previous_penetration(&self, pair: usize, two: ProxyPair<'_>) -> f32 {
-        let state = &self.pairs.all[pair];
+        let state = self.pairs.state(pair);
         if !state.kind.has_two_points || state.is_on_ground {
             return 0.0;
         }
@@ -34,8 +34,8 @@ impl NarrowPhase<'_> {
 
     /// Returns the present penetration of a pair in length units, >= 0; 0 if it has no contact constraint.
     fn pair_penetration(&self, pair: usize) -> f32 {
-        let cached = &self.pairs.manifolds[pair];
-        if self.pairs.all[pair].constraint.is_none() {
+        let cached = self.pairs.manifold(pair);
+        if !self.pairs.has_constraint(pair) {
             return 0.0;
         }
         let separations = self.current_separations(cached, self.proxy_pair(pair));
@@ -48,7 +48,7 @@ impl NarrowPhase<'_> {
     /// Appends the dynamic body and penetration of a pair whose contact with a static or kinematic body ends to
     /// `ended_static_contacts`.
     pub(crate) fn record_separation(&mut self, pair: usize) {
-        let Pair { kind, constraint: handle, .. } = self.pairs.all[pair];
+        let Pair { kind, constraint: handle, .. } = *self.pairs.state(pair);
         let two = self.proxy_pair(pair);
         if self.depth.is_none()
             || handle.is_none()

@@ -25,7 +25,7 @@ impl NarrowPhase<'_> {
         if manifold.count != 1 || a.is_rounded() == b.is_rounded() {
             return false;
         }
-        let [at_a, at_b] = self.pairs.triggers[pair].proxies;
+        let [at_a, at_b] = self.pairs.proxies_of(pair);
         let (round_proxy, other, sign) = if b.is_rounded() { (at_b, a, 1.0) } else { (at_a, b, -1.0) };
         let is_dynamic_a = two.a.body_type == BodyType::Dynamic;
         let normal = scaled(manifold.normal, sign);
@@ -48,13 +48,13 @@ impl NarrowPhase<'_> {
     /// the normal (world, length units), and whether its body is dynamic. `None` if the round shape does not rest on a face of
     /// the other shape.
     fn supporting_face(&self, pair: usize, round_proxy: u32) -> Option<(Vector, f32, bool)> {
-        let (state, cached) = (&self.pairs.all[pair], &self.pairs.manifolds[pair]);
+        let (state, cached) = (self.pairs.state(pair), self.pairs.manifold(pair));
         let pushes = state.constraint.is_some() && state.responds && !(state.is_vetoed || state.was_vetoed);
         let rests = pushes && cached.count > 0 && cached.depth.normal_z == 0.0;
         rests.then_some(())?;
-        let [a, b] = self.pairs.triggers[pair].proxies;
+        let [a, b] = self.pairs.proxies_of(pair);
         let (at, sign) = if b == round_proxy { (a, 1.0) } else { (b, -1.0) };
-        let proxy = &self.proxies.all[at as usize];
+        let proxy = self.proxies.proxy(at);
         let shape = self.proxies.vertices.shape_ref(proxy.shape);
         let space = self.depth?;
         let solid = space.posed_solid(at, proxy, shape, (self.bodies, self.dt));

@@ -10,7 +10,7 @@ impl NarrowPhase<'_> {
     pub(crate) fn store_rolling_contacts(&mut self) {
         let mut rolling = std::mem::take(self.rolling_contacts);
         for roll in rolling.drain(..).filter(|roll| roll.pivot.is_none()) {
-            if let Some(handle) = self.pairs.all[roll.pair as usize].constraint {
+            if let Some(handle) = self.pairs.state(roll.pair as usize).constraint {
                 self.store_rolling_contact(roll, handle);
             }
         }
@@ -22,7 +22,7 @@ impl NarrowPhase<'_> {
     /// snapshot restores constraints from these manifolds, with equal arms.
     fn store_rolling_contact(&mut self, roll: RollingContact, handle: ConstraintHandle) {
         let pair = roll.pair as usize;
-        let kind = self.pairs.all[pair].kind;
+        let kind = self.pairs.state(pair).kind;
         let old = self.constraints.get(kind, handle);
         let is_second = roll.end_separations[1] < roll.end_separations[0];
         let order = if is_second { [1, 0] } else { [0, 1] };
@@ -33,12 +33,11 @@ impl NarrowPhase<'_> {
         let count = 1 + usize::from(is_near(&order[1]));
         let order = if count == 2 { [0, 1] } else { order };
         let outline = self.proxies.shape_of(roll.proxies[1]);
-        let [a, b] =
-            roll.proxies.map(|proxy| self.bodies.poses[self.proxies.all[proxy as usize].body as usize]);
+        let [a, b] = roll.proxies.map(|proxy| self.bodies.poses[self.proxies.body_of(proxy)]);
         let apart = difference(translation(b), translation(a));
-        let plane = StaticPlane::of(&self.pairs.manifolds[pair]);
-        let mut manifold = self.pairs.manifolds[pair];
-        let names_face = !self.pairs.all[pair].is_on_ground;
+        let plane = StaticPlane::of(self.pairs.manifold(pair));
+        let mut manifold = *self.pairs.manifold(pair);
+        let names_face = !self.pairs.state(pair).is_on_ground;
         for (slot, &at) in order.iter().enumerate() {
             let corner = roll.vertices[at];
             let round = scaled(plane.normal, outline.shape.radius);
@@ -52,10 +51,10 @@ impl NarrowPhase<'_> {
             manifold.features[slot] = face | corner;
         }
         (manifold.count, manifold.arm_lead_angle) = (count as u32, 0.0);
-        self.pairs.manifolds[pair] = manifold;
-        self.pairs.triggers[pair].motion_tolerance = 0;
+        *self.pairs.manifold_mut(pair) = manifold;
+        self.pairs.recheck(pair);
         let now = self.current_constraint(pair);
-        let is_set = self.pairs.all[pair].has_surface_override;
+        let is_set = self.pairs.state(pair).has_surface_override;
         let mut constraint = ContactConstraint {
             points: now.points,
             tangent_arms: now.tangent_arms,

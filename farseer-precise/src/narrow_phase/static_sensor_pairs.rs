@@ -17,7 +17,7 @@ impl NarrowPhase<'_> {
     /// Updates the contacts of sensor pairs: see [`update_static_sensor_pairs`](Self::update_static_sensor_pairs).
     fn update_moved_sensor_pairs(&mut self, searched: &[u32]) -> usize {
         let mut dirty = std::mem::take(self.dirty_pairs);
-        let is_static_sensor = |pair: &usize| self.pairs.all[*pair].is_static_sensor;
+        let is_static_sensor = |pair: &usize| self.pairs.state(*pair).is_static_sensor;
         for &proxy in searched {
             dirty.extend(self.pairs.pairs_of(proxy).filter(is_static_sensor).map(|pair| pair as u32));
         }
@@ -40,7 +40,7 @@ impl NarrowPhase<'_> {
 
     /// Returns whether a proxy of a pair has moved since the last update of the pair.
     fn pair_has_moved(&self, pair: usize) -> bool {
-        let trigger = &self.pairs.triggers[pair];
+        let trigger = self.pairs.trigger(pair);
         self.total_travel(trigger) != trigger.motion_at_check
     }
 }

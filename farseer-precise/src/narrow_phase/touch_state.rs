@@ -43,24 +43,27 @@ impl NarrowPhase<'_> {
     /// step. Merely speculative contacts do not touch, and are updated in every step. A pair with collision response touches
     /// until its contact ends; a sensor touches while the separation is negative.
     pub(super) fn update_touch_state(&mut self, pair: usize, two: ProxyPair<'_>) {
-        let state = self.pairs.all[pair];
+        let state = *self.pairs.state(pair);
         let is_touching = (state.is_touching && state.responds) || self.touches_now(pair, two);
         if is_touching != state.is_touching {
             self.emit_touch_event(pair, is_touching);
         }
-        self.pairs.triggers[pair].motion_tolerance = if !(is_touching && state.responds) {
-            0
-        } else if state.constraint.is_some() && self.are_both_circles(two) {
-            UPDATED_BY_SOLVER
-        } else {
-            (self.parameters.separation_refresh_distance * self.parameters.travel_scale()) as u32
-        };
+        self.pairs.set_motion_tolerance(
+            pair,
+            if !(is_touching && state.responds) {
+                0
+            } else if state.constraint.is_some() && self.are_both_circles(two) {
+                UPDATED_BY_SOLVER
+            } else {
+                (self.parameters.separation_refresh_distance * self.parameters.travel_scale()) as u32
+            },
+        );
     }
 
     /// Returns whether a contact point of a pair penetrates, has a normal impulse, or will close its gap in this step.
     fn touches_now(&self, pair: usize, two: ProxyPair<'_>) -> bool {
-        let state = self.pairs.all[pair];
-        let cached = &self.pairs.manifolds[pair];
+        let state = *self.pairs.state(pair);
+        let cached = self.pairs.manifold(pair);
         let count = cached.count as usize;
         let velocity_z = self.normal_velocity_z(two, cached.depth.normal_z);
         let angular_velocity_y = if self.rotates_about_y(two.a) {
@@ -123,8 +126,8 @@ impl NarrowPhase<'_> {
     /// Emits an event that a pair begins or ceases to touch, and stores the new touch state in the pair.
     pub(crate) fn emit_touch_event(&mut self, pair: usize, begins: bool) {
         self.pairs.set_touching(pair, begins);
-        let sides = self.pairs.triggers[pair].proxies.map(|proxy| {
-            let proxy = &self.proxies.all[proxy as usize];
+        let sides = self.pairs.proxies_of(pair).map(|proxy| {
+            let proxy = self.proxies.proxy(proxy);
             (proxy.creation_number, proxy.owner)
         });
         self.touch_events.push(TouchEvent::new(sides, begins));

@@ -50,7 +50,7 @@ impl Precise {
         let remaining = |pair: &SavedPair| {
             let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
             current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
-                let [one, other] = now.map(|proxy| geom_of(&self.solver.proxies.all[proxy as usize]));
+                let [one, other] = now.map(|proxy| geom_of(self.solver.proxies.proxy(proxy)));
                 order_pair(&self.solver.proxies, self.solver.depth.as_ref().map(FeatureGate::by_ref), now)
                     == Some(now)
                     && (edits == EditPolicy::Defer || self.may_keep_pair((one, other), objects))
@@ -101,7 +101,7 @@ impl Precise {
         for (pair, row) in constraints {
             let surface = row.sleeping_surface.or(row.awake_surface);
             if let Some([_, restitution, _]) = surface {
-                self.solver.pairs.all[pair].has_surface_override = true;
+                self.solver.pairs.state_mut(pair).has_surface_override = true;
                 self.solver.has_restitution |= restitution > 0.0;
             }
             let aside = row.sleeping_h.map(|h| (h, None)).or(row.direct.map(|(h, exact)| (h, Some(exact))));
@@ -132,7 +132,7 @@ impl Precise {
         self.solver.direct_solver.timer.is_due |= was_direct;
         self.solver.direct_solver.timer.may_be_due |= self.solver.depth.is_none();
         for proxy in pair.proxies.iter().filter_map(|&proxy| current_proxies[proxy as usize]) {
-            self.solver.sleep.support_removed(self.solver.proxies.all[proxy as usize].body as usize);
+            self.solver.sleep.support_removed(self.solver.proxies.body_of(proxy));
         }
     }
 
@@ -151,7 +151,7 @@ impl Precise {
     fn reset_changed_one_way(&mut self, saved: &Saved, current_proxies: &[Option<u32>]) {
         for (proxy, place) in saved.proxies.iter().zip(current_proxies) {
             if let Some(place) =
-                place.filter(|&now| self.solver.proxies.all[now as usize].one_way != proxy.imported.one_way)
+                place.filter(|&now| self.solver.proxies.proxy(now).one_way != proxy.imported.one_way)
             {
                 reset_one_way_states(&mut self.solver.pairs, &self.solver.proxies, place);
             }
@@ -237,21 +237,21 @@ impl Precise {
     ///
     /// A proxy whose body has changed its type counts as a new proxy.
     fn restore_proxies(&mut self, saved: &Saved, edits: EditPolicy) -> (Vec<Option<u32>>, Vec<u32>) {
-        let mut is_known = vec![false; self.solver.proxies.all.len()];
+        let mut is_known = vec![false; self.solver.proxies.position_count()];
         let mut current_proxies = Vec::with_capacity(saved.proxies.len());
         let mut edited = Vec::new();
         for proxy in &saved.proxies {
             let proxy_index = self
                 .proxy_of(proxy.geom, proxy.piece)
-                .filter(|&place| self.solver.proxies.all[place as usize].body_type == proxy.body_type)
+                .filter(|&place| self.solver.proxies.proxy(place).body_type == proxy.body_type)
                 .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
             if let Some(place) = proxy_index {
                 edited.extend(self.restore_proxy(place, proxy, edits).then_some(place));
             }
             current_proxies.push(proxy_index);
         }
-        for at in (0..self.solver.proxies.all.len()).filter(|&at| !is_known[at]) {
-            if !self.solver.proxies.all[at].is_empty() {
+        for at in (0..self.solver.proxies.position_count()).filter(|&at| !is_known[at]) {
+            if !self.solver.proxies.proxy(at as u32).is_empty() {
                 self.solver.fat_aabbs().insert(at as u32);
                 // A new body may form an island for the direct solver.
                 self.solver.direct_solver.timer.is_due = true;
@@ -263,37 +263,36 @@ impl Precise {
     /// Restores travel and fat AABB of a proxy. Returns whether a property that its contacts depend on has changed since the
     /// save.
     fn restore_proxy(&mut self, proxy_index: u32, saved: &SavedProxy, edits: EditPolicy) -> bool {
-        let at = proxy_index as usize;
-        let (then, mut now) = (saved.imported, self.imported_state_of(at));
+        let (then, mut now) = (saved.imported, self.imported_state_of(proxy_index as usize));
         if edits == EditPolicy::Defer && then.filter != now.filter {
             let [filter @ .., responds] = then.filter;
-            let proxy = &mut self.solver.proxies.all[at];
+            let proxy = self.solver.proxies.proxy_mut(proxy_index);
             (proxy.filter, proxy.responds) = (filter, responds != 0);
             self.edits.geoms.push(geom_of(proxy));
             now.filter = then.filter;
         }
         if edits == EditPolicy::Defer {
             let [.., friction, restitution] = then.contact_properties;
-            let proxy = &mut self.solver.proxies.all[at];
+            let proxy = self.solver.proxies.proxy_mut(proxy_index);
             if [proxy.friction, proxy.restitution] != [friction, restitution] {
                 (proxy.friction, proxy.restitution) = (friction, restitution);
                 self.edits.geoms.push(geom_of(proxy));
             }
         }
-        self.solver.proxies.travel[at] = saved.travel;
+        self.solver.proxies.set_travel(proxy_index, saved.travel);
         self.solver.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
         let has_moved = then.pose != now.pose;
         // The saved AABB and manifolds belong to the former shape.
         let is_reshaped = then.fingerprint != now.fingerprint;
         if has_moved {
-            self.solver.bodies.clear_delta_pose(self.solver.proxies.all[at].body as usize);
+            self.solver.bodies.clear_delta_pose(self.solver.proxies.body_of(proxy_index));
         }
         // Queries before the next update find the proxy where the last update left it.
         if edits == EditPolicy::Apply && (has_moved || is_reshaped) {
             self.solver.fat_aabbs().teleport(proxy_index);
         }
         if saved.is_refitted || has_moved || is_reshaped || then.filter != now.filter {
-            self.solver.proxies.refitted.push(proxy_index);
+            self.solver.proxies.search_pairs_of(proxy_index);
         }
         has_moved
             || is_reshaped
@@ -311,16 +310,15 @@ impl Precise {
             return None;
         }
         let pair = self.solver.narrow_phase().add_pair(proxies);
-        let responds = self.solver.pairs.all[pair].responds;
-        self.solver.pairs.manifolds[pair] = saved.manifold.cached();
-        let trigger = &mut self.solver.pairs.triggers[pair];
-        (trigger.motion_at_check, trigger.motion_tolerance) = (saved.motion_at_check, saved.motion_tolerance);
-        self.solver.pairs.all[pair].is_vetoed = saved.is_vetoed;
-        self.solver.pairs.all[pair].was_vetoed = saved.was_vetoed;
-        if self.solver.pairs.all[pair].one_way_state != OneWayState::Closed
+        let responds = self.solver.pairs.state(pair).responds;
+        *self.solver.pairs.manifold_mut(pair) = saved.manifold.cached();
+        self.solver.pairs.restore_motion(pair, saved.motion_at_check, saved.motion_tolerance);
+        self.solver.pairs.state_mut(pair).is_vetoed = saved.is_vetoed;
+        self.solver.pairs.state_mut(pair).was_vetoed = saved.was_vetoed;
+        if self.solver.pairs.state(pair).one_way_state != OneWayState::Closed
             && saved.one_way_state != OneWayState::Closed
         {
-            self.solver.pairs.all[pair].one_way_state = saved.one_way_state;
+            self.solver.pairs.state_mut(pair).one_way_state = saved.one_way_state;
         }
         self.solver.pairs.set_touching(pair, saved.is_touching);
         let constraint = saved.constraint.filter(|_| responds);
@@ -329,7 +327,7 @@ impl Precise {
         if saved.motion_tolerance == UPDATED_BY_SOLVER
             && !(has_constraint && self.solver.narrow_phase().is_circle_pair(pair))
         {
-            self.solver.pairs.triggers[pair].motion_tolerance = 0;
+            self.solver.pairs.recheck(pair);
         }
         constraint.map(|row| (pair, row))
     }

@@ -26,22 +26,22 @@ impl Precise {
         if let Some(loaded) = &self.loaded {
             return loaded.clone();
         }
-        let mut has_escaped = vec![false; solver.proxies.all.len()];
-        solver.proxies.refitted.iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
+        let mut has_escaped = vec![false; solver.proxies.position_count()];
+        solver.proxies.refitted().iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
         let depth = solver.depth.as_ref();
         let order = saved_proxy_order(&solver.proxies);
-        let mut saved_indices = vec![0; solver.proxies.all.len()];
+        let mut saved_indices = vec![0; solver.proxies.position_count()];
         (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = index);
         let proxies = order.iter().map(|&at| {
-            let proxy = &solver.proxies.all[at];
+            let proxy = solver.proxies.proxy(at as u32);
             SavedProxy {
                 geom: geom_of(proxy),
                 number: proxy.creation_number,
                 piece: proxy.piece,
                 body_type: proxy.body_type,
-                fat_aabb: solver.proxies.fat_aabbs[at],
+                fat_aabb: *solver.proxies.fat_aabb_of(at as u32),
                 depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
-                travel: solver.proxies.travel[at],
+                travel: solver.proxies.travel_of(at as u32),
                 is_refitted: has_escaped[at],
                 imported: self.imported_state_of(at),
             }
@@ -156,7 +156,7 @@ impl Precise {
             one_way,
             fingerprint,
             ..
-        } = self.solver.proxies.all[proxy];
+        } = *self.solver.proxies.proxy(proxy as u32);
         let ([mass, inertia], [vx, vy, spin, vz]) =
             (self.solver.bodies.inverse_mass_inertia[body as usize], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
@@ -171,7 +171,7 @@ impl Precise {
 
     /// Returns the saved form of a pair. `saved_indices`: index of each proxy into `Saved::proxies`.
     fn save_pair(&self, pair: usize, saved_indices: &[u32]) -> SavedPair {
-        let (watch, state) = (self.solver.pairs.triggers[pair], self.solver.pairs.all[pair]);
+        let (watch, state) = (*self.solver.pairs.trigger(pair), *self.solver.pairs.state(pair));
         let CachedManifold {
             rotations,
             relative_pose,
@@ -182,7 +182,7 @@ impl Precise {
             features,
             arm_lead_angle,
             depth,
-        } = self.solver.pairs.manifolds[pair];
+        } = *self.solver.pairs.manifold(pair);
         SavedPair {
             proxies: watch.proxies.map(|proxy| saved_indices[proxy as usize]),
             motion_at_check: watch.motion_at_check,
@@ -249,11 +249,11 @@ fn depth_impulses_of(depth: ContactConstraintZ) -> [f32; 6] {
 /// Returns the indices of all proxies in the order in which a rebuild would list them. Only those of static bodies may be listed in
 /// another order, after bodies have become static.
 fn saved_proxy_order(proxies: &Proxies) -> Vec<usize> {
-    let all = &proxies.all;
-    let mut order: Vec<usize> = (0..all.len()).filter(|&at| !all[at].is_empty()).collect();
+    let proxy = |at: usize| proxies.proxy(at as u32);
+    let mut order: Vec<usize> = (0..proxies.position_count()).filter(|&at| !proxy(at).is_empty()).collect();
     let first = order.partition_point(|&at| at < proxies.first_fixed);
-    let end = first + order[first..].iter().take_while(|&&at| !all[at].is_world).count();
-    let key = |&at: &usize| packed_key([all[at].list_key, all[at].piece]);
+    let end = first + order[first..].iter().take_while(|&&at| !proxy(at).is_world).count();
+    let key = |&at: &usize| packed_key([proxy(at).list_key, proxy(at).piece]);
     let fixed = &mut order[first..end];
     if !fixed.is_sorted_by_key(key) {
         sort_by_number(fixed, key);
