@@ -111,8 +111,8 @@ fn sleeping_bodies_wake_at_the_same_time_after_a_restore() {
 
 #[test]
 fn imports_in_the_middle_of_an_update_equal_rebuilds() {
-    // Faults that these seeds found, by the assertion of debug builds: a wake request of a handler got lost with a rebuild, a
-    // sleeping body that became kinematic in place woke its island, and a new geom of a moved body had travelled.
+    // Faults that these seeds found, by the assertion of debug builds: a wake request of a handler got lost with a rebuild. A
+    // sleeping body that became kinematic in place woke its island. A new geom of a moved body had travelled.
     holds_for!([7_000_529, 7_000_880, 7_001_080], failed_calls_change_nothing::<Plane>);
     // Fault that this seed found: proxies of a geom that a handler had disposed of stayed.
     holds_for!([7_000_408], failed_calls_change_nothing::<Tied>);
