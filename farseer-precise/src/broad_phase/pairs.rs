@@ -14,15 +14,15 @@ use crate::reusing_clone;
 pub(crate) const NO_PAIR: u32 = u32::MAX;
 
 /// Data by which the narrow phase decides in each step whether to update a pair. It does so when the summed path lengths
-/// ([`travel`](Proxies::travel)) of the pair's proxies have grown by `motion_tolerance` since `motion_at_check`.
+/// (`travel`) of the pair's proxies have grown by `motion_tolerance` since `motion_at_check`.
 #[derive(Debug, Clone, Copy)]
 pub struct RecheckTrigger {
     /// Indices of the proxies A and B of the pair.
     pub proxies: [u32; 2],
-    /// Sum of the [`travel`](Proxies::travel) counters of both proxies at the last update of the pair, in 2^-26 length units,
+    /// Sum of the `travel` counters of both proxies at the last update of the pair, in 2^-26 length units,
     /// wrapping.
     pub motion_at_check: u32,
-    /// Growth of the summed [`travel`](Proxies::travel) counters of both proxies that triggers an update of the pair, in 2^-26
+    /// Growth of the summed `travel` counters of both proxies that triggers an update of the pair, in 2^-26
     /// length units; or [`UPDATED_BY_SOLVER`].
     pub motion_tolerance: u32,
 }
