@@ -11,7 +11,7 @@ use crate::geom::entry::GeomEntry;
 use farseer_precise::edge_adjacency::edges_of_chain;
 use farseer_precise::pieces::{Piece, pieces_of_outline};
 
-/// Number of outlines that [`RecentOutlines`] remembers, a count.
+/// Number of outlines that [`RecentOutlines`] remembers, a count. Value chosen: worlds of many geoms repeat few outlines.
 const RECENT_OUTLINES: usize = 4;
 /// Minimum number of corners with which a circle of the circle factory is a true circle.
 const MIN_CIRCLE_CORNERS: usize = 8;

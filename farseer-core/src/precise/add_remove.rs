@@ -250,13 +250,13 @@ impl MembershipDiff {
         Some(())
     }
 
-    /// Returns the movable bodies that are removed and return to their places at once, because they become kinematic or dynamic. Each
-    /// item is the index of the body and the time for which it has been at rest (seconds), which it keeps.
+    /// Returns the movable bodies that are removed and return to their places at once, because they become kinematic or dynamic.
+    /// None of them [sleeps](Self::retypes_sleeping). Each item is the index of the body and the time for which it has been at
+    /// rest (seconds), which it keeps.
     fn kept_rest_times(&self, ids: &IdTable, bodies: &BodySet, sleep: &SleepState) -> Vec<(usize, f32)> {
         let present = self.added_bodies.iter().filter_map(|&id| ids.body_index(id));
         let movable = present.filter(|&index| index < bodies.first_static());
-        // The time of a sleeping body is negative.
-        movable.map(|index| (index, sleep.rest_time[index].max(0.0))).collect()
+        movable.map(|index| (index, sleep.rest_time[index])).collect()
     }
 
     /// Finds the places to which movable bodies and their geoms return.

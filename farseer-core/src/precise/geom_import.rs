@@ -16,7 +16,7 @@ use farseer_precise::math::plane::Vector;
 use farseer_precise::pieces::Piece;
 use farseer_precise::shape::Shape;
 
-/// Number of shapes that [`RecentShapes`] remembers, a count.
+/// Number of shapes that [`RecentShapes`] remembers, a count. Value chosen: one for each outline that [`RecentOutlines`] remembers.
 const RECENT_SHAPES: usize = 4;
 
 /// Parts from which the proxies of geoms follow, and the lists that get them.
