@@ -61,6 +61,8 @@ pub mod direct_solver;
 #[cfg(feature = "engine")]
 pub mod fingerprint;
 #[cfg(feature = "engine")]
+pub mod index;
+#[cfg(feature = "engine")]
 pub mod integration;
 #[cfg(feature = "engine")]
 pub mod island;

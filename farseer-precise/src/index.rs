@@ -1,0 +1,163 @@
+//! Typed indices: a list says by its type by which kind of index its entries are found.
+//!
+//! An index is 4 bytes long. It names an entry of the lists of one [`Solver`](crate::Solver) until a rebuild or a removal
+//! moves that entry.
+
+use crate::reusing_clone;
+use std::fmt;
+use std::marker::PhantomData;
+use std::ops::{Deref, DerefMut, Index, IndexMut};
+
+/// An index of one kind.
+pub trait DenseIndex: Copy + Eq + Ord + fmt::Debug {
+    /// Returns the index with a position in its lists, 0..2^32.
+    fn new(position: usize) -> Self;
+
+    /// Returns the position in its lists, 0..2^32.
+    fn position(self) -> usize;
+}
+
+/// Defines a type of indices: `index_type! { /// Doc. pub struct BodyIndex; }`.
+macro_rules! index_type {
+    ($(#[$doc:meta])* pub struct $name:ident;) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, serde::Serialize, serde::Deserialize)]
+        #[repr(transparent)]
+        #[serde(transparent)]
+        pub struct $name(pub u32);
+
+        impl $crate::index::DenseIndex for $name {
+            #[inline(always)]
+            fn new(position: usize) -> Self {
+                debug_assert!(u32::try_from(position).is_ok(), "{position} positions exceed the range of an index");
+                $name(position as u32)
+            }
+
+            #[inline(always)]
+            fn position(self) -> usize {
+                self.0 as usize
+            }
+        }
+
+        impl std::fmt::Debug for $name {
+            fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                write!(formatter, "{}", self.0)
+            }
+        }
+    };
+}
+
+index_type! {
+    /// Index of a body in the lists of [`BodySet`](crate::bodies::BodySet).
+    pub struct BodyIndex;
+}
+index_type! {
+    /// Index of a proxy: a convex piece of a geom in the broad phase.
+    pub struct ProxyIndex;
+}
+index_type! {
+    /// Index of a pair of proxies whose fat AABBs overlap.
+    pub struct PairIndex;
+}
+
+/// A list whose entries are found by an index of type `I`. It dereferences to a slice for everything that needs no single
+/// position: its length, iteration, chunks.
+pub struct IndexedVec<I, T> {
+    /// The entries, by the position of their indices.
+    entries: Vec<T>,
+    /// The list contains no index.
+    index: PhantomData<fn(I)>,
+}
+
+reusing_clone! {
+    [I, T: Clone] IndexedVec<I, T> { entries, index }
+}
+
+impl<I: DenseIndex, T> IndexedVec<I, T> {
+    /// Appends an entry and returns its index.
+    #[inline]
+    pub fn push(&mut self, entry: T) -> I {
+        self.entries.push(entry);
+        I::new(self.entries.len() - 1)
+    }
+
+    /// Returns the entry at an index; `None` beyond the end.
+    #[inline]
+    pub fn at(&self, index: I) -> Option<&T> {
+        self.entries.get(index.position())
+    }
+
+    /// Returns the entry at an index, to change; `None` beyond the end.
+    #[inline]
+    pub fn at_mut(&mut self, index: I) -> Option<&mut T> {
+        self.entries.get_mut(index.position())
+    }
+
+    /// Returns the index that the next entry will have.
+    #[inline]
+    pub fn next_index(&self) -> I {
+        I::new(self.entries.len())
+    }
+
+    /// Iterates over all indices, ascending.
+    #[inline]
+    pub fn indices(&self) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + use<I, T> {
+        (0..self.entries.len()).map(I::new)
+    }
+
+    /// Iterates over all entries with their indices, ascending.
+    #[inline]
+    pub fn enumerated(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator {
+        self.entries.iter().enumerate().map(|(position, entry)| (I::new(position), entry))
+    }
+
+    /// Returns the list without its type of index, to grow or shorten it.
+    #[inline]
+    pub fn as_vec_mut(&mut self) -> &mut Vec<T> {
+        &mut self.entries
+    }
+}
+
+impl<I, T> Default for IndexedVec<I, T> {
+    fn default() -> Self {
+        IndexedVec { entries: Vec::new(), index: PhantomData }
+    }
+}
+
+impl<I, T: fmt::Debug> fmt::Debug for IndexedVec<I, T> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.entries.fmt(formatter)
+    }
+}
+
+impl<I: DenseIndex, T> Index<I> for IndexedVec<I, T> {
+    type Output = T;
+
+    #[inline(always)]
+    fn index(&self, index: I) -> &T {
+        &self.entries[index.position()]
+    }
+}
+
+impl<I: DenseIndex, T> IndexMut<I> for IndexedVec<I, T> {
+    #[inline(always)]
+    fn index_mut(&mut self, index: I) -> &mut T {
+        &mut self.entries[index.position()]
+    }
+}
+
+impl<I, T> Deref for IndexedVec<I, T> {
+    type Target = [T];
+
+    #[inline(always)]
+    fn deref(&self) -> &[T] {
+        &self.entries
+    }
+}
+
+impl<I, T> DerefMut for IndexedVec<I, T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.entries
+    }
+}
