@@ -4,6 +4,9 @@ use super::Joint;
 use crate::math::Vector2;
 use crate::math::vector2::length;
 
+/// Greatest component of a force whose size is certainly a finite `f32`: below half the square root of [`f32::MAX`].
+const MAX_SQUARABLE: f64 = 9e18;
+
 impl Joint {
     /// Force and torque at the end of the last update.
     pub(crate) fn force_and_torque(&self) -> [f64; 3] {
@@ -19,6 +22,10 @@ impl Joint {
         mean: Option<[f64; 3]>,
         along_depth: &mut f32,
     ) -> bool {
+        if mean.is_none() && *along_depth == 0.0 && self.cannot_break_under(*force) {
+            (self.force, self.force_along_depth) = (*force, *along_depth);
+            return false;
+        }
         let finite = |number: f64| if number.abs() <= f64::from(f32::MAX) { number } else { 0.0 };
         let stored = force.map(finite);
         let mean = mean.map_or(stored, |mean| mean.map(finite));
@@ -34,6 +41,14 @@ impl Joint {
         (self.force, self.force_along_depth) = (stored, along);
         (*force, *along_depth) = (stored, along);
         breaks
+    }
+
+    /// Whether the joint has no maxima, and the size of a force in the plane is finite: neither a square nor a sum overflows.
+    #[inline]
+    fn cannot_break_under(&self, force: [f64; 3]) -> bool {
+        self.greatest_force == f32::MAX
+            && self.greatest_torque == f32::MAX
+            && force.iter().all(|number| number.abs() <= MAX_SQUARABLE)
     }
 
     /// Whether force or torque exceeds the joint's maximum.
