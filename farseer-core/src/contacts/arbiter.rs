@@ -8,7 +8,7 @@ use crate::contacts::pair_table::GeomPairBitmap;
 use crate::geom::GeomId;
 use crate::geom::entry::Geoms;
 use crate::math::scalar::nearest_finite;
-use crate::storage::order::sort_by_number;
+use crate::storage::order::{sort_by_number, sort_by_number_in};
 use farseer_precise::reusing_clone;
 use farseer_precise::surface::{FrictionType, SurfaceOverride, mix_friction};
 
@@ -351,7 +351,7 @@ impl ArbiterList {
                 count: 1,
             }));
         }
-        sort_by_number(&mut leaving, |&RemovedArbiters { geoms: (a, b), .. }| {
+        sort_by_number_in(&mut Vec::new(), &mut leaving, |&RemovedArbiters { geoms: (a, b), .. }| {
             u128::from(a.to_bits()) << 64 | u128::from(b.to_bits())
         });
         leaving.dedup_by(|next, first| {
@@ -360,7 +360,7 @@ impl ArbiterList {
             is_same
         });
         // Arbiters of one geom leave in the order in which they were found.
-        sort_by_number(&mut leaving, |leaving| {
+        sort_by_number_in(&mut Vec::new(), &mut leaving, |leaving| {
             (leaving.geom_order as u128) << 64 | leaving.found_order as u128
         });
         for RemovedArbiters { handle, count, .. } in leaving {
