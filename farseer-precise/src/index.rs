@@ -6,7 +6,8 @@
 use crate::reusing_clone;
 use std::fmt;
 use std::marker::PhantomData;
-use std::ops::{Deref, DerefMut, Index, IndexMut};
+use std::ops::{Deref, DerefMut, Index, IndexMut, Range};
+use std::slice::SliceIndex;
 
 /// An index of one kind.
 pub trait DenseIndex: Copy + Eq + Ord + fmt::Debug {
@@ -19,12 +20,12 @@ pub trait DenseIndex: Copy + Eq + Ord + fmt::Debug {
 
 /// Defines a type of indices: `index_type! { /// Doc. pub struct BodyIndex; }`.
 macro_rules! index_type {
-    ($(#[$doc:meta])* pub struct $name:ident;) => {
+    ($(#[$doc:meta])* $visibility:vis struct $name:ident;) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, serde::Serialize, serde::Deserialize)]
         #[repr(transparent)]
         #[serde(transparent)]
-        pub struct $name(pub u32);
+        $visibility struct $name(pub u32);
 
         impl $crate::index::DenseIndex for $name {
             #[inline(always)]
@@ -46,6 +47,8 @@ macro_rules! index_type {
         }
     };
 }
+
+pub(crate) use index_type;
 
 index_type! {
     /// Index of a body in the lists of [`BodySet`](crate::bodies::BodySet).
@@ -93,6 +96,18 @@ impl<I: DenseIndex, T> IndexedVec<I, T> {
         self.entries.get_mut(index.position())
     }
 
+    /// Returns the entries at positions.
+    #[inline(always)]
+    pub fn slice(&self, positions: impl SliceIndex<[T], Output = [T]>) -> &[T] {
+        &self.entries[positions]
+    }
+
+    /// Returns the entries at positions, to change.
+    #[inline(always)]
+    pub fn slice_mut(&mut self, positions: impl SliceIndex<[T], Output = [T]>) -> &mut [T] {
+        &mut self.entries[positions]
+    }
+
     /// Returns the index that the next entry will have.
     #[inline]
     pub fn next_index(&self) -> I {
@@ -111,10 +126,61 @@ impl<I: DenseIndex, T> IndexedVec<I, T> {
         self.entries.iter().enumerate().map(|(position, entry)| (I::new(position), entry))
     }
 
+    /// Removes all entries.
+    #[inline]
+    pub fn clear(&mut self) {
+        self.entries.clear();
+    }
+
     /// Returns the list without its type of index, to grow or shorten it.
     #[inline]
     pub fn as_vec_mut(&mut self) -> &mut Vec<T> {
         &mut self.entries
+    }
+}
+
+impl<I: DenseIndex, T: Clone> IndexedVec<I, T> {
+    /// Returns a list of `count` copies of an entry.
+    pub fn of_copies(entry: T, count: usize) -> Self {
+        IndexedVec { entries: vec![entry; count], index: PhantomData }
+    }
+
+    /// Shortens the list to `count` entries, or appends copies of an entry up to that number.
+    #[inline]
+    pub fn resize(&mut self, count: usize, entry: T) {
+        self.entries.resize(count, entry);
+    }
+}
+
+impl<I, T> FromIterator<T> for IndexedVec<I, T> {
+    fn from_iter<Entries: IntoIterator<Item = T>>(entries: Entries) -> Self {
+        IndexedVec { entries: entries.into_iter().collect(), index: PhantomData }
+    }
+}
+
+impl<I, T> Extend<T> for IndexedVec<I, T> {
+    fn extend<Entries: IntoIterator<Item = T>>(&mut self, entries: Entries) {
+        self.entries.extend(entries);
+    }
+}
+
+impl<'a, I, T> IntoIterator for &'a IndexedVec<I, T> {
+    type Item = &'a T;
+    type IntoIter = std::slice::Iter<'a, T>;
+
+    #[inline(always)]
+    fn into_iter(self) -> Self::IntoIter {
+        self.entries.iter()
+    }
+}
+
+impl<'a, I, T> IntoIterator for &'a mut IndexedVec<I, T> {
+    type Item = &'a mut T;
+    type IntoIter = std::slice::IterMut<'a, T>;
+
+    #[inline(always)]
+    fn into_iter(self) -> Self::IntoIter {
+        self.entries.iter_mut()
     }
 }
 
@@ -159,5 +225,73 @@ impl<I, T> DerefMut for IndexedVec<I, T> {
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut [T] {
         &mut self.entries
+    }
+}
+
+/// The ranges of lists that follow each other in one buffer, found by the index of each list. [`count`](Self::count) and
+/// [`begin_lists`](Self::begin_lists) build them; a copy then yields with [`next_position`](Self::next_position) where each entry
+/// goes.
+#[derive(Debug)]
+pub struct ListRanges<I> {
+    /// Position of the first entry of each list; the last element is the number of all entries.
+    starts: Vec<u32>,
+    /// The ranges contain no index.
+    index: PhantomData<fn(I)>,
+}
+
+reusing_clone! {
+    [I] ListRanges<I> { starts, index }
+}
+
+impl<I> Default for ListRanges<I> {
+    fn default() -> Self {
+        ListRanges { starts: vec![0], index: PhantomData }
+    }
+}
+
+impl<I: DenseIndex> ListRanges<I> {
+    /// Makes `count` empty lists.
+    pub fn reset(&mut self, count: usize) {
+        self.starts.clear();
+        self.starts.resize(count + 1, 0);
+    }
+
+    /// Counts an entry of a list, before [`begin_lists`](Self::begin_lists).
+    #[inline]
+    pub fn count(&mut self, list: I) {
+        self.starts[list.position() + 1] += 1;
+    }
+
+    /// Returns the number of lists.
+    pub fn list_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Lets each list begin where the one before it ends.
+    pub fn begin_lists(&mut self) {
+        let mut sum = 0;
+        for start in &mut self.starts {
+            sum += *start;
+            *start = sum;
+        }
+    }
+
+    /// Returns the number of entries of all lists.
+    pub fn total(&self) -> usize {
+        self.starts.last().map_or(0, |&total| total as usize)
+    }
+
+    /// Returns the positions of the entries of a list.
+    #[inline(always)]
+    pub fn range(&self, list: I) -> Range<usize> {
+        self.starts[list.position()] as usize..self.starts[list.position() + 1] as usize
+    }
+
+    /// Returns the position where a list begins, and lets it begin one entry later.
+    #[inline]
+    pub fn next_position(&mut self, list: I) -> usize {
+        let start = &mut self.starts[list.position()];
+        *start += 1;
+        *start as usize - 1
     }
 }

@@ -9,14 +9,16 @@
 use std::sync::Arc;
 
 use super::mat3::{Mat3, Vec3};
+use crate::index::{DenseIndex, IndexedVec};
+use crate::minimum_degree::RowIndex;
 use crate::reusing_clone;
-use crate::sparse_ordering::{RowEntry, SymbolicFactor};
+use crate::sparse_ordering::{EntryIndex, MatrixEntryIndex, PlaceIndex, RowEntry, SymbolicFactor};
 
 /// Position of the off-diagonal block of two bodies A and B in a [`BlockLdlt`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct BlockIndex {
     /// Index into the list of blocks of the matrix below the diagonal.
-    index: u32,
+    index: MatrixEntryIndex,
     /// Whether the stored block is the transpose of the block with rows of B and columns of A.
     is_transposed: bool,
 }
@@ -34,7 +36,7 @@ pub(super) struct BlockLdlt {
 #[derive(Debug, Default)]
 struct EliminationGraph {
     /// Graph of the last symbolic factorisation: pairs of indices of bodies that constraints connect.
-    edges: Vec<[u32; 2]>,
+    edges: Vec<[RowIndex; 2]>,
     /// Order in which the bodies are eliminated, and positions of all nonzero blocks of L.
     symbolic: SymbolicFactor,
 }
@@ -45,22 +47,22 @@ struct EliminationGraph {
 pub(super) struct FactorBlocks {
     /// Blocks of the matrix on the diagonal, in the order of elimination. The matrix is kept beside its factors, because few of
     /// its blocks change between two Newton steps.
-    matrix_diagonal: Vec<Mat3>,
+    matrix_diagonal: IndexedVec<PlaceIndex, Mat3>,
     /// Blocks of the matrix below the diagonal, without fill-in, sorted by column and row in the order of elimination.
-    matrix_lower: Vec<Mat3>,
+    matrix_lower: IndexedVec<MatrixEntryIndex, Mat3>,
     /// For each column in the order of elimination: whether the matrix changed there since the last factorisation.
-    has_changed: Vec<bool>,
+    has_changed: IndexedVec<PlaceIndex, bool>,
     /// Inverses of the blocks of the block diagonal matrix D, in the order of elimination.
-    inverse_diagonal: Vec<Mat3>,
+    inverse_diagonal: IndexedVec<PlaceIndex, Mat3>,
     /// Blocks of the product L D below the diagonal, fill-in included.
-    lower_times_diagonal: Vec<Mat3>,
+    lower_times_diagonal: IndexedVec<EntryIndex, Mat3>,
     /// Blocks of the unit lower triangular matrix L below the diagonal, at the positions of those of L D.
-    lower: Vec<Mat3>,
+    lower: IndexedVec<EntryIndex, Mat3>,
     /// Scratch of [`factorise`](BlockLdlt::factorise): for each row below the diagonal of the present column the index
     /// of its entry in the column.
-    entries_of_rows: Vec<u32>,
+    entries_of_rows: IndexedVec<PlaceIndex, u32>,
     /// Scratch of [`solve`](BlockLdlt::solve): one vector per body, in the order of elimination.
-    solution: Vec<Vec3>,
+    solution: IndexedVec<PlaceIndex, Vec3>,
 }
 
 reusing_clone! { BlockLdlt { graph, blocks } }
@@ -86,12 +88,12 @@ impl FactorBlocks {
 
 impl EliminationGraph {
     /// Returns whether the symbolic factorisation is that of the graph with `count` bodies and these `edges`.
-    fn is_of(&self, count: usize, edges: &[[u32; 2]]) -> bool {
+    fn is_of(&self, count: usize, edges: &[[RowIndex; 2]]) -> bool {
         self.symbolic.positions.len() == count && self.edges == edges
     }
 
     /// Makes the symbolic factorisation: see [`BlockLdlt::analyse`].
-    fn analyse(&mut self, count: usize, edges: &[[u32; 2]], max_products: usize) -> bool {
+    fn analyse(&mut self, count: usize, edges: &[[RowIndex; 2]], max_products: usize) -> bool {
         self.edges.clear();
         self.edges.extend_from_slice(edges);
         let products = |degree: usize| degree * degree.saturating_sub(1) / 2;
@@ -108,7 +110,7 @@ impl BlockLdlt {
     pub(super) fn analyse(
         &mut self,
         count: usize,
-        edges: &[[u32; 2]],
+        edges: &[[RowIndex; 2]],
         max_products: usize,
         similar: Option<&Self>,
     ) -> bool {
@@ -134,7 +136,7 @@ impl BlockLdlt {
 
     /// Returns the position of the off-diagonal block of bodies `a` and `b`, which an edge of the graph must connect. Bodies
     /// are indices into the members of the island.
-    pub(super) fn block_index(&self, a: u32, b: u32) -> BlockIndex {
+    pub(super) fn block_index(&self, a: RowIndex, b: RowIndex) -> BlockIndex {
         let (at, is_turned) = self.graph.symbolic.matrix_entry_of(a, b);
         BlockIndex { index: at, is_transposed: is_turned }
     }
@@ -147,14 +149,14 @@ impl BlockLdlt {
         self.blocks.matrix_lower.fill(Mat3::default());
         self.blocks.has_changed.fill(true);
         for (&place, [mass, inertia]) in symbolic.positions.iter().zip(masses) {
-            self.blocks.matrix_diagonal[place as usize] = Mat3::from_diagonal([mass, mass, inertia]);
+            self.blocks.matrix_diagonal[place] = Mat3::from_diagonal([mass, mass, inertia]);
         }
     }
 
     /// Adds `block` to the diagonal block of `body`, an index into the members of the island.
     #[inline(always)]
-    pub(super) fn add_diagonal_block(&mut self, body: u32, block: &Mat3) {
-        let place = self.graph.symbolic.positions[body as usize] as usize;
+    pub(super) fn add_diagonal_block(&mut self, body: RowIndex, block: &Mat3) {
+        let place = self.graph.symbolic.positions[body];
         self.blocks.matrix_diagonal[place].add(block);
         self.blocks.has_changed[place] = true;
     }
@@ -163,7 +165,7 @@ impl BlockLdlt {
     /// [`add_diagonal_block`](Self::add_diagonal_block) for both bodies first: it marks their columns as changed.
     #[inline(always)]
     pub(super) fn add_off_diagonal_block(&mut self, index: BlockIndex, block: &Mat3) {
-        let sum = &mut self.blocks.matrix_lower[index.index as usize];
+        let sum = &mut self.blocks.matrix_lower[index.index];
         sum.add(&if index.is_transposed { block.transposed() } else { *block });
     }
 
@@ -174,7 +176,7 @@ impl BlockLdlt {
     /// other rows below the diagonal are ancestors as well. The result is bit for bit that of a full factorisation.
     pub(super) fn factorise(&mut self) {
         self.mark_ancestors();
-        for place in 0..self.graph.symbolic.order.len() {
+        for place in self.graph.symbolic.order.indices() {
             if std::mem::take(&mut self.blocks.has_changed[place]) {
                 let mut diagonal = self.load_column(place);
                 self.subtract_products(place, &mut diagonal);
@@ -185,37 +187,38 @@ impl BlockLdlt {
 
     /// Marks the ancestors of changed columns in `has_changed`.
     fn mark_ancestors(&mut self) {
-        for place in 0..self.graph.symbolic.order.len() {
+        for place in self.graph.symbolic.order.indices() {
             if self.blocks.has_changed[place]
-                && let Some(&parent) = self.graph.symbolic.rows[self.graph.symbolic.column(place)].first()
+                && let Some(&parent) =
+                    self.graph.symbolic.rows.slice(self.graph.symbolic.column(place)).first()
             {
-                self.blocks.has_changed[parent as usize] = true;
+                self.blocks.has_changed[parent] = true;
             }
         }
     }
 
     /// Copies the blocks of a column from the matrix to the factors, and lists its entries by row in `entries_of_rows`. Returns
     /// the block on the diagonal.
-    fn load_column(&mut self, place: usize) -> Mat3 {
+    fn load_column(&mut self, place: PlaceIndex) -> Mat3 {
         let FactorBlocks { lower_times_diagonal, entries_of_rows, matrix_lower, .. } = &mut self.blocks;
         let symbolic = &self.graph.symbolic;
         let (column, matrix_column) = (symbolic.column(place), symbolic.matrix_column(place));
         if matrix_column.len() < column.len() {
-            lower_times_diagonal[column.clone()].fill(Mat3::default());
+            lower_times_diagonal.slice_mut(column.clone()).fill(Mat3::default());
         }
-        let entries = &symbolic.matrix_entries[matrix_column.clone()];
-        for (&entry, block) in entries.iter().zip(&matrix_lower[matrix_column]) {
-            lower_times_diagonal[entry as usize] = *block;
+        let entries = symbolic.matrix_entries.slice(matrix_column.clone());
+        for (&entry, block) in entries.iter().zip(matrix_lower.slice(matrix_column)) {
+            lower_times_diagonal[entry] = *block;
         }
-        for (entry, &row) in symbolic.rows[column].iter().enumerate() {
-            entries_of_rows[row as usize] = entry as u32;
+        for (entry, &row) in symbolic.rows.slice(column).iter().enumerate() {
+            entries_of_rows[row] = entry as u32;
         }
         self.blocks.matrix_diagonal[place]
     }
 
     /// Subtracts from the column at `place` the products of all earlier columns with an entry in its row, and computes these
     /// entries of L. `diagonal` is the block of the column on the diagonal.
-    fn subtract_products(&mut self, place: usize, diagonal: &mut Mat3) {
+    fn subtract_products(&mut self, place: PlaceIndex, diagonal: &mut Mat3) {
         let FactorBlocks { inverse_diagonal, lower_times_diagonal, lower, entries_of_rows, .. } =
             &mut self.blocks;
         let symbolic = &self.graph.symbolic;
@@ -224,18 +227,18 @@ impl BlockLdlt {
         let (earlier, of_column) = lower_times_diagonal.split_at_mut(column.start);
         let of_column = &mut of_column[..column.len()];
         for &RowEntry { column, index } in symbolic.row(place) {
-            let (index, end) = (index as usize, symbolic.column(column as usize).end);
-            let block = earlier[index];
-            let factor = block.mul_transposed(&inverse_diagonal[column as usize]);
+            let (at, end) = (index.position(), symbolic.column(column).end);
+            let block = earlier[at];
+            let factor = block.mul_transposed(&inverse_diagonal[column]);
             diagonal.subtract(&block.mul_transposed(&factor));
             lower[index] = factor;
-            if index + 1 < end {
-                let below = index + 1..end;
+            if at + 1 < end {
+                let below = at + 1..end;
                 subtract_column(
                     of_column,
                     &earlier[below.clone()],
                     &factor,
-                    &symbolic.rows[below],
+                    symbolic.rows.slice(below),
                     entries_of_rows,
                 );
             }
@@ -247,26 +250,26 @@ impl BlockLdlt {
     pub(super) fn solve(&mut self, x: &mut [Vec3]) {
         let FactorBlocks { inverse_diagonal, lower, solution, .. } = &mut self.blocks;
         let symbolic = &self.graph.symbolic;
-        for (value, &body) in solution.iter_mut().zip(&symbolic.order) {
-            *value = x[body as usize];
+        for (value, &body) in solution.iter_mut().zip(symbolic.order.iter()) {
+            *value = x[body.position()];
         }
-        for place in 0..symbolic.order.len() {
+        for place in symbolic.order.indices() {
             let (value, column) = (solution[place], symbolic.column(place));
-            for (block, &row) in lower[column.clone()].iter().zip(&symbolic.rows[column]) {
+            for (block, &row) in lower.slice(column.clone()).iter().zip(symbolic.rows.slice(column)) {
                 let product = block.mul_vec(value);
-                let under = &mut solution[row as usize];
+                let under = &mut solution[row];
                 *under = std::array::from_fn(|axis| under[axis] - product[axis]);
             }
         }
-        for place in (0..symbolic.order.len()).rev() {
+        for place in symbolic.order.indices().rev() {
             let (mut value, column) =
                 (inverse_diagonal[place].mul_vec(solution[place]), symbolic.column(place));
-            for (block, &row) in lower[column.clone()].iter().zip(&symbolic.rows[column]) {
-                let product = block.transposed_mul_vec(solution[row as usize]);
+            for (block, &row) in lower.slice(column.clone()).iter().zip(symbolic.rows.slice(column)) {
+                let product = block.transposed_mul_vec(solution[row]);
                 value = std::array::from_fn(|axis| value[axis] - product[axis]);
             }
             solution[place] = value;
-            x[symbolic.order[place] as usize] = value;
+            x[symbolic.order[place].position()] = value;
         }
     }
 }
@@ -280,8 +283,8 @@ fn subtract_column(
     of_column: &mut [Mat3],
     blocks: &[Mat3],
     factor: &Mat3,
-    rows: &[u32],
-    entries_of_rows: &[u32],
+    rows: &[PlaceIndex],
+    entries_of_rows: &IndexedVec<PlaceIndex, u32>,
 ) {
     if blocks.len() == of_column.len() {
         for (rest, block) in of_column.iter_mut().zip(blocks) {
@@ -289,7 +292,7 @@ fn subtract_column(
         }
     } else {
         for (block, &row) in blocks.iter().zip(rows) {
-            of_column[entries_of_rows[row as usize] as usize].subtract(&block.mul_transposed(factor));
+            of_column[entries_of_rows[row] as usize].subtract(&block.mul_transposed(factor));
         }
     }
 }
@@ -299,7 +302,7 @@ mod tests {
     use super::*;
 
     /// Adds a spring of stiffness `k` (dimensionless here) that couples all coordinates of two bodies.
-    fn add_spring(factor: &mut BlockLdlt, [a, b]: [u32; 2], k: f64) {
+    fn add_spring(factor: &mut BlockLdlt, [a, b]: [RowIndex; 2], k: f64) {
         // Stretch of the spring: u = x_b + 0.5 z_b - x_a - 0.2 z_a + 0.3 (y_b - y_a).
         let (ja, jb) = ([-1.0, -0.3, -0.2], [1.0, 0.3, 0.5]);
         let block = |rows: Vec3, columns: Vec3| {
@@ -312,14 +315,14 @@ mod tests {
 
     /// Returns the product of `x` and the matrix of unit masses with springs as of [`add_spring`] between the bodies of all
     /// `edges`.
-    fn spring_matrix_product(edges: &[[u32; 2]], k: f64, x: &[Vec3]) -> Vec<Vec3> {
+    fn spring_matrix_product(edges: &[[RowIndex; 2]], k: f64, x: &[Vec3]) -> Vec<Vec3> {
         let mut sums = x.to_vec();
         for &[a, b] in edges {
             let (ja, jb) = ([-1.0, -0.3, -0.2], [1.0, 0.3, 0.5]);
             let dot = |j: Vec3, x: Vec3| j[0] * x[0] + j[1] * x[1] + j[2] * x[2];
-            let u = dot(ja, x[a as usize]) + dot(jb, x[b as usize]);
+            let u = dot(ja, x[a.position()]) + dot(jb, x[b.position()]);
             for (body, j) in [(a, ja), (b, jb)] {
-                (0..3).for_each(|i| sums[body as usize][i] += k * u * j[i]);
+                (0..3).for_each(|i| sums[body.position()][i] += k * u * j[i]);
             }
         }
         sums
@@ -327,7 +330,7 @@ mod tests {
 
     #[test]
     fn solution_satisfies_the_system_on_a_graph_with_cycles() {
-        let edges = [[0, 1], [0, 4], [1, 2], [1, 3], [2, 3], [3, 4], [4, 5]];
+        let edges = [[0, 1], [0, 4], [1, 2], [1, 3], [2, 3], [3, 4], [4, 5]].map(|ends| ends.map(RowIndex));
         let mut factor = BlockLdlt::default();
         assert!(factor.analyse(6, &edges, 100, None));
         factor.set_block_diagonal((0..6).map(|_| [1.0, 1.0]));
@@ -349,8 +352,9 @@ mod tests {
     #[test]
     fn incremental_factorisation_equals_full_factorisation_bit_by_bit() {
         // The graph is a ladder, which has much fill-in. Each spring in turn is added once more after a factorisation.
-        let mut edges: Vec<[u32; 2]> =
-            (0..8).map(|i| [i, i + 8]).chain((0..7).flat_map(|i| [[i, i + 1], [i + 8, i + 9]])).collect();
+        let rails = (0..7).flat_map(|i| [[i, i + 1], [i + 8, i + 9]]);
+        let mut edges: Vec<_> =
+            (0..8).map(|i| [i, i + 8]).chain(rails).map(|ends| ends.map(RowIndex)).collect();
         edges.sort_unstable();
         let made = || {
             let mut factor = BlockLdlt::default();
@@ -378,9 +382,9 @@ mod tests {
 
     #[test]
     fn path_has_no_fill_in_and_dense_graph_is_refused_above_the_product_limit() {
-        let path: Vec<[u32; 2]> = (0..99).map(|i| [i, i + 1]).collect();
+        let path: Vec<_> = (0..99).map(|i| [i, i + 1].map(RowIndex)).collect();
         assert!(BlockLdlt::default().analyse(100, &path, 0, None));
-        let all: Vec<[u32; 2]> = (0..10).flat_map(|a| (a + 1..10).map(move |b| [a, b])).collect();
+        let all: Vec<_> = (0..10).flat_map(|a| (a + 1..10).map(move |b| [a, b].map(RowIndex))).collect();
         assert!(!BlockLdlt::default().analyse(10, &all, 100, None));
         assert!(BlockLdlt::default().analyse(10, &all, 120, None));
     }

@@ -42,7 +42,7 @@ impl DirectIsland {
         let RowReader { bodies, step, .. } = reader;
         let (substeps, at_once) = (f64::from(step.substeps), 2.0 / f64::from(step.dt));
         let at_beginning = if is_first { 1.0 - share } else { -share };
-        for member in &mut self.system.members {
+        for member in self.system.members.iter_mut() {
             let (push, forced) =
                 (bodies.force_delta[member.index()], bodies.force_position_delta[member.index()]);
             for axis in 0..3 {

@@ -8,12 +8,14 @@
 use std::ops::DerefMut;
 
 use super::block_ldlt::{BlockIndex, BlockLdlt};
+use super::island_body::MemberIndex;
 use super::mat3::{Mat3, Vec3};
 use crate::constraint_graph::ContactConstraint;
+use crate::index::DenseIndex;
 
 /// Index in place of a member of the island for a side of a constraint that impulses do not move: a static body, a kinematic
 /// body or the world.
-pub(crate) const FIXED: u32 = u32::MAX;
+pub(crate) const FIXED: MemberIndex = MemberIndex(u32::MAX);
 
 /// Set of rows of one constraint: bit i stands for row i, 0..=2.
 pub(crate) type RowMask = u8;
@@ -22,7 +24,7 @@ pub(crate) type RowMask = u8;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BodyIndices {
     /// Bodies A and B as indices into the members of the island, or [`FIXED`].
-    pub(crate) bodies: [u32; 2],
+    pub(crate) bodies: [MemberIndex; 2],
     /// Position of the off-diagonal block of A and B in the matrix; `None` if A or B is fixed or both are the same body.
     pub(crate) block: Option<BlockIndex>,
 }
@@ -95,7 +97,7 @@ impl Jacobian {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ConstraintRows {
     /// Bodies A and B as indices into the members of the island, or [`FIXED`].
-    pub(super) bodies: [u32; 2],
+    pub(super) bodies: [MemberIndex; 2],
     /// Position of the off-diagonal block of A and B in the matrix; `None` if A or B is fixed or both are the same body.
     pub(super) block: Option<BlockIndex>,
     /// The Jacobian J of the rows.
@@ -186,15 +188,15 @@ impl ConstraintRows {
     /// Returns the relative velocities of rows 0 to 2. `of` returns the velocity of a member of the island by its index: length
     /// units/s, length units/s, radians/s. Unit of a linear row: length units/s; of an angular row: radians/s.
     #[inline(always)]
-    pub(super) fn relative_velocities_of(&self, of: impl Fn(usize) -> Vec3) -> Vec3 {
-        let [a, b] = self.bodies.map(|member| if member == FIXED { [0.0; 3] } else { of(member as usize) });
+    pub(super) fn relative_velocities_of(&self, of: impl Fn(MemberIndex) -> Vec3) -> Vec3 {
+        let [a, b] = self.bodies.map(|member| if member == FIXED { [0.0; 3] } else { of(member) });
         self.jacobian.relative_velocities(a, b)
     }
 
     /// Returns the relative velocities of rows 0 to 2 from `members`, the velocities of all members of the island: length
     /// units/s, length units/s, radians/s. Unit of a linear row: length units/s; of an angular row: radians/s.
     pub(super) fn relative_velocities_in(&self, members: &[Vec3]) -> Vec3 {
-        self.relative_velocities_of(|member| members[member])
+        self.relative_velocities_of(|member| members[member.position()])
     }
 
     /// Changes the matrix `factor` from the factored set to the active set of this constraint: adds stiffness * J^T J for each

@@ -4,21 +4,22 @@
 //! of the augmented Lagrangian along that line; [`island_newton`](super::island_newton) adds the terms of the masses.
 
 use super::constraint::{Constraint, FIXED, Jacobian};
-use super::island_body::{add, max_or_nan};
+use super::island_body::{MemberIndex, add, max_or_nan};
 use super::mat3::Vec3;
+use crate::index::DenseIndex;
 
 /// Adds the `impulses` of the rows of one constraint, as impulses on its two bodies, to `impulse_sums`. There is one sum per
 /// member of the island: x, y (mass units * length units/s) and angular (mass units * length units^2/s).
 #[inline(always)]
 pub(super) fn add_constraint_impulses(
     jacobian: &Jacobian,
-    bodies: [u32; 2],
+    bodies: [MemberIndex; 2],
     impulses: Vec3,
     impulse_sums: &mut [Vec3],
 ) {
     for (member, impulse) in bodies.into_iter().zip(jacobian.body_impulses(impulses)) {
         if member != FIXED {
-            add(&mut impulse_sums[member as usize], impulse);
+            add(&mut impulse_sums[member.position()], impulse);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::parameters::direct::UNLOADED_POINT_DEPTH;
 use std::ops::{Deref, DerefMut};
 
 use super::constraint::{BodyIndices, Constraint, ConstraintRows, Jacobian, RowMask};
-use super::island_body::IslandBody;
+use super::island_body::Members;
 use super::mat3::Vec3;
 use crate::constraint_graph::ParkedConstraint;
 
@@ -89,7 +89,7 @@ impl ContactRows {
     /// separation is a speculative contact: it may approach at (separation - `slop`) * `inverse_dt`, and no faster.
     /// `inverse_dt` in 1/s, `slop` in length units.
     #[inline(never)]
-    pub(super) fn add_relative_velocity(&mut self, members: &[IslandBody], inverse_dt: f64, slop: f64) {
+    pub(super) fn add_relative_velocity(&mut self, members: &Members, inverse_dt: f64, slop: f64) {
         let velocity = self.relative_velocities_of(|member| members[member].velocity);
         (0..3).for_each(|row| self.velocity_error[row] += velocity[row]);
         for row in 0..2 {
@@ -101,7 +101,7 @@ impl ContactRows {
     /// point that takes part in position correction, in length units; 0 if there is none. [`is_corrected`](Self::is_corrected)
     /// has the meaning of `slop`.
     #[inline(never)]
-    pub(super) fn advance_separations(&mut self, members: &[IslandBody], dt: f64, slop: f64) -> f64 {
+    pub(super) fn advance_separations(&mut self, members: &Members, dt: f64, slop: f64) -> f64 {
         let velocity = self.relative_velocities_of(|member| members[member].velocity);
         let mut deepest = 0.0;
         for (row, velocity) in velocity.into_iter().enumerate().take(2) {

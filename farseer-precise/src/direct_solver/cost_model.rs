@@ -9,6 +9,7 @@
 //! limit of the average: houses, figures and bridges need ten Newton steps per update for a second, and none afterwards.
 
 use super::block_ldlt::BlockLdlt;
+use super::island_body::MemberIndex;
 use super::island_history::{IslandHistory, ReselectionTimer};
 use super::island_io::DirectIsland;
 use super::island_newton::SolveStats;
@@ -31,7 +32,7 @@ pub(super) fn update_budget(
     island: &DirectIsland,
     SolveStats { newton_steps: steps, is_solved, .. }: SolveStats,
 ) {
-    let mut history = histories[island.system.members[0].index()];
+    let mut history = histories[island.system.members[MemberIndex(0)].index()];
     history.was_iterated = steps > 0;
     history.has_accepted_solution |= island.has_joints() && !island.is_released;
     let cost = match is_solved {
@@ -59,7 +60,7 @@ pub(super) fn update_budget(
     } else if steps == 0 {
         history.back_off = history.back_off.saturating_sub(1);
     }
-    for member in &island.system.members {
+    for member in island.system.members.iter() {
         histories[member.index()] = history;
     }
 }

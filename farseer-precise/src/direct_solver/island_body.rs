@@ -1,8 +1,15 @@
 //! Bodies of an island during a solution, and arithmetic of its vectors (x, y, angle).
 
 use super::mat3::Vec3;
+use crate::index::IndexedVec;
 use crate::mass::INFINITE_MASS;
 use crate::parameters::direct::STABLE_STIFFNESS;
+
+/// Index of a body in the list of members of its island: the row of the body in the matrix of the island.
+pub(crate) use crate::minimum_degree::RowIndex as MemberIndex;
+
+/// The members of an island.
+pub(super) type Members = IndexedVec<MemberIndex, IslandBody>;
 
 /// State of one dynamic body of the island during a solution.
 #[derive(Debug, Clone, Copy, Default)]

@@ -5,7 +5,7 @@ use super::constraint::{BodyIndices, FIXED, Jacobian};
 use super::contact::{
     ContactRows, FRICTION, allowed_approach_speed, is_penetration_corrected, step_impulses,
 };
-use super::island_body::{IslandBody, finite_or_zero, max_or_nan};
+use super::island_body::{Members, finite_or_zero, max_or_nan};
 use super::island_newton::IslandSystem;
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
@@ -184,13 +184,12 @@ impl<'a> RowReader<'a> {
         &self,
         row: &mut ParkedConstraint,
         bodies: BodyIndices,
-        members: &[IslandBody],
+        members: &Members,
     ) -> Option<[f64; 2]> {
         if row.h != self.step.h || has_kinematic_a(row, bodies) {
             return None;
         }
-        let [a, b] =
-            bodies.bodies.map(|at| if at == FIXED { [0.0; 3] } else { members[at as usize].velocity });
+        let [a, b] = bodies.bodies.map(|at| if at == FIXED { [0.0; 3] } else { members[at].velocity });
         let [one, two, along] = Jacobian::of_contact(&row.constraint).relative_velocities(a, b);
         let constraint = &mut row.constraint;
         let (mut residual, mut deepest) = ((along - f64::from(constraint.tangent_speed)).abs(), 0.0);
@@ -222,7 +221,7 @@ impl<'a> RowReader<'a> {
     /// Returns the velocity residual of a contact (length units/s) and the penetration of its deepest point that needs
     /// correction (length units). Advances the stored separations to the end of the step.
     #[inline(never)]
-    fn residual(&self, row: &mut ParkedConstraint, bodies: BodyIndices, members: &[IslandBody]) -> [f64; 2] {
+    fn residual(&self, row: &mut ParkedConstraint, bodies: BodyIndices, members: &Members) -> [f64; 2] {
         let mut contact = self.contact_rows(row, bodies);
         contact.add_relative_velocity(members, self.inverse_dt, self.penetration_slop);
         let residual = contact.residual();
@@ -257,7 +256,7 @@ impl DirectIsland {
     /// `unit` is the length unit. The velocity changes by forces in `substeps` substeps are added to the velocities.
     pub(super) fn load_bodies(&mut self, bodies: &BodySet, substeps: f64, unit: f64) -> f64 {
         let mut max_coordinate = 0.0;
-        for member in &mut self.system.members {
+        for member in self.system.members.iter_mut() {
             let at = member.index();
             let [x, y, ..] = bodies.poses[at];
             max_coordinate =

@@ -3,13 +3,14 @@
 
 use super::DirectSolver;
 use super::constraint::{BodyIndices, FIXED};
-use super::island_body::IslandBody;
+use super::island_body::{IslandBody, MemberIndex};
 use super::island_history::merged_history;
 use super::island_io::DirectIsland;
 use super::lateral_friction::{clear_impulses, is_planar};
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint};
+use crate::index::DenseIndex;
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
@@ -154,7 +155,7 @@ impl DirectSolver {
             }
             let ContactConstraint { a, b, .. } = *contact;
             let member_of = |body: u32| system.members.binary_search_by_key(&body, |member| member.body);
-            let bodies = [a, b].map(|body| member_of(body).map_or(FIXED, |index| index as u32));
+            let bodies = [a, b].map(|body| member_of(body).map_or(FIXED, MemberIndex::new));
             let are_dynamic = bodies.iter().all(|&member| member != FIXED);
             let entry = are_dynamic.then(|| system.factor.block_index(bodies[0], bodies[1]));
             contact_handles.push(handle);
@@ -177,7 +178,7 @@ impl DirectSolver {
             let DirectIsland { system, joints, joint_bodies, springs, spring_bodies, .. } =
                 &mut islands[place as usize];
             let member_of = |body: u32| system.members.binary_search_by_key(&body, |member| member.body);
-            let bodies = joint.bodies.map(|body| member_of(body).map_or(FIXED, |index| index as u32));
+            let bodies = joint.bodies.map(|body| member_of(body).map_or(FIXED, MemberIndex::new));
             let are_dynamic = bodies.iter().all(|&member| member != FIXED);
             let entry = are_dynamic.then(|| system.factor.block_index(bodies[0], bodies[1]));
             let (list, ends) = if is_spring { (springs, spring_bodies) } else { (joints, joint_bodies) };
@@ -210,7 +211,7 @@ pub(super) fn list_contact_edges(
     members: &[(u32, u32)],
     pairs: &Pairs,
     proxies: &Proxies,
-    edges: &mut Vec<[u32; 2]>,
+    edges: &mut Vec<[MemberIndex; 2]>,
     order: &mut Vec<(u128, u32)>,
 ) {
     let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
@@ -220,11 +221,11 @@ pub(super) fn list_contact_edges(
             let [a, b] = pairs.bodies_of(proxies, pair).map(|(body, _)| body as u32);
             let other = if a == body { b } else { a };
             if pairs.has_constraint(pair) && body < other {
-                edges.extend(place(other).map(|other| [one as u32, other as u32]));
+                edges.extend(place(other).map(|other| [one, other].map(MemberIndex::new)));
             }
         }
     }
-    sort_by_number_in(order, edges, |&edge| packed_key(edge));
+    sort_by_number_in(order, edges, |edge| packed_key(edge.map(|member| member.0)));
     edges.dedup();
 }
 
@@ -249,7 +250,7 @@ pub(super) fn list_jointed_bodies(
 pub(super) fn add_joint_edges(
     members: &[(u32, u32)],
     jointed_bodies: &[(u32, [u32; 2])],
-    edges: &mut Vec<[u32; 2]>,
+    edges: &mut Vec<[MemberIndex; 2]>,
     order: &mut Vec<(u128, u32)>,
 ) {
     let root = members[0].0;
@@ -257,9 +258,9 @@ pub(super) fn add_joint_edges(
     let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
     for &(_, [a, b]) in jointed_bodies[first..].iter().take_while(|&&(other, _)| other == root) {
         if let (Some(a), Some(b)) = (place(a), place(b)) {
-            edges.push([a.min(b) as u32, a.max(b) as u32]);
+            edges.push([a.min(b), a.max(b)].map(MemberIndex::new));
         }
     }
-    sort_by_number_in(order, edges, |&edge| packed_key(edge));
+    sort_by_number_in(order, edges, |edge| packed_key(edge.map(|member| member.0)));
     edges.dedup();
 }

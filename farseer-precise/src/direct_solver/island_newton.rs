@@ -26,7 +26,7 @@ use super::constraint_list::{
     evaluate_all_full_step, step_all_along,
 };
 use super::contact::{ContactRows, FRICTION};
-use super::island_body::{IslandBody, add, dot, max_or_nan};
+use super::island_body::{Members, add, dot, max_or_nan};
 use super::joint::JointRows;
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
@@ -73,7 +73,7 @@ pub(super) struct Tolerances {
 #[derive(Debug, Default)]
 pub(super) struct IslandSystem {
     /// Members: the dynamic bodies of the island, by ascending body index.
-    pub(super) members: Vec<IslandBody>,
+    pub(super) members: Members,
     /// Rows of the contacts of the island.
     pub(super) contacts: Vec<ContactRows>,
     /// Rows of the joints of the island, then of its springs.
@@ -218,7 +218,7 @@ impl IslandSystem {
         } else {
             self.gauss_seidel_sweeps();
         }
-        for member in &mut self.members {
+        for member in self.members.iter_mut() {
             add(&mut member.velocity, member.best_velocity_change);
         }
         SolveStats { is_solved, ..stats }
@@ -687,7 +687,7 @@ impl IslandSystem {
 /// Gauss-Seidel step for one row of a constraint: changes the impulse of the row, within its bounds, so that its velocity error
 /// becomes 0. Adds the effect to `best_velocity_change` of the two bodies.
 #[inline(never)]
-fn solve_row_alone<C: Constraint>(rows: &mut C, row: usize, members: &mut [IslandBody]) {
+fn solve_row_alone<C: Constraint>(rows: &mut C, row: usize, members: &mut Members) {
     if rows.effective_masses[row] <= 0.0 {
         return;
     }
@@ -696,7 +696,7 @@ fn solve_row_alone<C: Constraint>(rows: &mut C, row: usize, members: &mut [Islan
     let impulse = rows.solve_row(row, error);
     for (&member, impulse) in rows.bodies.iter().zip(rows.jacobian.body_impulses(impulse)) {
         if member != FIXED {
-            let member = &mut members[member as usize];
+            let member = &mut members[member];
             let change = member.velocity_from_impulse(impulse);
             add(&mut member.best_velocity_change, change);
         }

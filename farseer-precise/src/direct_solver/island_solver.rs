@@ -5,6 +5,7 @@
 
 use super::DirectSolver;
 use super::cost_model::update_budget;
+use super::island_body::MemberIndex;
 use super::island_history::{IslandHistory, ReselectionTimer};
 use super::island_io::{DirectIsland, RowReader, free_velocity};
 use super::island_newton::{SolveStats, Tolerances};
@@ -86,7 +87,7 @@ impl IslandSolver<'_> {
             let members = &island.system.members;
             members.iter().for_each(|member| history[member.index()].friction_checks = 0);
         }
-        let stats = self.solve_island(island, history[island.system.members[0].index()]);
+        let stats = self.solve_island(island, history[island.system.members[MemberIndex(0)].index()]);
         record_stats(history, timer, island, stats, self.has_depth);
         island.newton_steps = stats.newton_steps;
     }
@@ -222,7 +223,7 @@ fn record_stats(
     let SolveStats { newton_steps: steps, is_solved, .. } = stats;
     let (system, contacts) = (&island.system, island.contact_handles.len());
     let bodies = system.members.len();
-    let mut history = histories[system.members[0].index()];
+    let mut history = histories[system.members[MemberIndex(0)].index()];
     history.average_newton_steps += (steps as f32 - history.average_newton_steps) / NEWTON_AVERAGE_UPDATES;
     history.was_iterated = steps > 0;
     let has_cycles = usize::from(contacts > bodies);
@@ -237,7 +238,7 @@ fn record_stats(
             timer.has_paused = true;
         }
     }
-    for member in &system.members {
+    for member in system.members.iter() {
         histories[member.index()] = history;
     }
 }

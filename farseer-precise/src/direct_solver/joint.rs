@@ -18,7 +18,7 @@ use crate::parameters::direct::STABLE_STIFFNESS;
 use std::ops::{Deref, DerefMut};
 
 use super::constraint::{BodyIndices, Constraint, ConstraintRows, FIXED, Jacobian, RowMask};
-use super::island_body::{IslandBody, max_or_nan};
+use super::island_body::{MemberIndex, Members, max_or_nan};
 use super::mat3::Vec3;
 
 /// Index of the joint row for translation along the direction n, the normal of the Jacobian.
@@ -226,10 +226,10 @@ impl JointRows {
 
     /// Computes the effective masses of the rows from the island's members, and removes rows that no impulse can change. Clamps
     /// the initial impulses to the bounds.
-    pub(super) fn set_effective_masses(&mut self, members: &[IslandBody]) {
+    pub(super) fn set_effective_masses(&mut self, members: &Members) {
         let inverses = self.bodies.map(|at| match at {
             FIXED => [0.0; 2],
-            at => members[at as usize].inverse_mass_and_inertia(),
+            at => members[at].inverse_mass_and_inertia(),
         });
         let [[mass_a, inertia_a], [mass_b, inertia_b]] = inverses;
         let Jacobian { angular_a: a, angular_b: b, .. } = self.jacobian;
@@ -281,7 +281,7 @@ impl JointRows {
 
     /// Returns twice the energy that the spring releases in `dt` seconds at these `velocities` of the island's members (length
     /// units/s, length units/s, radians/s); negative if it takes up energy. Unit: mass units * length units^2/s^2.
-    pub(super) fn doubled_released_energy(&self, velocities: impl Fn(usize) -> Vec3, dt: f64) -> f64 {
+    pub(super) fn doubled_released_energy(&self, velocities: impl Fn(MemberIndex) -> Vec3, dt: f64) -> f64 {
         if self.spring_row == NONE {
             return 0.0;
         }
@@ -327,7 +327,7 @@ impl JointRows {
     }
 
     /// Adds to the velocity errors of the rows the relative velocities by the velocities of the island's members.
-    pub(super) fn add_relative_velocity(&mut self, members: &[IslandBody]) {
+    pub(super) fn add_relative_velocity(&mut self, members: &Members) {
         let velocity = self.relative_velocities_of(|member| members[member].velocity);
         (0..3).for_each(|row| self.velocity_error[row] += velocity[row]);
     }

@@ -9,7 +9,7 @@
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_constraint_impulses;
 use super::cost_model::max_newton_steps;
-use super::island_body::{IslandBody, dot, max_or_nan};
+use super::island_body::{IslandBody, MemberIndex, dot, max_or_nan};
 use super::island_io::{DirectIsland, RestingBody, RowReader};
 use super::island_newton::{IslandSystem, SolveStats, Tolerances};
 use super::island_solver::IslandSolver;
@@ -17,6 +17,7 @@ use super::joint::JointRows;
 use super::mat3::Vec3;
 use crate::bodies::BodySet;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint};
+use crate::index::DenseIndex;
 use crate::joints::JointSystem;
 use crate::joints::island_rows::StepInterval;
 use crate::joints::springs::SpringRows;
@@ -230,7 +231,7 @@ impl DirectIsland {
         for (&at, ends) in of_island.iter().zip(spring_bodies.iter()) {
             let damping = dt * springs.constraint(at).spin_damping();
             for member in ends.bodies.into_iter().filter(|&member| member != FIXED && damping > 0.0) {
-                members[member as usize].add_inertia(damping, 0.0);
+                members[member].add_inertia(damping, 0.0);
             }
         }
     }
@@ -377,7 +378,7 @@ impl IslandSystem {
                 // The arm, from arm x n and arm x t.
                 let [across_n, _, across_t] = arms[side];
                 let arm = [across_n * ny - across_t * nx, -across_n * nx - across_t * ny];
-                let of_member = &mut negative_gradient[member as usize];
+                let of_member = &mut negative_gradient[member.position()];
                 of_member[0] += arm[0] * impulse[0] + arm[1] * impulse[1];
                 of_member[1] = of_member[1].max(arm[0] * arm[0] + arm[1] * arm[1]);
             }
@@ -399,7 +400,7 @@ impl IslandSystem {
         for (change, member) in direction.iter_mut().zip(members.iter()) {
             *change = member.velocity_from_impulse(*change);
         }
-        let velocities = |at: usize| members[at].velocity;
+        let velocities = |at: MemberIndex| members[at].velocity;
         let [work, doubled_energy] = add_warm_start_work(
             joints,
             velocities,
@@ -459,7 +460,7 @@ impl IslandSystem {
     /// Returns twice the energy that the springs of the island release in `dt` seconds, mass units * length units^2/s^2;
     /// negative if they take up energy.
     fn doubled_released_energy(&self, dt: f64) -> f64 {
-        let velocity = |member: usize| self.members[member].velocity;
+        let velocity = |member: MemberIndex| self.members[member].velocity;
         self.joints.iter().map(|joint| joint.doubled_released_energy(velocity, dt)).sum()
     }
 
@@ -492,7 +493,7 @@ fn add_all_impulses<C: Constraint>(constraints: &[C], impulse_sums: &mut [Vec3])
 /// twice the energy of compliant rows.
 fn add_warm_start_work<C: Constraint>(
     constraints: &[C],
-    velocities: impl Fn(usize) -> Vec3,
+    velocities: impl Fn(MemberIndex) -> Vec3,
     changes: &[Vec3],
     [mut work, mut doubled_energy]: [f64; 2],
 ) -> [f64; 2] {

@@ -10,7 +10,7 @@
 //! axis. A contact with another normal is left out while it has no load; else its island goes to the iterative solver.
 
 use super::constraint::FIXED;
-use super::island_body::{IslandBody, finite_or_zero};
+use super::island_body::{MemberIndex, Members, finite_or_zero};
 use crate::constraint_graph::{ContactConstraint, ContactConstraintZ};
 use crate::math::plane::dot;
 
@@ -71,8 +71,8 @@ impl LateralFriction {
     /// Returns the velocity of B relative to A along the depth axis, length units/s, with the prescribed velocity. `bodies` are
     /// indices into `members`, or [`FIXED`].
     #[inline(never)]
-    pub(super) fn slip_velocity(&self, bodies: [u32; 2], members: &[IslandBody]) -> f64 {
-        let [a, b] = bodies.map(|at| if at == FIXED { 0.0 } else { members[at as usize].depth_velocity });
+    pub(super) fn slip_velocity(&self, bodies: [MemberIndex; 2], members: &Members) -> f64 {
+        let [a, b] = bodies.map(|at| if at == FIXED { 0.0 } else { members[at].depth_velocity });
         b - a + self.prescribed_velocity
     }
 }
@@ -80,10 +80,10 @@ impl LateralFriction {
 /// Applies `impulse` along the depth axis to body B of a contact, and the opposite impulse to A. Unit: mass units * length
 /// units/s.
 #[inline(never)]
-pub(super) fn apply_lateral_impulse(bodies: [u32; 2], members: &mut [IslandBody], impulse: f64) {
+pub(super) fn apply_lateral_impulse(bodies: [MemberIndex; 2], members: &mut Members, impulse: f64) {
     for (member, impulse) in bodies.into_iter().zip([-impulse, impulse]) {
         if member != FIXED {
-            let member = &mut members[member as usize];
+            let member = &mut members[member];
             member.depth_velocity += impulse / member.mass;
         }
     }

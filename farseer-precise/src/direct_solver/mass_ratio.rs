@@ -35,10 +35,7 @@ impl IslandSystem {
     /// Returns whether a constraint connects two members with a mass ratio above [`JAMMING_MASS_RATIO`].
     pub(super) fn may_jam(&self, constraints: &[BodyIndices]) -> bool {
         constraints.iter().filter(|ends| !ends.bodies.contains(&FIXED)).any(|ends| {
-            exceeds_mass_ratio(
-                ends.bodies.map(|at| (1.0 / self.members[at as usize].mass) as f32),
-                JAMMING_MASS_RATIO,
-            )
+            exceeds_mass_ratio(ends.bodies.map(|at| (1.0 / self.members[at].mass) as f32), JAMMING_MASS_RATIO)
         })
     }
 }

@@ -49,6 +49,7 @@ use crate::island::sleep::SleepState;
 use crate::parameters::direct::RESELECTION_PERIOD;
 use crate::reusing_clone;
 use crate::solver_choice::SolverChoice;
+use island_body::MemberIndex;
 pub use island_history::{IslandHistory, ReselectionTimer};
 use island_io::DirectIsland;
 use island_newton::SolutionScratch;
@@ -77,7 +78,7 @@ pub struct DirectSolver {
     /// into `islands`, the second a body index or pair index.
     keyed_items: Vec<(u32, u32)>,
     /// Scratch: edges of the graph of one island, as indices into its members, smaller index first.
-    edges: Vec<[u32; 2]>,
+    edges: Vec<[MemberIndex; 2]>,
     /// Scratch: for each joint and spring between two dynamic bodies, the union-find root of its island and the two body
     /// indices.
     jointed_bodies: Vec<(u32, [u32; 2])>,

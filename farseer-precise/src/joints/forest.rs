@@ -5,6 +5,7 @@
 //! `JointEdge`s and writes `ArticulationPlan`s.
 
 use super::joint_constraint::JointEdge;
+use crate::index::{BodyIndex, ListRanges};
 use crate::island::union_find::UnionFind;
 
 /// Value instead of a tree index for a body that is in no tree.
@@ -53,8 +54,8 @@ pub(super) struct SpanningForest {
 
 /// Edges of the trees by body.
 struct TreeNeighbours {
-    /// For each body index: index into `edges` of the first edge of the body; the last element is the length of `edges`.
-    starts: Vec<u32>,
+    /// Ranges of the bodies in `edges`.
+    of_bodies: ListRanges<BodyIndex>,
     /// Edges of the trees from each of their two bodies, as (joint index, index of the body on the other side). They are sorted
     /// by body, then by joint.
     edges: Vec<(u32, u32)>,
@@ -64,28 +65,23 @@ impl TreeNeighbours {
     /// Returns the neighbours of `bodies` bodies in the trees. A joint of `edges` is an edge of a tree unless `is_non_tree`.
     fn new(edges: &[JointEdge], is_non_tree: &[bool], bodies: usize) -> Self {
         let of_trees = || edges.iter().enumerate().filter(|&(at, _)| !is_non_tree[at]);
-        let mut ends = vec![0; bodies + 1];
-        for body in of_trees().flat_map(|(_, edge)| edge.bodies) {
-            ends[body as usize + 1] += 1;
-        }
-        for at in 0..bodies {
-            ends[at + 1] += ends[at];
-        }
-        let starts = ends.clone();
-        let mut neighbours = vec![(0, 0); starts[bodies] as usize];
+        let mut of_bodies = ListRanges::default();
+        of_bodies.reset(bodies);
+        of_trees().flat_map(|(_, edge)| edge.bodies).for_each(|body| of_bodies.count(BodyIndex(body)));
+        of_bodies.begin_lists();
+        let mut neighbours = vec![(0, 0); of_bodies.total()];
+        let mut ends = of_bodies.clone();
         for (at, &JointEdge { bodies: [a, b], .. }) in of_trees() {
             for [body, other] in [[a, b], [b, a]] {
-                let end = &mut ends[body as usize];
-                neighbours[*end as usize] = (at as u32, other);
-                *end += 1;
+                neighbours[ends.next_position(BodyIndex(body))] = (at as u32, other);
             }
         }
-        TreeNeighbours { starts, edges: neighbours }
+        TreeNeighbours { of_bodies, edges: neighbours }
     }
 
     /// Returns the range in `edges` of the edges of a body.
     fn edges_of(&self, body: u32) -> std::ops::Range<usize> {
-        self.starts[body as usize] as usize..self.starts[body as usize + 1] as usize
+        self.of_bodies.range(BodyIndex(body))
     }
 }
 

@@ -19,6 +19,7 @@ use super::super::direct_solver::mat3::Vec3;
 use super::articulated_body::{LockedDofs, add_scaled};
 use super::frame::JointFrame;
 use super::joint_constraint::JointConstraint;
+use crate::index::DenseIndex;
 
 /// The time interval for which the direct solver builds rows: a step or a fraction of it.
 #[derive(Debug, Clone, Copy)]
@@ -158,7 +159,7 @@ impl JointConstraint {
         let prescribed = self.prescribed_velocities(body_indices);
         [0, 1].map(|side: usize| match body_indices.bodies[side] {
             FIXED => prescribed[side].map(|velocity| velocity * dt),
-            at => island_displacements[at as usize],
+            at => island_displacements[at.position()],
         })
     }
 

@@ -3,11 +3,14 @@
 use super::super::super::bodies::BodySet;
 use super::super::articulated_body::LockedDofs;
 use super::super::joint_constraint::JointConstraint;
-use super::constraint_row::{JointState, RowKind, SpatialJointRow};
+use super::constraint_row::{JointState, NodeIndex, RowKind, SpatialJointRow};
 use super::group_solver::{OffDiagonal, SpatialJointGroup};
 use super::sparse_ldlt::SparseLdlt;
+use crate::index::{DenseIndex, IndexedVec};
 use crate::island::union_find::UnionFind;
+use crate::minimum_degree::RowIndex;
 use crate::parameters::spatial_joints::GROUP_MAX_FACTOR_PRODUCTS;
+use crate::sparse_ordering::EntryIndex;
 use crate::storage::order::{packed_key, sort_by_number};
 
 /// Returns the groups of joints in three axes, and the indices of the joints outside of these groups. A group is a connected
@@ -63,15 +66,14 @@ impl SpatialJointGroup {
         let mut ground_sides = 0;
         for (&at, closes_loop) in members.iter().zip(closing) {
             let hold = &joints[at as usize];
-            let joint_index = group.joints.len() as u32;
             let nodes = hold.anchors.map(|end| {
                 body_indices.binary_search(&end.body).unwrap_or_else(|_| {
                     ground_sides += 1;
                     body_indices.len() + ground_sides - 1
-                }) as u32
+                })
             });
-            group.joints.push(JointState::new(at, hold.locked, nodes));
-            let of_joint = (joint_index, nodes);
+            let nodes = nodes.map(NodeIndex::new);
+            let of_joint = (group.joints.push(JointState::new(at, hold.locked, nodes)), nodes);
             let kinds = row_kinds(hold).into_iter();
             group.rows.extend(kinds.map(|kind| SpatialJointRow::new(of_joint, kind, closes_loop)));
         }
@@ -80,7 +82,7 @@ impl SpatialJointGroup {
             [mass, mass, inertia, mass]
         });
         group.inverse_masses = inverses.chain(std::iter::repeat_n([0.0; 4], ground_sides)).collect();
-        group.velocities = vec![[0.0; 4]; group.inverse_masses.len()];
+        group.velocities = IndexedVec::of_copies([0.0; 4], group.inverse_masses.len());
         group.velocity_errors = vec![0.0; group.rows.len()];
         group.bodies = body_indices;
         group.find_off_diagonals();
@@ -92,31 +94,31 @@ impl SpatialJointGroup {
     ///
     /// The group gets no factorisation if one would need more than [`GROUP_MAX_FACTOR_PRODUCTS`] products.
     fn find_off_diagonals(&mut self) {
-        let mut holders = vec![Vec::new(); self.bodies.len()];
-        for (at, row) in self.rows.iter().enumerate() {
+        let mut holders = IndexedVec::<NodeIndex, _>::of_copies(Vec::new(), self.bodies.len());
+        for (at, row) in self.rows.enumerated() {
             for (is_second, node) in [false, true].into_iter().zip(row.nodes) {
-                if let Some(rows) = holders.get_mut(node as usize) {
-                    rows.push((at as u32, is_second));
+                if let Some(rows) = holders.at_mut(node) {
+                    rows.push((at, is_second));
                 }
             }
         }
-        let of_two = |of: &Vec<(u32, bool)>| of.len() * of.len().saturating_sub(1) / 2;
+        let of_two = |of: &Vec<(RowIndex, bool)>| of.len() * of.len().saturating_sub(1) / 2;
         // Each pair of rows at a body costs one product or more.
         if holders.iter().map(of_two).sum::<usize>() > GROUP_MAX_FACTOR_PRODUCTS {
             return;
         }
         let mut ties = Vec::new();
-        for (node, holders) in holders.iter().enumerate() {
+        for (body, holders) in holders.enumerated() {
             for (at, &(row, is_second)) in holders.iter().enumerate() {
                 for &(other, is_others_second) in &holders[at + 1..] {
                     ties.push([row, other]);
                     let (rows, is_second) = ([row, other], [is_second, is_others_second]);
-                    let body = node as u32;
-                    self.off_diagonals.push(OffDiagonal { body, rows, is_second, entry: 0, term: 0.0 });
+                    let entry = EntryIndex::default();
+                    self.off_diagonals.push(OffDiagonal { body, rows, is_second, entry, term: 0.0 });
                 }
             }
         }
-        sort_by_number(&mut ties, |&tie| packed_key(tie));
+        sort_by_number(&mut ties, |tie| packed_key(tie.map(|row| row.0)));
         ties.dedup();
         self.ldlt = SparseLdlt::plan(self.rows.len(), &ties, GROUP_MAX_FACTOR_PRODUCTS);
         match &self.ldlt {

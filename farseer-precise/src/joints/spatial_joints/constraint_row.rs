@@ -6,7 +6,20 @@
 use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
 use super::super::articulation_step::cos_sin;
 use super::super::joint_constraint::{JointConstraint, Limits, Motor};
+use crate::index::{DenseIndex, IndexedVec, index_type};
 use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, LOOP_COMPLIANCE, MAX_POSITION_CORRECTION};
+
+index_type! {
+    /// Index of a node of a group: of a body, or of a side of a joint that is the world, static or kinematic.
+    pub(super) struct NodeIndex;
+}
+index_type! {
+    /// Index of a joint in the list of its group.
+    pub(super) struct StateIndex;
+}
+
+/// Velocities or inverse masses of the nodes of a group.
+pub(super) type Nodes = IndexedVec<NodeIndex, Velocity4>;
 
 /// Velocity, change of momentum, or row of a Jacobian, of one body: x, y, angular about z, z.
 pub(super) type Velocity4 = [f64; 4];
@@ -59,7 +72,7 @@ pub(super) enum SolvePhase {
 pub(super) struct JointSide {
     /// Index into the group's velocities and inverse masses. The dynamic bodies come first; each side that is the world, static
     /// or kinematic has an entry of its own behind them.
-    pub(super) node: u32,
+    pub(super) node: NodeIndex,
     /// Position of the body's centre of mass in the world: x, y and z, length units.
     pub(super) origin: [f64; 3],
     /// Arm: vector from the centre of mass to the anchor in world coordinates, length units. It has no z component.
@@ -85,14 +98,14 @@ impl JointSide {
     /// Returns the velocity of the body on this side of the joint: x, y and z in length units/s, angular in radians/s.
     /// `velocities` are those of the group.
     #[inline(always)]
-    pub(super) fn velocity(&self, velocities: &[Velocity4]) -> Velocity4 {
-        velocities[self.node as usize]
+    pub(super) fn velocity(&self, velocities: &Nodes) -> Velocity4 {
+        velocities[self.node]
     }
 
     /// Returns the inverse mass of the body on this side of the joint, 1/(mass units); 0 for static and kinematic bodies.
     /// `inverses` are those of the group.
-    pub(super) fn inverse_mass(&self, inverses: &[Velocity4]) -> f64 {
-        inverses[self.node as usize][0]
+    pub(super) fn inverse_mass(&self, inverses: &Nodes) -> f64 {
+        inverses[self.node][0]
     }
 
     /// Returns the pose of this side of the joint after `h` seconds with the given velocity (x, y, angular, z).
@@ -143,7 +156,7 @@ pub(super) struct JointState {
 
 impl JointState {
     /// Returns the state of the joint with the index `joint` into the list of all joints, at poses that are not known yet.
-    pub(super) fn new(joint: u32, link: LockedDofs, nodes: [u32; 2]) -> Self {
+    pub(super) fn new(joint: u32, link: LockedDofs, nodes: [NodeIndex; 2]) -> Self {
         JointState {
             joint,
             link,
@@ -166,14 +179,14 @@ impl JointState {
     /// Returns the distance of the anchors after `h` seconds with these velocities, length units. The anchors must be the
     /// centres of mass.
     #[inline(always)]
-    fn predicted_origin_distance(&self, velocities: &[Velocity4], h: f64) -> f64 {
+    fn predicted_origin_distance(&self, velocities: &Nodes, h: f64) -> f64 {
         let [a, b] = self.sides.each_ref().map(|side| side.velocity(velocities));
         let [x, y, z] = self.offset;
         norm([x + h * (b[0] - a[0]), y + h * (b[1] - a[1]), z + h * (b[3] - a[3])])
     }
 
     /// Returns the poses of both sides of the joint after `h` seconds with the velocities of the group's bodies.
-    fn predicted_anchors(&self, velocities: &[Velocity4], h: f64) -> [PosedAnchor; 2] {
+    fn predicted_anchors(&self, velocities: &Nodes, h: f64) -> [PosedAnchor; 2] {
         self.sides.each_ref().map(|side| side.predicted_anchor(side.velocity(velocities), h))
     }
 
@@ -195,7 +208,7 @@ impl JointState {
 
     /// Moves the joint for `h` seconds with the velocities of the group's bodies.
     #[inline(always)]
-    pub(super) fn advance(&mut self, velocities: &[Velocity4], h: f64) {
+    pub(super) fn advance(&mut self, velocities: &Nodes, h: f64) {
         if self.link == LockedDofs::Line {
             let [_, _, spin, _] = self.sides[0].velocity(velocities);
             self.axis = rotate(cos_sin(spin * h), self.axis);
@@ -247,9 +260,9 @@ fn norm([x, y, z]: [f64; 3]) -> f64 {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SpatialJointRow {
     /// Index of the joint in the group's list of joints.
-    pub(super) joint: u32,
+    pub(super) joint: StateIndex,
     /// Indices of both sides of the joint into the group's velocities and inverse masses.
-    pub(super) nodes: [u32; 2],
+    pub(super) nodes: [NodeIndex; 2],
     /// Quantity that the row constrains.
     pub(super) kind: RowKind,
     /// Whether the joint of the row closes a loop of the joint graph.
@@ -307,7 +320,11 @@ pub(super) struct SpatialJointRow {
 impl SpatialJointRow {
     /// Returns a row without an impulse. `joint` is the index of the joint in the group's list of joints, and `nodes` those of
     /// its sides into the group's velocities.
-    pub(super) fn new((joint, nodes): (u32, [u32; 2]), kind: RowKind, closes_loop: bool) -> Self {
+    pub(super) fn new(
+        (joint, nodes): (StateIndex, [NodeIndex; 2]),
+        kind: RowKind,
+        closes_loop: bool,
+    ) -> Self {
         SpatialJointRow {
             closes_loop,
             joint,
@@ -405,7 +422,7 @@ impl SpatialJointRow {
         &mut self,
         state: &JointState,
         joints: &[JointConstraint],
-        velocities: &[Velocity4],
+        velocities: &Nodes,
         h: f64,
     ) {
         let [low, high] = self.range;
@@ -433,7 +450,7 @@ impl SpatialJointRow {
         &mut self,
         state: &JointState,
         joints: &[JointConstraint],
-        (inverse_masses, body_count): (&[Velocity4], usize),
+        (inverse_masses, body_count): (&Nodes, usize),
     ) {
         if state.anchors_at_origins && self.kind == RowKind::Distance {
             let [nx, ny, nz] = state.direction;
@@ -443,8 +460,8 @@ impl SpatialJointRow {
             self.update_anchor_jacobian(state, &joints[state.joint as usize]);
         }
         let mut inverse_mass = 0.0;
-        for (node, push) in self.nodes.iter().map(|&node| node as usize).zip(self.jacobian) {
-            if node < body_count {
+        for (node, push) in self.nodes.into_iter().zip(self.jacobian) {
+            if node.position() < body_count {
                 inverse_mass += delassus_term(push, push, inverse_masses[node]);
             }
         }
@@ -486,9 +503,9 @@ impl SpatialJointRow {
     /// Returns the rate of the row's value for the velocities of the group, J v: radians/s in angular rows, else length
     /// units/s.
     #[inline(always)]
-    fn relative_velocity(&self, velocities: &[Velocity4]) -> f64 {
+    fn relative_velocity(&self, velocities: &Nodes) -> f64 {
         let of = |side: usize| {
-            let (push, velocity) = (self.jacobian[side], velocities[self.nodes[side] as usize]);
+            let (push, velocity) = (self.jacobian[side], velocities[self.nodes[side]]);
             (0..4).map(|i| push[i] * velocity[i]).sum::<f64>()
         };
         of(0) + of(1)
@@ -501,7 +518,7 @@ impl SpatialJointRow {
         &self,
         state: &JointState,
         joints: &[JointConstraint],
-        velocities: &[Velocity4],
+        velocities: &Nodes,
         h: f64,
     ) -> f64 {
         if state.anchors_at_origins && self.kind == RowKind::Distance {
@@ -537,12 +554,12 @@ impl SpatialJointRow {
     #[inline(always)]
     pub(super) fn velocity_error(
         &self,
-        (states, joints): (&[JointState], &[JointConstraint]),
-        velocities: &[Velocity4],
+        (states, joints): (&IndexedVec<StateIndex, JointState>, &[JointConstraint]),
+        velocities: &Nodes,
         h: f64,
     ) -> f64 {
         if self.seeks_value {
-            let state = &states[self.joint as usize];
+            let state = &states[self.joint];
             return (self.predicted_value(state, joints, velocities, h) - self.target) / h;
         }
         let error = self.relative_velocity(velocities) - self.target;

@@ -21,7 +21,7 @@ impl SpatialJointGroup {
     /// from the tensions of the last step.
     pub(super) fn required_parts(&self, joints: &[JointConstraint], [dt, h]: [f64; 2]) -> u32 {
         let stiffness = self.rows.iter().filter(|row| row.kind == RowKind::Distance).map(|row| {
-            let state = &self.joints[row.joint as usize];
+            let state = &self.joints[row.joint];
             let joint = &joints[state.joint as usize];
             let ([x, y, _], z) = (joint.force, f64::from(joint.force_along_depth));
             let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
@@ -94,7 +94,7 @@ impl SpatialJointGroup {
                 }
                 self.solve_velocities_only(joints, h);
             }
-            for (way, velocity) in self.displacements.iter_mut().zip(&self.velocities) {
+            for (way, velocity) in self.displacements.iter_mut().zip(self.velocities.iter()) {
                 (0..4).for_each(|i| way[i] += velocity[i] * h);
             }
             self.advance_joints(h);
@@ -118,7 +118,7 @@ impl SpatialJointGroup {
                 |i: usize| if inverse[i] > 0.0 { velocity[i] * velocity[i] / inverse[i] } else { 0.0 };
             (0..4).map(weight).sum::<f64>()
         };
-        self.velocities.iter().zip(&self.inverse_masses).map(of).sum()
+        self.velocities.iter().zip(self.inverse_masses.iter()).map(of).sum()
     }
 
     /// Scales all velocities of the group so that twice its kinetic energy is `energy` (mass units * length units^2/s^2).
@@ -126,7 +126,7 @@ impl SpatialJointGroup {
     fn scale_to_energy(&mut self, energy: f64) {
         let scale = (energy / self.doubled_kinetic_energy()).sqrt();
         let part = if scale.is_finite() { scale } else { 0.0 };
-        for velocity in self.velocities[..self.bodies.len()].iter_mut().flatten() {
+        for velocity in self.velocities.slice_mut(..self.bodies.len()).iter_mut().flatten() {
             *velocity = if velocity.is_finite() { *velocity * part } else { 0.0 };
         }
     }
@@ -136,7 +136,9 @@ impl SpatialJointGroup {
         if !self.is_contact_free {
             return;
         }
-        for ((velocity, way), &body) in self.velocities.iter().zip(&self.displacements).zip(&self.bodies) {
+        for ((velocity, way), &body) in
+            self.velocities.iter().zip(self.displacements.iter()).zip(&self.bodies)
+        {
             bodies.states[body as usize].velocity = velocity.map(|velocity| velocity as f32);
             bodies.delta_pose[body as usize] = way.map(|way| way as f32);
         }

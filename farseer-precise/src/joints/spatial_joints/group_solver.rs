@@ -11,14 +11,19 @@
 
 use super::super::super::bodies::BodySet;
 use super::super::joint_constraint::JointConstraint;
-use super::constraint_row::{JointState, RowKind, SolvePhase, SpatialJointRow, Velocity4, delassus_term};
+use super::constraint_row::{
+    JointState, NodeIndex, RowKind, SolvePhase, SpatialJointRow, StateIndex, Velocity4, delassus_term,
+};
 use super::sparse_ldlt::SparseLdlt;
+use crate::index::{DenseIndex, IndexedVec};
+use crate::minimum_degree::RowIndex;
 use crate::parameters::spatial_joints::{
     ACTIVE_SET_MAX_ITERATIONS, GROUP_ERROR_CONVERGED, GROUP_ERROR_FLOOR, GROUP_GAUSS_SEIDEL_SWEEPS,
     LOOP_MAX_LATERAL_STIFFNESS, LOOP_MIN_VELOCITY_ITERATIONS, MERGED_CORRECTION_MAX_ERROR,
     TREE_MIN_VELOCITY_ITERATIONS,
 };
 use crate::reusing_clone;
+use crate::sparse_ordering::EntryIndex;
 
 /// A group of connected joints in three axes with a distance joint among them, and the bodies that they connect.
 #[derive(Debug, Default)]
@@ -28,17 +33,17 @@ pub(in super::super) struct SpatialJointGroup {
     pub(super) bodies: Vec<u32>,
     /// Inverse masses: x, y and z in 1/(mass units), angular in 1/(mass units * length units^2). Entries of `bodies` come first;
     /// then 0 for each side of a joint that is the world, static or kinematic.
-    pub(super) inverse_masses: Vec<Velocity4>,
+    pub(super) inverse_masses: IndexedVec<NodeIndex, Velocity4>,
     /// Velocities: x, y and z in length units/s, angular in radians/s. Entries of `bodies` come first; then one for each side of
     /// a joint that is the world, static or kinematic.
-    pub(super) velocities: Vec<Velocity4>,
+    pub(super) velocities: IndexedVec<NodeIndex, Velocity4>,
     /// Velocities of this substep that only correct positions, in the order of `velocities`: x, y and z in length units/s,
     /// angular in radians/s. They are contained in `velocities`, and subtracted after bodies have moved.
-    pub(super) correction_velocities: Vec<Velocity4>,
+    pub(super) correction_velocities: IndexedVec<NodeIndex, Velocity4>,
     /// The joints of the group, with present poses.
-    pub(super) joints: Vec<JointState>,
+    pub(super) joints: IndexedVec<StateIndex, JointState>,
     /// The rows of all joints of the group.
-    pub(super) rows: Vec<SpatialJointRow>,
+    pub(super) rows: IndexedVec<RowIndex, SpatialJointRow>,
     /// Couplings of rows that share a body: contributions to the off-diagonal elements of the Delassus matrix.
     pub(super) off_diagonals: Vec<OffDiagonal>,
     /// Factorisation of the Delassus matrix J M^-1 J^T; `None` if it needs too many products.
@@ -58,11 +63,11 @@ pub(in super::super) struct SpatialJointGroup {
     pub(super) substep_parts: u32,
     /// Displacements of the bodies since the start of the step, in a group without contacts: x, y and z in length units, angle
     /// in radians.
-    pub(super) displacements: Vec<Velocity4>,
+    pub(super) displacements: IndexedVec<NodeIndex, Velocity4>,
     /// The joints at the start of a step without contacts, for its repetition with more parts.
-    pub(super) initial_joints: Vec<JointState>,
+    pub(super) initial_joints: IndexedVec<StateIndex, JointState>,
     /// Velocities of the bodies in a substep before the joints act: x, y and z in length units/s, angular in radians/s.
-    pub(super) unconstrained_velocities: Vec<Velocity4>,
+    pub(super) unconstrained_velocities: IndexedVec<NodeIndex, Velocity4>,
     /// Whether the energy of the group is checked: it has no motor, and no joint with a moving kinematic body.
     pub(super) is_passive: bool,
 }
@@ -76,13 +81,13 @@ reusing_clone! {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OffDiagonal {
     /// Index of the body in the group's list of bodies.
-    pub(super) body: u32,
+    pub(super) body: NodeIndex,
     /// Indices of the two rows in the group's list of rows.
-    pub(super) rows: [u32; 2],
+    pub(super) rows: [RowIndex; 2],
     /// For each row, whether the body is the second body (B) of its joint.
     pub(super) is_second: [bool; 2],
     /// Index of the element in the sparse factorisation.
-    pub(super) entry: u32,
+    pub(super) entry: EntryIndex,
     /// Contribution to the element: 1/(mass units), divided by length units for each angular row.
     pub(super) term: f64,
 }
@@ -127,7 +132,7 @@ impl SpatialJointGroup {
     ) {
         self.length_unit = length_unit;
         let mut is_at_rest = true;
-        for state in &mut self.joints {
+        for state in self.joints.iter_mut() {
             let joint = &joints[state.joint as usize];
             for (at, side) in state.sides.iter_mut().enumerate() {
                 let (end, z) = (&joint.anchors[at], f64::from(depth_of(state.joint as usize, at)));
@@ -138,9 +143,9 @@ impl SpatialJointGroup {
                 let [x, y, spin] = end.velocity;
                 let velocity = [x, y, spin, if end.pose_body == 0 { 0.0 } else { along_z }];
                 // The velocity of a dynamic body is energy that the group has, not work that is done on it.
-                if side.node as usize >= self.bodies.len() {
+                if side.node.position() >= self.bodies.len() {
                     is_at_rest &= velocity == [0.0; 4];
-                    self.velocities[side.node as usize] = velocity;
+                    self.velocities[side.node] = velocity;
                 }
             }
             (state.axis, state.total_impulse, state.direction) = (joint.axis, [0.0; 4], [1.0, 0.0, 0.0]);
@@ -156,8 +161,8 @@ impl SpatialJointGroup {
     pub(super) fn prepare_rows(&mut self, joints: &[JointConstraint], [dt, h]: [f64; 2], substep_parts: u32) {
         self.substep_parts = substep_parts;
         let (parts, unit) = (f64::from(substep_parts), self.length_unit);
-        for row in &mut self.rows {
-            let state = &self.joints[row.joint as usize];
+        for row in self.rows.iter_mut() {
+            let state = &self.joints[row.joint];
             row.prepare(state, &joints[state.joint as usize], ([dt, h / parts], unit), parts);
         }
         if self.has_loops {
@@ -193,8 +198,8 @@ impl SpatialJointGroup {
     ) -> bool {
         self.unconstrained_velocities.clone_from(&self.velocities);
         let mut has_errors = false;
-        for row in &mut self.rows {
-            let state = &self.joints[row.joint as usize];
+        for row in self.rows.iter_mut() {
+            let state = &self.joints[row.joint];
             row.impulse = 0.0;
             row.update_jacobian(state, joints, (&self.inverse_masses, self.bodies.len()));
             row.choose_limit(state, joints, &self.velocities, h);
@@ -210,7 +215,7 @@ impl SpatialJointGroup {
         if has_errors {
             self.correction_velocities.copy_from_slice(&self.velocities);
             let is_solved = self.solve(joints, h, (SolvePhase::CorrectPosition, true));
-            for (undoing, velocity) in self.correction_velocities.iter_mut().zip(&mut self.velocities) {
+            for (undoing, velocity) in self.correction_velocities.iter_mut().zip(self.velocities.iter_mut()) {
                 let uncorrected = *undoing;
                 *undoing =
                     std::array::from_fn(|i| if is_solved { velocity[i] - uncorrected[i] } else { 0.0 });
@@ -263,17 +268,17 @@ impl SpatialJointGroup {
     /// Removes the correction velocities from the group's velocities, and solves the velocities for the joints (RATTLE). Adds
     /// the impulses of the substep of `h` seconds to the sums of the step.
     pub(super) fn relax_velocities(&mut self, joints: &[JointConstraint], h: f64) {
-        for (undoing, velocity) in self.correction_velocities.iter().zip(&mut self.velocities) {
+        for (undoing, velocity) in self.correction_velocities.iter().zip(self.velocities.iter_mut()) {
             (0..4).for_each(|i| velocity[i] -= undoing[i]);
         }
-        for row in &mut self.rows {
-            let state = &self.joints[row.joint as usize];
+        for row in self.rows.iter_mut() {
+            let state = &self.joints[row.joint];
             row.impulse = row.position_impulse;
             row.update_jacobian(state, joints, (&self.inverse_masses, self.bodies.len()));
         }
         self.solve(joints, h, (SolvePhase::Relax, true));
-        for row in &self.rows {
-            let state = &mut self.joints[row.joint as usize];
+        for row in self.rows.iter() {
+            let state = &mut self.joints[row.joint];
             row.accumulate_impulse(state.link, &mut state.total_impulse);
         }
     }
@@ -287,7 +292,7 @@ impl SpatialJointGroup {
         dt: f64,
     ) {
         self.store_free_step(bodies);
-        for state in &self.joints {
+        for state in self.joints.iter() {
             let [x, y, turning, z] = state.total_impulse.map(|impulse| impulse / dt);
             let joint = &mut joints[state.joint as usize];
             (joint.force, joint.force_along_depth) = ([x, y, turning], z as f32);
@@ -332,7 +337,7 @@ impl SpatialJointGroup {
         self.rows.iter_mut().for_each(|row| row.set_target(h, phase));
         let Some(mut sparse) = self.ldlt.take() else {
             self.gauss_seidel(joints, h);
-            let velocities = &self.velocities[..self.bodies.len()];
+            let velocities = self.velocities.slice(..self.bodies.len());
             return velocities.iter().flatten().all(|velocity| velocity.is_finite());
         };
         let least = if self.has_loops { LOOP_MIN_VELOCITY_ITERATIONS } else { TREE_MIN_VELOCITY_ITERATIONS };
@@ -378,7 +383,7 @@ impl SpatialJointGroup {
     fn cap_loop_impulses(&mut self, h: f64) {
         let of_distance = self.rows.iter().filter(|row| row.kind == RowKind::Distance);
         let inverse_inertia_per_length = of_distance.map(|row| {
-            let state = &self.joints[row.joint as usize];
+            let state = &self.joints[row.joint];
             let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
             inverse / state.distance.max(GROUP_ERROR_FLOOR * self.length_unit)
         });
@@ -416,9 +421,9 @@ impl SpatialJointGroup {
     /// Computes the contributions of the bodies to the off-diagonal elements of the Delassus matrix.
     fn update_off_diagonals(&mut self) {
         for of in &mut self.off_diagonals {
-            let [a, b] = of.rows.map(|row| &self.rows[row as usize].jacobian);
+            let [a, b] = of.rows.map(|row| &self.rows[row].jacobian);
             let (a, b) = (a[usize::from(of.is_second[0])], b[usize::from(of.is_second[1])]);
-            of.term = delassus_term(a, b, self.inverse_masses[of.body as usize]);
+            of.term = delassus_term(a, b, self.inverse_masses[of.body]);
         }
     }
 
@@ -426,7 +431,7 @@ impl SpatialJointGroup {
     fn assemble(&self, sparse: &mut SparseLdlt) {
         sparse.reset(self.rows.iter().map(|row| if row.is_active { row.diagonal } else { 1.0 }));
         for &OffDiagonal { rows, entry, term, .. } in &self.off_diagonals {
-            if rows.iter().all(|&row| self.rows[row as usize].is_active) {
+            if rows.iter().all(|&row| self.rows[row].is_active) {
                 sparse.add_lower(entry, term);
             }
         }
@@ -445,7 +450,8 @@ impl SpatialJointGroup {
         };
         let has_clamped =
             self.rows.iter().zip(&self.velocity_errors).any(|(row, &less)| exceeds_bounds(row, less));
-        let bodies = (&mut self.velocities[..self.bodies.len()], &self.inverse_masses[..self.bodies.len()]);
+        let count = self.bodies.len();
+        let bodies = (self.velocities.slice_mut(..count), self.inverse_masses.slice(..count));
         for (row, &less) in self.rows.iter_mut().zip(&self.velocity_errors) {
             if row.is_active && (!has_clamped || exceeds_bounds(row, less)) {
                 apply_impulse(row, less, (&mut *bodies.0, bodies.1));
@@ -458,11 +464,11 @@ impl SpatialJointGroup {
     fn gauss_seidel(&mut self, joints: &[JointConstraint], h: f64) {
         let count = self.bodies.len();
         for _ in 0..GROUP_GAUSS_SEIDEL_SWEEPS {
-            for row in &mut self.rows {
+            for row in self.rows.iter_mut() {
                 let missing = row.velocity_error((&self.joints, joints), &self.velocities, h);
                 let own = row.inverse_effective_mass + row.compliance;
                 if own > 0.0 {
-                    let bodies = (&mut self.velocities[..count], &self.inverse_masses[..count]);
+                    let bodies = (self.velocities.slice_mut(..count), self.inverse_masses.slice(..count));
                     apply_impulse(row, missing / own, bodies);
                 }
             }
@@ -483,7 +489,7 @@ fn apply_impulse(
 ) {
     let impulse = (row.impulse - decrease).clamp(row.impulse_bounds[0], row.impulse_bounds[1]);
     let change = impulse - std::mem::replace(&mut row.impulse, impulse);
-    for (node, push) in row.nodes.map(|node| node as usize).into_iter().zip(row.jacobian) {
+    for (node, push) in row.nodes.map(NodeIndex::position).into_iter().zip(row.jacobian) {
         // Sides that are static or kinematic come behind the dynamic bodies.
         if let (Some(velocity), Some(inverse)) = (velocities.get_mut(node), inverse_masses.get(node)) {
             *velocity = std::array::from_fn(|i| velocity[i] + change * push[i] * inverse[i]);
