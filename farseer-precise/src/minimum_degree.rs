@@ -11,7 +11,7 @@
 //! for minimum degree. P. Amestoy, T. Davis and I. Duff, "An approximate minimum degree ordering algorithm" (1996). C. Ashcraft,
 //! "Compressed graphs and the minimum degree algorithm" (1995), for hashes of supervariables.
 
-use crate::index::{DenseIndex, IndexedVec, index_type};
+use crate::index::{IndexedVec, index_type};
 use std::mem::replace;
 use std::ops::Range;
 
@@ -80,6 +80,26 @@ struct Node {
 }
 
 impl Node {
+    /// A supervariable of one row, without neighbours.
+    const OF_ROW: Node = Node {
+        start: 0,
+        length: 0,
+        elements: 0,
+        weight: 1,
+        degree: 0,
+        next: NONE,
+        previous: NONE,
+        hash: HashIndex(0),
+        pivot: 0,
+        outside: 0,
+        comparison: 0,
+        next_row: NONE,
+        last_row: NONE,
+        parent: NONE,
+        child: NONE,
+        sibling: NONE,
+    };
+
     /// Returns the range in `lists` of all neighbours.
     #[inline(always)]
     fn list(&self) -> Range<usize> {
@@ -97,6 +117,36 @@ impl Node {
     fn supervariable_list(&self) -> Range<usize> {
         self.element_list().end..self.list().end
     }
+}
+
+/// Returns a supervariable for each of `count` rows of a matrix with these `edges`. Its list has its place but no neighbours yet.
+fn nodes_of_rows(count: usize, edges: &[[RowIndex; 2]]) -> IndexedVec<RowIndex, Node> {
+    let mut nodes = IndexedVec::of_copies(Node::OF_ROW, count);
+    for &row in edges.iter().flatten() {
+        nodes[row].degree += 1;
+    }
+    let mut start = 0;
+    for row in nodes.indices() {
+        let node = &mut nodes[row];
+        (node.start, node.last_row) = (start, row);
+        start += node.degree;
+    }
+    nodes
+}
+
+/// Returns the lists of neighbours of all `nodes`, with space for the elements, and sets the lengths of the lists.
+fn list_neighbours(edges: &[[RowIndex; 2]], nodes: &mut IndexedVec<RowIndex, Node>) -> Vec<RowIndex> {
+    // Elements need about as much memory as the matrix.
+    let mut lists = Vec::with_capacity(4 * edges.len());
+    lists.resize(2 * edges.len(), NONE);
+    for &[a, b] in edges {
+        for [row, neighbour] in [[a, b], [b, a]] {
+            let node = &mut nodes[row];
+            lists[node.list().end] = neighbour;
+            node.length += 1;
+        }
+    }
+    lists
 }
 
 /// The quotient graph of an ordering.
@@ -118,6 +168,27 @@ struct QuotientGraph {
     dense_rows: Vec<RowIndex>,
     /// Index of the first root of the assembly tree: the element of the last pivot of a component.
     root: RowIndex,
+}
+
+/// The neighbours of a supervariable that it keeps while a pivot is eliminated.
+struct KeptNeighbours {
+    /// Index into `lists` behind the last kept neighbour.
+    end: usize,
+    /// Number of rows of the kept neighbours, outside of the element of the pivot.
+    rows: u32,
+    /// Sum of the indices of the kept neighbours, modulo 2^32.
+    hash: u32,
+}
+
+impl KeptNeighbours {
+    /// Keeps a neighbour with `rows` rows outside of the element of the pivot.
+    #[inline(always)]
+    fn push(&mut self, neighbour: RowIndex, rows: u32, lists: &mut [RowIndex]) {
+        self.rows += rows;
+        self.hash = self.hash.wrapping_add(neighbour.0);
+        lists[self.end] = neighbour;
+        self.end += 1;
+    }
 }
 
 /// Appends the order of elimination of a matrix with `count` rows to `order`, as row indices. Returns whether the total cost
@@ -154,46 +225,10 @@ pub(crate) fn order_by_minimum_degree(
 impl QuotientGraph {
     /// Returns the graph of the matrix: each row is a supervariable.
     fn new(count: usize, edges: &[[RowIndex; 2]]) -> Self {
-        let node = Node {
-            start: 0,
-            length: 0,
-            elements: 0,
-            weight: 1,
-            degree: 0,
-            next: NONE,
-            previous: NONE,
-            hash: HashIndex(0),
-            pivot: 0,
-            outside: 0,
-            comparison: 0,
-            next_row: NONE,
-            last_row: NONE,
-            parent: NONE,
-            child: NONE,
-            sibling: NONE,
-        };
-        let mut nodes = IndexedVec::of_copies(node, count);
-        for &row in edges.iter().flatten() {
-            nodes[row].degree += 1;
-        }
-        let mut start = 0;
-        for (row, node) in nodes.iter_mut().enumerate() {
-            (node.start, node.last_row) = (start, RowIndex::new(row));
-            start += node.degree;
-        }
-        // Elements need about as much memory as the matrix.
-        let mut lists = Vec::with_capacity(4 * edges.len());
-        lists.resize(2 * edges.len(), NONE);
-        for &[a, b] in edges {
-            for [row, neighbour] in [[a, b], [b, a]] {
-                let node = &mut nodes[row];
-                lists[node.list().end] = neighbour;
-                node.length += 1;
-            }
-        }
+        let mut nodes = nodes_of_rows(count, edges);
         let mut graph = QuotientGraph {
+            lists: list_neighbours(edges, &mut nodes),
             nodes,
-            lists,
             of_degree: IndexedVec::of_copies(NONE, count),
             of_hash: IndexedVec::of_copies(NONE, count),
             pivots: 0,
@@ -202,18 +237,23 @@ impl QuotientGraph {
             dense_rows: Vec::new(),
             root: NONE,
         };
-        let max_degree = DENSE_ROW_MIN_DEGREE.max(DENSE_ROW_SQRT_FACTOR * (count as u32).isqrt());
-        for row in graph.nodes.indices().rev() {
-            let node = &mut graph.nodes[row];
+        graph.sort_by_degree();
+        graph
+    }
+
+    /// Sorts all supervariables by degree, and puts the dense rows aside.
+    fn sort_by_degree(&mut self) {
+        let max_degree = DENSE_ROW_MIN_DEGREE.max(DENSE_ROW_SQRT_FACTOR * (self.nodes.len() as u32).isqrt());
+        for row in self.nodes.indices().rev() {
+            let node = &mut self.nodes[row];
             if node.degree > max_degree {
                 node.weight = 0;
-                graph.dense_rows.push(row);
+                self.dense_rows.push(row);
             } else {
-                graph.insert_by_degree(row);
+                self.insert_by_degree(row);
             }
         }
-        graph.remaining -= graph.dense_rows.len() as u32;
-        graph
+        self.remaining -= self.dense_rows.len() as u32;
     }
 
     /// Returns the range in `lists` of the neighbours of a node.
@@ -322,31 +362,11 @@ impl QuotientGraph {
     fn update_neighbours(&mut self, pivot: RowIndex, row: RowIndex) {
         let node = self.nodes[row];
         let start = node.list().start;
-        let (mut end, mut bound, mut hash) = (start, 0, 0_u32);
-        for at in node.element_list() {
-            let element = self.lists[at];
-            let Node { degree, outside, .. } = self.nodes[element];
-            // An element inside of that of the pivot is absorbed.
-            if degree > 0 && outside == 0 {
-                self.absorb(element, pivot);
-            } else if degree > 0 {
-                bound += outside;
-                hash = hash.wrapping_add(element.0);
-                self.lists[end] = element;
-                end += 1;
-            }
-        }
-        let kept_elements = end;
-        for at in node.supervariable_list() {
-            let neighbour = self.lists[at];
-            let Node { weight, pivot, .. } = self.nodes[neighbour];
-            if weight > 0 && pivot != self.pivots {
-                bound += weight;
-                hash = hash.wrapping_add(neighbour.0);
-                self.lists[end] = neighbour;
-                end += 1;
-            }
-        }
+        let mut kept = KeptNeighbours { end: start, rows: 0, hash: 0 };
+        self.keep_elements(pivot, node.element_list(), &mut kept);
+        let kept_elements = kept.end;
+        self.keep_supervariables(node.supervariable_list(), &mut kept);
+        let KeptNeighbours { end, rows, hash } = kept;
         if end == start {
             return self.eliminate_with(pivot, row, node.weight);
         }
@@ -357,9 +377,37 @@ impl QuotientGraph {
         let node = &mut self.nodes[row];
         node.elements = (kept_elements - start) as u32 + 1;
         node.length = (end - start) as u32 + 1;
-        node.degree = node.degree.min(bound);
+        node.degree = node.degree.min(rows);
         node.hash = HashIndex(hash % buckets);
         node.next = replace(&mut self.of_hash[node.hash], row);
+    }
+
+    /// Keeps the elements of a supervariable, in the range `elements` of `lists`, that have rows outside of the element of
+    /// `pivot`. The pivot absorbs the others.
+    #[inline(always)]
+    fn keep_elements(&mut self, pivot: RowIndex, elements: Range<usize>, kept: &mut KeptNeighbours) {
+        for at in elements {
+            let element = self.lists[at];
+            let Node { degree, outside, .. } = self.nodes[element];
+            if degree > 0 && outside == 0 {
+                self.absorb(element, pivot);
+            } else if degree > 0 {
+                kept.push(element, outside, &mut self.lists);
+            }
+        }
+    }
+
+    /// Keeps the neighbours of a supervariable, in the range `neighbours` of `lists`, that are outside of the element of the
+    /// pivot.
+    #[inline(always)]
+    fn keep_supervariables(&mut self, neighbours: Range<usize>, kept: &mut KeptNeighbours) {
+        for at in neighbours {
+            let neighbour = self.lists[at];
+            let Node { weight, pivot, .. } = self.nodes[neighbour];
+            if weight > 0 && pivot != self.pivots {
+                kept.push(neighbour, weight, &mut self.lists);
+            }
+        }
     }
 
     /// Eliminates the supervariable `row` together with `pivot`.
