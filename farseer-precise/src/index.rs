@@ -54,6 +54,11 @@ index_type! {
     /// Index of a body in the lists of [`BodySet`](crate::bodies::BodySet).
     pub struct BodyIndex;
 }
+impl BodyIndex {
+    /// Index of the placeholder: every static body in a constraint, and the world in a joint.
+    pub const PLACEHOLDER: BodyIndex = BodyIndex(0);
+}
+
 index_type! {
     /// Index of a proxy: a convex piece of a geom in the broad phase.
     pub struct ProxyIndex;
@@ -130,6 +135,12 @@ impl<I: DenseIndex, T> IndexedVec<I, T> {
     #[inline]
     pub fn clear(&mut self) {
         self.entries.clear();
+    }
+
+    /// Exchanges two entries.
+    #[inline]
+    pub fn swap(&mut self, one: I, other: I) {
+        self.entries.swap(one.position(), other.position());
     }
 
     /// Returns the list without its type of index, to grow or shorten it.

@@ -18,6 +18,7 @@ use super::integration::integrate_free_flight;
 use super::narrow_phase::NarrowPhaseStats;
 use super::scaled_parameters::LoadAdaptation;
 use super::scaled_parameters::StepContext;
+use crate::index::DenseIndex;
 use crate::math::plane::Vector;
 use crate::surface::FrictionType;
 
@@ -162,7 +163,7 @@ impl Solver {
     fn list_direct_islands(&mut self, selects: bool, learning: &LoadAdaptation) {
         let mut census = std::mem::take(&mut self.direct_solver.census);
         self.solver_selection()
-            .count_islands(&mut census, &|body| self.bodies.states[body as usize].velocity);
+            .count_islands(&mut census, &|body| self.bodies.states[body.position()].velocity);
         self.direct_solver.census = census;
         self.direct_solver.choose_members(selects, &self.sleep, self.bodies.last_movable);
         let Solver { direct_solver, pairs, proxies, joints, springs, .. } = self;

@@ -16,6 +16,7 @@ use farseer_precise::bodies::BodySet;
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::Proxies;
 use farseer_precise::direct_solver::island_stats::IslandCensus;
+use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::island::falling_asleep::unite_islands;
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::island::union_find::UnionFind;
@@ -133,7 +134,7 @@ impl Precise {
         let mut census = IslandCensus::default();
         solver
             .solver_selection()
-            .count_islands(&mut census, &|body| solver.bodies.initial_velocity[body as usize]);
+            .count_islands(&mut census, &|body| solver.bodies.initial_velocity[body.position()]);
         let substeps = if solver.impulse_substep > 0.0 {
             (solver.dt / solver.impulse_substep).round() as u32
         } else {
@@ -142,7 +143,7 @@ impl Precise {
         let rows = rows_by_body(&solver.bodies, &solver.proxies, &solver.pairs, &solver.sleep);
         let mut reports: Vec<BodyReport> = (0..solver.bodies.states.len())
             .map(|body| {
-                let stats = census.stats_of(body as u32);
+                let stats = census.stats_of(BodyIndex::new(body));
                 if solver.sleep.is_asleep(body) {
                     BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
                 } else if solver.direct_solver.is_direct(body) {

@@ -17,10 +17,13 @@ use crate::springs::SpringId;
 use farseer_precise::bodies::BodySet;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::state::DepthState;
+use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::joints::JointSystem;
 use farseer_precise::joints::articulated_body::{LockedDofs, Vec2};
-use farseer_precise::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
+use farseer_precise::joints::joint_constraint::{
+    JointAnchor, JointConstraint, JointDrive, JointIndex, Limits, Motor,
+};
 use farseer_precise::reusing_clone;
 use farseer_precise::scaled_parameters::StepContext;
 
@@ -87,7 +90,7 @@ impl JointTable {
         joints: &JointSystem,
     ) -> impl Iterator<Item = (Option<BodyId>, BodyId)> {
         let is_unlisted = |(constraint, ids): &(&JointConstraint, &JointIds)| {
-            let [first, second] = constraint.anchors.map(|anchor| anchor.pose_body == 0);
+            let [first, second] = constraint.anchors.map(|anchor| anchor.pose_body == BodyIndex::PLACEHOLDER);
             second || (first && ids.bodies.0.is_some())
         };
         joints.constraints().iter().zip(&self.ids).filter(is_unlisted).map(|(_, ids)| ids.bodies)
@@ -174,8 +177,8 @@ impl<'a> JointImport<'a> {
             && self.bodies.inverse_mass_inertia[index] != [0.0; 2]
             && !self.sleep.is_asleep(index);
         let mut joint_anchor = JointAnchor {
-            body: if is_dynamic { index as u32 } else { 0 },
-            pose_body: index as u32,
+            body: if is_dynamic { BodyIndex::new(index) } else { BodyIndex::PLACEHOLDER },
+            pose_body: BodyIndex::new(index),
             local_anchor: to_vec2(anchor),
             ..JointAnchor::default()
         };
@@ -296,17 +299,18 @@ impl<'a> JointImport<'a> {
                 }
             }
         }
-        let read = |at: usize, constraint: &mut JointConstraint| {
-            self.read_pose(ids[at].bodies, constraint);
+        let read = |at: JointIndex, constraint: &mut JointConstraint| {
+            let ids = &ids[at.position()];
+            self.read_pose(ids.bodies, constraint);
             // The target of a motor may change in every step without a new import.
             if constraint.drive.is_some() {
-                let drive = objects.joints.get(ids[at].joint).and_then(Joint::motor_and_limits);
+                let drive = objects.joints.get(ids.joint).and_then(Joint::motor_and_limits);
                 constraint.drive = drive.map(joint_drive);
             }
         };
         joints.prepare(self.bodies, is_touched.as_ref(), read);
         if let Some(space) = self.depth {
-            let depth_of = |at: usize, side: usize| match (side, ids[at].bodies) {
+            let depth_of = |at: JointIndex, side: usize| match (side, ids[at.position()].bodies) {
                 (0, (None, _)) => 0.0,
                 (0, (Some(body), _)) | (_, (_, body)) => space.z_and_velocity(body.slot())[0],
             };

@@ -10,6 +10,7 @@ use crate::objects::Objects;
 use crate::springs::{Spring, SpringForce, SpringId, SpringKind};
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::Proxies;
+use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::joints::JointSystem;
 use farseer_precise::joints::joint_constraint::JointAnchor;
 use farseer_precise::joints::springs::{SpringConstraint, SpringRows, anchor_distance};
@@ -105,7 +106,7 @@ pub(super) fn import_springs(
 
 /// Returns a hash of a spring, of its bodies, and of which of them are dynamic.
 fn spring_hash((id, spring): (SpringId, &Spring), constraint: &SpringConstraint) -> u64 {
-    let [a, b] = constraint.ends.map(|end| u64::from(end.body != 0));
+    let [a, b] = constraint.ends.map(|end| u64::from(end.body != BodyIndex::PLACEHOLDER));
     id.to_bits().rotate_left(2) ^ (a << 1 | b) ^ bodies_hash(spring.ends())
 }
 
@@ -143,7 +144,7 @@ impl JointImport<'_> {
         };
         if matches!(spring.kind(), SpringKind::Angle(_)) {
             constraint.set_spin_damping(|end| {
-                self.bodies.states.get(end.body as usize).map_or(0.0, |hot| hot.velocity[2])
+                self.bodies.states.get(end.body.position()).map_or(0.0, |hot| hot.velocity[2])
             });
         }
         (constraint.ends[0].body != constraint.ends[1].body).then_some(constraint)

@@ -5,6 +5,7 @@
 
 use crate::bodies::BodySet;
 use crate::continuous_collision::fast_body::FastBody;
+use crate::index::BodyIndex;
 use crate::joints::JointSystem;
 use crate::storage::order::sort_by_number;
 
@@ -15,8 +16,9 @@ pub(super) fn clamp_joined_bodies(joints: &JointSystem, fast_bodies: &mut Vec<Fa
     }
     let fast_count = fast_bodies.len();
     for bodies in joints.articulation_bodies().filter(|bodies| bodies.len() > 1) {
-        let position =
-            |body: &u32| fast_bodies[..fast_count].binary_search_by_key(body, |flight| flight.body).ok();
+        let position = |body: &BodyIndex| {
+            fast_bodies[..fast_count].binary_search_by_key(&body.0, |flight| flight.body).ok()
+        };
         let first = bodies.iter().filter_map(position).map(|at| fast_bodies[at]).reduce(|first, flight| {
             let key = |flight: &FastBody| (flight.toi, flight.body);
             if key(&flight) < key(&first) { flight } else { first }
@@ -25,7 +27,7 @@ pub(super) fn clamp_joined_bodies(joints: &JointSystem, fast_bodies: &mut Vec<Fa
         else {
             continue;
         };
-        for &body in bodies {
+        for &BodyIndex(body) in bodies {
             let joined =
                 FastBody { toi: time, pair, hit_body: stopped, is_joined: true, ..FastBody::of(body) };
             match fast_bodies[..fast_count].binary_search_by_key(&body, |flight| flight.body) {

@@ -10,7 +10,7 @@
 
 use super::block_ldlt::BlockLdlt;
 use super::island_body::MemberIndex;
-use super::island_history::{IslandHistory, ReselectionTimer};
+use super::island_history::{Histories, ReselectionTimer};
 use super::island_io::DirectIsland;
 use super::island_newton::SolveStats;
 use crate::parameters::direct::{
@@ -27,12 +27,12 @@ use crate::solver_choice::SolverChoice;
 /// An island that overdraws its budget, or that is released because its joints have no solution, gets a pause: it goes to the
 /// iterative solver.
 pub(super) fn update_budget(
-    histories: &mut [IslandHistory],
+    histories: &mut Histories,
     timer: &mut ReselectionTimer,
     island: &DirectIsland,
     SolveStats { newton_steps: steps, is_solved, .. }: SolveStats,
 ) {
-    let mut history = histories[island.system.members[MemberIndex(0)].index()];
+    let mut history = histories[island.system.members[MemberIndex(0)].body];
     history.was_iterated = steps > 0;
     history.has_accepted_solution |= island.has_joints() && !island.is_released;
     let cost = match is_solved {
@@ -61,7 +61,7 @@ pub(super) fn update_budget(
         history.back_off = history.back_off.saturating_sub(1);
     }
     for member in island.system.members.iter() {
-        histories[member.index()] = history;
+        histories[member.body] = history;
     }
 }
 

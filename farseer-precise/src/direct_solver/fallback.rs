@@ -10,10 +10,12 @@ use super::DirectSolver;
 use super::island_body::IslandBody;
 use super::island_history::IslandHistory;
 use super::island_newton::IslandSystem;
+use super::island_stats::IslandIndex;
 use super::mat3::Vec3;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::ConstraintGraph;
+use crate::index::{BodyIndex, DenseIndex};
 use crate::narrow_phase::constraint_lifetime::move_to_direct_solver;
 use crate::scaled_parameters::LoadAdaptation;
 
@@ -38,9 +40,10 @@ impl DirectSolver {
             let body = pairs.bodies_of(proxies, pair)[1].0;
             let (is_direct, was_direct) = (self.is_direct(body), handle.is_in_direct_solver());
             if is_direct != was_direct {
+                let body = BodyIndex::new(body);
                 let IslandHistory { formed_by_motion, has_accepted_solution, .. } = self.history[body];
                 let may_rock = has_accepted_solution
-                    || (formed_by_motion && self.census.stats_of(body as u32).has_contact_cycles());
+                    || (formed_by_motion && self.census.stats_of(body).has_contact_cycles());
                 if was_direct && may_rock {
                     let points = &mut constraints.direct_constraint_mut(handle).constraint.points;
                     points.iter_mut().for_each(|point| point.rest_impulse *= learning.adapted_fraction);
@@ -55,16 +58,16 @@ impl DirectSolver {
     /// [move](Self::move_constraints) to the graph colours before the iterative solver runs.
     pub(super) fn release_unsolved(&mut self) -> bool {
         let DirectSolver { islands, count, history, is_listed, .. } = self;
-        if !islands[..*count].iter().any(|island| island.is_released) {
+        if !islands.slice(..*count).iter().any(|island| island.is_released) {
             return false;
         }
         let mut solved = 0;
-        for at in 0..*count {
+        for at in (0..*count).map(IslandIndex::new) {
             if islands[at].is_released {
                 let members = &islands[at].system.members;
-                members.iter().for_each(|member| history[member.index()].is_direct = false);
+                members.iter().for_each(|member| history[member.body].is_direct = false);
             } else {
-                islands.swap(at, solved);
+                islands.swap(at, IslandIndex::new(solved));
                 solved += 1;
             }
         }
@@ -81,7 +84,7 @@ impl IslandSystem {
     /// Let l be the initial impulses of all rows, u the relative velocities of the rows without these impulses, and du the
     /// change of u by all of l. The kinetic energy is least at the factor p with l . (u + p du) = 0. `free` returns the
     /// velocity of a body without contact impulses (length units/s, length units/s, radians/s).
-    pub(super) fn scale_down_impulses(&mut self, free: impl Fn(u32) -> Vec3) {
+    pub(super) fn scale_down_impulses(&mut self, free: impl Fn(BodyIndex) -> Vec3) {
         let IslandSystem { members, contacts, lateral_frictions, negative_gradient, direction, .. } = self;
         negative_gradient.clear();
         direction.clear();

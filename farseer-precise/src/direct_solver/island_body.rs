@@ -1,7 +1,7 @@
 //! Bodies of an island during a solution, and arithmetic of its vectors (x, y, angle).
 
 use super::mat3::Vec3;
-use crate::index::IndexedVec;
+use crate::index::{BodyIndex, IndexedVec};
 use crate::mass::INFINITE_MASS;
 use crate::parameters::direct::STABLE_STIFFNESS;
 
@@ -15,7 +15,7 @@ pub(super) type Members = IndexedVec<MemberIndex, IslandBody>;
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct IslandBody {
     /// Index of the body in the simulator's list of bodies.
-    pub(super) body: u32,
+    pub(super) body: BodyIndex,
     /// Mass, mass units; very large if the body cannot move.
     pub(super) mass: f64,
     /// Moment of inertia, mass units * length units^2; very large if the body cannot rotate.
@@ -32,12 +32,6 @@ pub(super) struct IslandBody {
 }
 
 impl IslandBody {
-    /// Returns the index of the body in the simulator's list of bodies.
-    #[inline(always)]
-    pub(super) fn index(&self) -> usize {
-        self.body as usize
-    }
-
     /// Returns the velocity change by an impulse (mass units * length units/s for x and y, mass units * length units^2/s for
     /// the angle): M^-1 times the impulse. Unit: length units/s, length units/s, radians/s.
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! History of the islands, by which solver selection and the budget decide, and the timer of solver selection.
 
+use crate::index::{BodyIndex, IndexedVec};
 use crate::parameters::direct::FRICTION_CHECK_MAX_DOUBLINGS;
 use crate::solver_choice::SolverChoice;
 use serde::{Deserialize, Serialize};
@@ -68,6 +69,9 @@ impl IslandHistory {
     }
 }
 
+/// Island history of each body.
+pub type Histories = IndexedVec<BodyIndex, IslandHistory>;
+
 /// Timer of solver selection: decides in which update islands are computed and solvers are selected again. Snapshots save it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ReselectionTimer {
@@ -99,9 +103,9 @@ impl ReselectionTimer {
 
 /// Returns the common island history of `members` (pairs of union-find root and body index) that come from several islands: the
 /// worse value of each field. `histories` are indexed by body.
-pub(super) fn merged_history(members: &[(u32, u32)], histories: &[IslandHistory]) -> IslandHistory {
+pub(super) fn merged_history(members: &[(BodyIndex, BodyIndex)], histories: &Histories) -> IslandHistory {
     let first = IslandHistory { is_direct: true, has_accepted_solution: true, ..IslandHistory::default() };
-    members.iter().map(|&(_, body)| histories[body as usize]).fold(first, |merged, other| IslandHistory {
+    members.iter().map(|&(_, body)| histories[body]).fold(first, |merged, other| IslandHistory {
         average_newton_steps: if other.average_newton_steps > merged.average_newton_steps {
             other.average_newton_steps
         } else {

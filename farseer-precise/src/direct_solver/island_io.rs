@@ -11,7 +11,9 @@ use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
 use crate::bodies::BodySet;
 use crate::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactPoint, ParkedConstraint};
-use crate::joints::joint_constraint::JointConstraint;
+use crate::index::{BodyIndex, DenseIndex};
+use crate::joints::joint_constraint::{JointConstraint, JointIndex};
+use crate::joints::springs::SpringIndex;
 use crate::mass::mass_of_inverse;
 use crate::math::plane::Pose;
 use crate::parameters::direct::{PENETRATION_SLOP, PENETRATION_SLOP_PER_COORDINATE};
@@ -50,11 +52,11 @@ pub(super) struct DirectIsland {
     /// time. Empty for all other islands.
     pub(super) resting_bodies: Vec<RestingBody>,
     /// Joints of the island, as indices into the list of joint constraints.
-    pub(super) joints: Vec<u32>,
+    pub(super) joints: Vec<JointIndex>,
     /// Bodies of each joint of `joints`, as indices into the island's members.
     pub(super) joint_bodies: Vec<BodyIndices>,
     /// Springs of the island that are constraint rows, as indices into the list of such springs.
-    pub(super) springs: Vec<u32>,
+    pub(super) springs: Vec<SpringIndex>,
     /// Bodies of each spring of `springs`, as indices into the island's members.
     pub(super) spring_bodies: Vec<BodyIndices>,
     /// Scratch of a step in intervals: copies of the joints at their positions in the present interval.
@@ -87,8 +89,9 @@ pub(super) struct RestingBody {
 }
 
 impl RestingBody {
-    /// Returns the present state of the body with index `number` in `bodies`.
-    pub(super) fn of(bodies: &BodySet, number: usize) -> Self {
+    /// Returns the present state of a body.
+    pub(super) fn of(bodies: &BodySet, body: BodyIndex) -> Self {
+        let number = body.position();
         RestingBody {
             pose: bodies.poses[number],
             velocity_delta: bodies.force_delta[number],
@@ -174,7 +177,7 @@ impl<'a> RowReader<'a> {
     #[inline(always)]
     fn kinematic_velocity(&self, row: &ParkedConstraint, bodies: BodyIndices) -> Option<[f64; 4]> {
         has_kinematic_a(row, bodies)
-            .then(|| self.bodies.states[row.constraint.a as usize].velocity.map(f64::from))
+            .then(|| self.bodies.states[BodyIndex(row.constraint.a).position()].velocity.map(f64::from))
     }
 
     /// Returns the result of [`residual`](Self::residual) without building contact rows; `None` if the contact needs the full
@@ -257,7 +260,7 @@ impl DirectIsland {
     pub(super) fn load_bodies(&mut self, bodies: &BodySet, substeps: f64, unit: f64) -> f64 {
         let mut max_coordinate = 0.0;
         for member in self.system.members.iter_mut() {
-            let at = member.index();
+            let at = member.body.position();
             let [x, y, ..] = bodies.poses[at];
             max_coordinate =
                 [x, y].iter().fold(max_coordinate, |far: f32, x| if x.abs() > far { x.abs() } else { far });

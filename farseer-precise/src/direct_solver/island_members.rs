@@ -6,14 +6,16 @@ use super::constraint::{BodyIndices, FIXED};
 use super::island_body::{IslandBody, MemberIndex};
 use super::island_history::merged_history;
 use super::island_io::DirectIsland;
+use super::island_stats::IslandIndex;
 use super::lateral_friction::{clear_impulses, is_planar};
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint};
-use crate::index::DenseIndex;
+use crate::index::{BodyIndex, DenseIndex, PairIndex};
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
+use crate::joints::joint_constraint::CandidateIndex;
 use crate::joints::springs::SpringRows;
 use crate::parameters::direct::{
     BUSY_ISLAND_PAUSE, FACTOR_PRODUCTS_PER_BODY, JOINTED_FACTOR_PRODUCTS_PER_BODY, RESELECTION_PERIOD,
@@ -29,7 +31,7 @@ impl DirectSolver {
         }
         let in_plane =
             constraints.direct_constraints().iter().filter(|row| is_planar(&row.constraint)).count();
-        let islands = &self.islands[..self.count];
+        let islands = self.islands.slice(..self.count);
         let listed: usize = islands.iter().map(|island| island.contact_handles.len()).sum();
         let mut handles = islands.iter().flat_map(|island| &island.contact_handles);
         self.is_listed = listed == in_plane
@@ -40,14 +42,14 @@ impl DirectSolver {
     /// solvers are selected anew, otherwise each island keeps its solver. Starts the pauses of islands that the direct solver
     /// gives up, and starts or ends the friction checks of the others.
     pub(crate) fn choose_members(&mut self, selects: bool, sleep: &SleepState, last_movable: usize) {
-        let DirectSolver { census, keyed_items, history, timer, .. } = self;
-        keyed_items.clear();
-        for body in sleep.awake_bodies(last_movable) {
-            let root = census.union_find.find(body as u32);
-            let (stats, history) = (&census.stats[root as usize], &mut history[body]);
+        let DirectSolver { census, keyed_bodies, history, timer, .. } = self;
+        keyed_bodies.clear();
+        for body in sleep.awake_bodies(last_movable).map(BodyIndex::new) {
+            let root = census.root_of(body);
+            let (stats, history) = (&census.stats[root], &mut history[body]);
             let is_wanted =
                 if selects { stats.rejection_reason(timer.choice).is_none() } else { history.is_direct };
-            keyed_items.extend(is_wanted.then_some((root, body as u32)));
+            keyed_bodies.extend(is_wanted.then_some((root, body)));
             if !selects {
                 continue;
             }
@@ -82,7 +84,7 @@ impl DirectSolver {
             islands,
             count,
             census,
-            keyed_items,
+            keyed_bodies,
             edges,
             jointed_bodies,
             sort_keys,
@@ -90,7 +92,7 @@ impl DirectSolver {
             timer,
             ..
         } = self;
-        sort_by_number_in(sort_keys, keyed_items, |&(root, body)| packed_key([root, body]));
+        sort_by_number_in(sort_keys, keyed_bodies, |&(root, body)| packed_key([root.0, body.0]));
         if selects {
             history.iter_mut().for_each(|entry| entry.is_direct = false);
         }
@@ -99,12 +101,12 @@ impl DirectSolver {
             list_jointed_bodies((joints, springs), &mut census.union_find, jointed_bodies, sort_keys);
         }
         *count = 0;
-        for members in keyed_items.chunk_by(|one, other| one.0 == other.0) {
+        for members in keyed_bodies.chunk_by(|one, other| one.0 == other.0) {
             if islands.len() == *count {
                 islands.push(DirectIsland::default());
             }
             let (earlier, island) = islands.split_at_mut(*count);
-            let (island, stats) = (&mut island[0], &mut census.stats[members[0].0 as usize]);
+            let (island, stats) = (&mut island[0], &mut census.stats[members[0].0]);
             island.begin(members);
             island.is_on_trial = selects && stats.is_on_trial(timer.choice);
             list_contact_edges(members, pairs, proxies, edges, sort_keys);
@@ -117,14 +119,14 @@ impl DirectSolver {
             let (similar, max) =
                 (earlier.last().map(|other| &other.system.factor), max_products * members.len());
             if island.system.factor.analyse(members.len(), edges, max, similar) {
-                stats.island_index = Some(*count as u32);
+                stats.island_index = Some(IslandIndex::new(*count));
                 *count += 1;
             } else {
                 (merged.is_direct, merged.pause) = (false, BUSY_ISLAND_PAUSE);
                 timer.has_paused = true;
             }
             if selects {
-                members.iter().for_each(|&(_, body)| history[body as usize] = merged);
+                members.iter().for_each(|&(_, body)| history[body] = merged);
             }
         }
     }
@@ -132,30 +134,32 @@ impl DirectSolver {
     /// Lists the contacts of each island of the direct solver, in ascending order of the creation numbers of their geoms. A
     /// contact that is not planar is left out, and its impulses are set to 0.
     pub(crate) fn list_contacts(&mut self, pairs: &Pairs, proxies: &Proxies, rows: &mut ConstraintGraph) {
-        let DirectSolver { islands, census, keyed_items, sort_keys, .. } = self;
-        keyed_items.clear();
+        let DirectSolver { islands, census, keyed_pairs, sort_keys, .. } = self;
+        keyed_pairs.clear();
         let all = (0..pairs.awake_count)
             .filter(|&pair| pairs.constraint(pair).is_some_and(|(_, handle)| handle.is_in_direct_solver()));
-        keyed_items.extend(all.map(|pair| {
+        keyed_pairs.extend(all.map(|pair| {
             let [_, (body, _)] = pairs.bodies_of(proxies, pair);
-            (census.stats_of(body as u32).island_index.unwrap_or(0), pair as u32)
+            let island = census.stats_of(BodyIndex::new(body)).island_index;
+            (island.unwrap_or_default(), PairIndex::new(pair))
         }));
         // Island by island, and within an island by creation numbers.
-        sort_by_number_in(sort_keys, keyed_items, |&(_, pair)| {
-            pairs.creation_numbers(proxies, pair as usize)
+        sort_by_number_in(sort_keys, keyed_pairs, |&(_, pair)| {
+            pairs.creation_numbers(proxies, pair.position())
         });
-        sort_by_number_in(sort_keys, keyed_items, |&(place, _)| place.into());
-        for &(place, pair) in keyed_items.iter() {
-            let Some((_, handle)) = pairs.constraint(pair as usize) else { continue };
-            let DirectIsland { system, contact_handles, contact_bodies, .. } = &mut islands[place as usize];
+        sort_by_number_in(sort_keys, keyed_pairs, |&(island, _)| island.0.into());
+        for &(island, pair) in keyed_pairs.iter() {
+            let Some((_, handle)) = pairs.constraint(pair.position()) else { continue };
+            let DirectIsland { system, contact_handles, contact_bodies, .. } = &mut islands[island];
             let contact = &mut rows.direct_constraint_mut(handle).constraint;
             if !is_planar(contact) {
                 clear_impulses(contact);
                 continue;
             }
             let ContactConstraint { a, b, .. } = *contact;
-            let member_of = |body: u32| system.members.binary_search_by_key(&body, |member| member.body);
-            let bodies = [a, b].map(|body| member_of(body).map_or(FIXED, MemberIndex::new));
+            let member_of =
+                |body: BodyIndex| system.members.binary_search_by_key(&body, |member| member.body);
+            let bodies = [a, b].map(|body| member_of(BodyIndex(body)).map_or(FIXED, MemberIndex::new));
             let are_dynamic = bodies.iter().all(|&member| member != FIXED);
             let entry = are_dynamic.then(|| system.factor.block_index(bodies[0], bodies[1]));
             contact_handles.push(handle);
@@ -167,30 +171,37 @@ impl DirectSolver {
     /// only.
     pub(crate) fn list_joints(&mut self, joints: &JointSystem, springs: &SpringRows) {
         let DirectSolver { islands, census, history, .. } = self;
-        let of_joints = joints.candidates().map(|joint| (joint, false));
-        let all = of_joints.chain(springs.candidates().map(|spring| (spring, true)));
-        for (joint, is_spring) in all {
+        for joint in joints.candidates().chain(springs.candidates()) {
             let Some(body) = joint.first_dynamic_body() else { continue };
-            if !history.get(body as usize).is_some_and(|entry| entry.is_direct) {
+            if !history.at(body).is_some_and(|entry| entry.is_direct) {
                 continue;
             }
-            let Some(place) = census.stats_of(body).island_index else { continue };
+            let Some(island) = census.stats_of(body).island_index else { continue };
             let DirectIsland { system, joints, joint_bodies, springs, spring_bodies, .. } =
-                &mut islands[place as usize];
-            let member_of = |body: u32| system.members.binary_search_by_key(&body, |member| member.body);
+                &mut islands[island];
+            let member_of =
+                |body: BodyIndex| system.members.binary_search_by_key(&body, |member| member.body);
             let bodies = joint.bodies.map(|body| member_of(body).map_or(FIXED, MemberIndex::new));
             let are_dynamic = bodies.iter().all(|&member| member != FIXED);
             let entry = are_dynamic.then(|| system.factor.block_index(bodies[0], bodies[1]));
-            let (list, ends) = if is_spring { (springs, spring_bodies) } else { (joints, joint_bodies) };
-            list.push(joint.joint);
-            ends.push(BodyIndices { bodies, block: entry });
+            let ends = BodyIndices { bodies, block: entry };
+            match joint.index {
+                CandidateIndex::Joint(index) => {
+                    joints.push(index);
+                    joint_bodies.push(ends);
+                }
+                CandidateIndex::Spring(index) => {
+                    springs.push(index);
+                    spring_bodies.push(ends);
+                }
+            }
         }
     }
 }
 
 impl DirectIsland {
     /// Clears all lists of the island, and makes `members` its members: pairs of the union-find root and a body index.
-    pub(super) fn begin(&mut self, members: &[(u32, u32)]) {
+    pub(super) fn begin(&mut self, members: &[(BodyIndex, BodyIndex)]) {
         self.contact_handles.clear();
         self.contact_bodies.clear();
         self.joints.clear();
@@ -208,17 +219,17 @@ impl DirectIsland {
 /// Lists in `edges` the pairs of members that touch, as indices into `members`: smaller index first, in ascending order, each
 /// pair once. `members` are pairs of the union-find root and a body index; `order` is scratch of the sorting.
 pub(super) fn list_contact_edges(
-    members: &[(u32, u32)],
+    members: &[(BodyIndex, BodyIndex)],
     pairs: &Pairs,
     proxies: &Proxies,
     edges: &mut Vec<[MemberIndex; 2]>,
     order: &mut Vec<(u128, u32)>,
 ) {
-    let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
+    let place = |body: BodyIndex| members.binary_search_by_key(&body, |member| member.1).ok();
     edges.clear();
     for (one, &(_, body)) in members.iter().enumerate() {
-        for pair in pairs.pairs_of_body(proxies, body as usize) {
-            let [a, b] = pairs.bodies_of(proxies, pair).map(|(body, _)| body as u32);
+        for pair in pairs.pairs_of_body(proxies, body.position()) {
+            let [a, b] = pairs.bodies_of(proxies, pair).map(|(body, _)| BodyIndex::new(body));
             let other = if a == body { b } else { a };
             if pairs.has_constraint(pair) && body < other {
                 edges.extend(place(other).map(|other| [one, other].map(MemberIndex::new)));
@@ -234,28 +245,28 @@ pub(super) fn list_contact_edges(
 pub(super) fn list_jointed_bodies(
     (joints, springs): (&JointSystem, &SpringRows),
     union_find: &mut UnionFind,
-    jointed_bodies: &mut Vec<(u32, [u32; 2])>,
+    jointed_bodies: &mut Vec<(BodyIndex, [BodyIndex; 2])>,
     order: &mut Vec<(u128, u32)>,
 ) {
     jointed_bodies.clear();
     let all = joints.candidates().chain(springs.candidates());
-    let of_two = all.map(|joint| joint.bodies).filter(|[a, b]| *a != 0 && *b != 0);
-    jointed_bodies.extend(of_two.map(|bodies| (union_find.find(bodies[0]), bodies)));
-    sort_by_number_in(order, jointed_bodies, |&(root, _)| root.into());
+    let of_two = all.filter_map(|joint| joint.dynamic_pair());
+    jointed_bodies.extend(of_two.map(|bodies| (BodyIndex(union_find.find(bodies[0].0)), bodies)));
+    sort_by_number_in(order, jointed_bodies, |&(root, _)| root.0.into());
 }
 
 /// Adds to `edges`, the edges of one island, the pairs of members that joints and springs connect, as indices into `members`.
 /// The edges stay sorted, each pair once. `jointed_bodies` is the result of [`list_jointed_bodies`]; `order` is scratch of the
 /// sorting.
 pub(super) fn add_joint_edges(
-    members: &[(u32, u32)],
-    jointed_bodies: &[(u32, [u32; 2])],
+    members: &[(BodyIndex, BodyIndex)],
+    jointed_bodies: &[(BodyIndex, [BodyIndex; 2])],
     edges: &mut Vec<[MemberIndex; 2]>,
     order: &mut Vec<(u128, u32)>,
 ) {
     let root = members[0].0;
     let first = jointed_bodies.partition_point(|&(other, _)| other < root);
-    let place = |body: u32| members.binary_search_by_key(&body, |member| member.1).ok();
+    let place = |body: BodyIndex| members.binary_search_by_key(&body, |member| member.1).ok();
     for &(_, [a, b]) in jointed_bodies[first..].iter().take_while(|&&(other, _)| other == root) {
         if let (Some(a), Some(b)) = (place(a), place(b)) {
             edges.push([a.min(b), a.max(b)].map(MemberIndex::new));

@@ -6,11 +6,12 @@
 use super::DirectSolver;
 use super::cost_model::update_budget;
 use super::island_body::MemberIndex;
-use super::island_history::{IslandHistory, ReselectionTimer};
+use super::island_history::{Histories, IslandHistory, ReselectionTimer};
 use super::island_io::{DirectIsland, RowReader, free_velocity};
 use super::island_newton::{SolveStats, Tolerances};
 use crate::bodies::BodySet;
 use crate::constraint_graph::ConstraintGraph;
+use crate::index::DenseIndex;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
 use crate::parameters::direct::{
@@ -45,7 +46,7 @@ impl DirectSolver {
         let has_changed = solver.constraints.take_direct_change()
             | (std::mem::replace(&mut self.step_lengths, seconds) != seconds);
         let DirectSolver { islands, count, history, timer, scratch, .. } = self;
-        for island in &mut islands[..*count] {
+        for island in islands.slice_mut(..*count) {
             island.has_impulse_sum &= !has_changed;
             island.system.swap_scratch(scratch);
             solver.try_and_solve(island, history, timer);
@@ -56,15 +57,15 @@ impl DirectSolver {
 
     /// Writes the velocities and displacements of the members of all islands to `bodies`, after a step of `dt` seconds.
     pub(crate) fn store(&self, bodies: &mut BodySet, dt: f32) {
-        for DirectIsland { system, displacements, .. } in &self.islands[..self.count] {
+        for DirectIsland { system, displacements, .. } in self.islands.slice(..self.count) {
             for (member, displacement) in system.members.iter().zip(displacements) {
                 // Adding 0 removes negative zeros, which a body that cannot rotate may get here and a loaded snapshot never
                 // has.
                 let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
                 let depth = member.depth_velocity as f32 + 0.0;
-                bodies.states[member.index()].velocity = [x, y, spin, depth];
+                bodies.states[member.body.position()].velocity = [x, y, spin, depth];
                 let [x, y, turned] = displacement.map(|component| component as f32);
-                bodies.delta_pose[member.index()] = [x, y, turned, depth * dt];
+                bodies.delta_pose[member.body.position()] = [x, y, turned, depth * dt];
             }
         }
     }
@@ -76,7 +77,7 @@ impl IslandSolver<'_> {
     fn try_and_solve(
         &mut self,
         island: &mut DirectIsland,
-        history: &mut [IslandHistory],
+        history: &mut Histories,
         timer: &mut ReselectionTimer,
     ) {
         if std::mem::take(&mut island.is_on_trial) {
@@ -85,9 +86,9 @@ impl IslandSolver<'_> {
                 return;
             }
             let members = &island.system.members;
-            members.iter().for_each(|member| history[member.index()].friction_checks = 0);
+            members.iter().for_each(|member| history[member.body].friction_checks = 0);
         }
-        let stats = self.solve_island(island, history[island.system.members[MemberIndex(0)].index()]);
+        let stats = self.solve_island(island, history[island.system.members[MemberIndex(0)].body]);
         record_stats(history, timer, island, stats, self.has_depth);
         island.newton_steps = stats.newton_steps;
     }
@@ -128,8 +129,8 @@ impl IslandSolver<'_> {
         system.solve(&contact_tolerances(residual, unit));
         let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
         system.members.iter().any(|member| {
-            let [x0, y0, ..] = bodies.states[member.index()].velocity.map(f64::from);
-            let [x, y, ..] = free_velocity(bodies, member.index(), reader.substeps);
+            let [x0, y0, ..] = bodies.states[member.body.position()].velocity.map(f64::from);
+            let [x, y, ..] = free_velocity(bodies, member.body.position(), reader.substeps);
             let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
             speed([member.velocity[0], member.velocity[1]]) > most + reader.velocity_tolerance
         })
@@ -167,7 +168,7 @@ impl IslandSolver<'_> {
         island.is_released = *choice != SolverChoice::Direct && !stats.is_solved && !has_budget;
         if island.is_released {
             island.system.scale_down_impulses(|at| {
-                let [x, y, spin, _] = free_velocity(bodies, at as usize, substeps);
+                let [x, y, spin, _] = free_velocity(bodies, at.position(), substeps);
                 [x, y, spin]
             });
         } else {
@@ -211,7 +212,7 @@ fn contact_tolerances(residual: f64, unit: f64) -> Tolerances {
 /// Islands that may jam get no pause below [`DEPTH_NEWTON_LIMIT`]: a direct solution in every other update is better than the
 /// iterative solver.
 fn record_stats(
-    histories: &mut [IslandHistory],
+    histories: &mut Histories,
     timer: &mut ReselectionTimer,
     island: &DirectIsland,
     stats: SolveStats,
@@ -223,7 +224,7 @@ fn record_stats(
     let SolveStats { newton_steps: steps, is_solved, .. } = stats;
     let (system, contacts) = (&island.system, island.contact_handles.len());
     let bodies = system.members.len();
-    let mut history = histories[system.members[MemberIndex(0)].index()];
+    let mut history = histories[system.members[MemberIndex(0)].body];
     history.average_newton_steps += (steps as f32 - history.average_newton_steps) / NEWTON_AVERAGE_UPDATES;
     history.was_iterated = steps > 0;
     let has_cycles = usize::from(contacts > bodies);
@@ -239,6 +240,6 @@ fn record_stats(
         }
     }
     for member in system.members.iter() {
-        histories[member.index()] = history;
+        histories[member.body] = history;
     }
 }

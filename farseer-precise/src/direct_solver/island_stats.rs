@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::index::{BodyIndex, IndexedVec, index_type};
 use crate::island::union_find::UnionFind;
 use crate::island_report::SolverReason;
 use crate::parameters::direct::{
@@ -10,13 +11,18 @@ use crate::parameters::direct::{
 use crate::reusing_clone;
 use crate::solver_choice::SolverChoice;
 
+index_type! {
+    /// Index of an island of the direct solver.
+    pub(super) struct IslandIndex;
+}
+
 /// The islands of awake bodies, with the facts about each.
 #[derive(Debug, Default)]
 pub struct IslandCensus {
     /// Union-find of body indices: one set per island.
     pub(super) union_find: UnionFind,
     /// Facts about each island, by the body index that is its union-find root.
-    pub(super) stats: Vec<IslandStats>,
+    pub(super) stats: IndexedVec<BodyIndex, IslandStats>,
     /// Ranges of body indices with awake bodies in the last census. Outside of them each body is an island without facts, but
     /// for contacts of sleeping bodies with kinematic ones.
     awake_body_runs: Vec<Range<usize>>,
@@ -31,7 +37,7 @@ impl IslandCensus {
         if self.stats.len() == bodies {
             for run in self.awake_body_runs.iter().chain(awake_body_runs) {
                 self.union_find.separate(run.clone());
-                self.stats[run.clone()].fill(IslandStats::default());
+                self.stats.slice_mut(run.clone()).fill(IslandStats::default());
             }
         } else {
             self.union_find.reset(bodies);
@@ -44,13 +50,20 @@ impl IslandCensus {
 
     /// Returns whether an island has a joint or a spring.
     pub(super) fn has_joints(&self) -> bool {
-        self.awake_body_runs.iter().any(|run| self.stats[run.clone()].iter().any(|of| of.joints > 0))
+        self.awake_body_runs.iter().any(|run| self.stats.slice(run.clone()).iter().any(|of| of.joints > 0))
     }
 
     /// Returns the facts about the island of the body with index `body`.
     #[inline(always)]
-    pub fn stats_of(&mut self, body: u32) -> &mut IslandStats {
-        &mut self.stats[self.union_find.find(body) as usize]
+    pub fn stats_of(&mut self, body: BodyIndex) -> &mut IslandStats {
+        let root = self.root_of(body);
+        &mut self.stats[root]
+    }
+
+    /// Returns the body that is the union-find root of the island of a body.
+    #[inline(always)]
+    pub(super) fn root_of(&mut self, body: BodyIndex) -> BodyIndex {
+        BodyIndex(self.union_find.find(body.0))
     }
 }
 
@@ -97,7 +110,7 @@ pub struct IslandStats {
     /// Whether a much heavier body may jam a light one in the island: see [`classify_load`](super::selection::SolverSelection::classify_load).
     pub(super) may_jam: bool,
     /// Index of the island in the list of the direct solver; `None` if the iterative solver has it.
-    pub(super) island_index: Option<u32>,
+    pub(super) island_index: Option<IslandIndex>,
 }
 
 impl IslandStats {

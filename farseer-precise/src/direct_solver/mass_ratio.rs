@@ -17,6 +17,7 @@ use super::island_stats::IslandStats;
 use super::load::{exceeds_mass_ratio, is_heavy_on_light};
 use super::selection::SolverSelection;
 use crate::constraint_graph::ContactConstraint;
+use crate::index::{BodyIndex, DenseIndex};
 use crate::parameters::direct::{
     CYCLIC_DEPTH_ISLAND_BODIES, HEAVY_MASS_RATIO, JAMMING_MASS_RATIO, LOADED_TOWER_BODIES,
 };
@@ -52,7 +53,7 @@ impl SolverSelection<'_> {
         }
         let light = if a < b { contact.b } else { contact.a };
         let is_heavy = exceeds_mass_ratio([a, b], self.heavy_mass_ratio())
-            && !self.color_usage.has_at_most_one_constraint(light as usize);
+            && !self.color_usage.has_at_most_one_constraint(BodyIndex(light).position());
         [
             is_heavy && is_heavy_on_light([a, b], contact.normal, self.gravity_delta),
             is_heavy && exceeds_mass_ratio([a, b], JAMMING_MASS_RATIO),

@@ -45,27 +45,28 @@ pub mod mass_ratio;
 pub mod mat3;
 pub mod selection;
 
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex};
 use crate::island::sleep::SleepState;
 use crate::parameters::direct::RESELECTION_PERIOD;
 use crate::reusing_clone;
 use crate::solver_choice::SolverChoice;
 use island_body::MemberIndex;
-pub use island_history::{IslandHistory, ReselectionTimer};
+pub use island_history::{Histories, IslandHistory, ReselectionTimer};
 use island_io::DirectIsland;
 use island_newton::SolutionScratch;
-use island_stats::IslandCensus;
+use island_stats::{IslandCensus, IslandIndex};
 
 /// The direct solver of a simulator: its islands, the histories of all islands, and the scratch space of solver selection.
 #[derive(Debug, Default)]
 pub struct DirectSolver {
     /// Island history of each body, by body index: solver, costs, pauses and friction checks of its island in past updates.
-    pub history: Vec<IslandHistory>,
+    pub history: Histories,
     /// Timer of solver selection: decides in which update solvers are selected anew for all islands.
     pub timer: ReselectionTimer,
     /// Whether `islands` lists the present contacts and joints. If not, they are listed before the next solve.
     is_listed: bool,
     /// Islands of the direct solver. The first `count` are in use; the others keep their memory.
-    islands: Vec<DirectIsland>,
+    islands: IndexedVec<IslandIndex, DirectIsland>,
     /// Memory of the rows and blocks of the island that is being solved.
     scratch: SolutionScratch,
     /// Number of islands in use, a count of the first elements of `islands`.
@@ -74,20 +75,21 @@ pub struct DirectSolver {
     step_lengths: [f32; 2],
     /// Islands of the last solver selection or listing, with the facts about each.
     pub(crate) census: IslandCensus,
-    /// Scratch: pairs of an island and its body or pair, sorted by island. The first number is a union-find root or an index
-    /// into `islands`, the second a body index or pair index.
-    keyed_items: Vec<(u32, u32)>,
+    /// Scratch: the union-find root of an island and a member of it, sorted by root.
+    keyed_bodies: Vec<(BodyIndex, BodyIndex)>,
+    /// Scratch: islands and their touching pairs, sorted by island.
+    keyed_pairs: Vec<(IslandIndex, PairIndex)>,
     /// Scratch: edges of the graph of one island, as indices into its members, smaller index first.
     edges: Vec<[MemberIndex; 2]>,
     /// Scratch: for each joint and spring between two dynamic bodies, the union-find root of its island and the two body
     /// indices.
-    jointed_bodies: Vec<(u32, [u32; 2])>,
+    jointed_bodies: Vec<(BodyIndex, [BodyIndex; 2])>,
     /// Scratch of sorting: packed key and index of each item.
     sort_keys: Vec<(u128, u32)>,
 }
 
 reusing_clone! {
-    DirectSolver { history, timer, is_listed, islands, scratch, count, step_lengths, census, keyed_items, edges, jointed_bodies, sort_keys }
+    DirectSolver { history, timer, is_listed, islands, scratch, count, step_lengths, census, keyed_bodies, keyed_pairs, edges, jointed_bodies, sort_keys }
 }
 
 impl DirectSolver {
@@ -101,6 +103,7 @@ impl DirectSolver {
 
     /// Clears the island history of a removed body. Makes solver selection due if its island was in the direct solver.
     pub fn forget_body(&mut self, body: usize) {
+        let body = BodyIndex::new(body);
         self.timer.is_due |= self.history[body].is_direct;
         self.history[body] = IslandHistory::default();
     }
@@ -108,21 +111,21 @@ impl DirectSolver {
     /// Returns whether the direct solver has the island of this body.
     #[inline(always)]
     pub fn is_direct(&self, body: usize) -> bool {
-        self.history.get(body).is_some_and(|history| history.is_direct)
+        self.history.at(BodyIndex::new(body)).is_some_and(|history| history.is_direct)
     }
 
     /// Makes solver selection due after a contact constraint between `bodies` was added or removed: in this update if one of
     /// them is in the direct solver. Otherwise selection follows within the period, in 2D only (`has_depth` is false).
     #[inline(always)]
     pub(crate) fn note_constraint_change(&mut self, bodies: [u32; 2], has_depth: bool) {
-        self.timer.is_due |= bodies.iter().any(|&body| self.is_direct(body as usize));
+        self.timer.is_due |= bodies.iter().any(|&body| self.is_direct(BodyIndex(body).position()));
         self.timer.may_be_due |= !has_depth;
     }
 
     /// Starts friction checks for `body`, the dynamic body B of a new contact. Has no effect in 2.5D (`has_depth`), nor if the
     /// island of the body is in the direct solver or was formed by motion.
     pub(crate) fn watch_friction(&mut self, body: u32, has_depth: bool) {
-        let history = &mut self.history[body as usize];
+        let history = &mut self.history[BodyIndex(body)];
         if !(has_depth || history.is_direct || history.formed_by_motion) {
             history.begin_friction_checks();
         }
@@ -155,9 +158,10 @@ impl DirectSolver {
     /// Returns, for each island of the direct solver, the index of its first body and its number of Newton steps in the last
     /// update.
     pub fn newton_steps_of_islands(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let first =
-            |island: &DirectIsland| Some((island.system.members.first()?.index(), island.newton_steps));
-        self.islands[..self.count].iter().filter_map(first)
+        let first = |island: &DirectIsland| {
+            Some((island.system.members.first()?.body.position(), island.newton_steps))
+        };
+        self.islands.slice(..self.count).iter().filter_map(first)
     }
 
     /// Returns whether the direct solver has no island and solver selection is not due, so that both can be skipped.
@@ -180,7 +184,7 @@ impl DirectSolver {
     pub(crate) fn count_friction_checks(&mut self, sleep: &SleepState) -> bool {
         let mut is_due = false;
         for run in sleep.awake_body_runs.iter().cloned() {
-            for (body, history) in run.clone().zip(&mut self.history[run]) {
+            for (body, history) in run.clone().zip(self.history.slice_mut(run)) {
                 if history.has_friction_check() && sleep.is_awake(body) {
                     is_due |= history.is_friction_check_due();
                 }

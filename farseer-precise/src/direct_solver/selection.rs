@@ -3,7 +3,7 @@
 //! From these facts the direct solver [takes islands](super::island_members) and lists their members.
 
 use super::constraint::Jacobian;
-use super::island_history::IslandHistory;
+use super::island_history::{Histories, IslandHistory};
 use super::island_stats::IslandCensus;
 use super::lateral_friction::blocks_planar_solution;
 use super::load::exceeds_mass_ratio;
@@ -11,6 +11,7 @@ use crate::bodies::BodySet;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint, ContactPoint};
+use crate::index::{BodyIndex, DenseIndex};
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
@@ -35,7 +36,7 @@ pub struct SolverSelection<'a> {
     pub(crate) sleep: &'a SleepState,
     pub(crate) parameters: &'a Parameters,
     /// Island history of each body, by body index.
-    pub(crate) history: &'a [IslandHistory],
+    pub(crate) history: &'a Histories,
     /// Velocity change by gravity in the step, for a body of gravity scale 1, in length units/s.
     pub(crate) gravity_delta: Vector,
     /// Length of the step, in seconds.
@@ -54,7 +55,8 @@ impl SolverSelection<'_> {
     /// keep such a contact.
     pub(crate) fn has_rejected_contact(&self) -> bool {
         let is_rejected = |contact: &ContactConstraint| {
-            let velocities = [contact.a, contact.b].map(|body| self.bodies.states[body as usize].velocity);
+            let velocity = |body| self.bodies.states[BodyIndex(body).position()].velocity;
+            let velocities = [contact.a, contact.b].map(velocity);
             self.bounces(contact, velocities) || self.blocks_planar_solution(contact, velocities)
         };
         self.constraints.direct_constraints().iter().any(|row| is_rejected(&row.constraint))
@@ -83,11 +85,12 @@ impl SolverSelection<'_> {
     /// calm, was due for a friction check in this update, and belongs to an island built in place.
     fn is_slipping(&self, pair: usize) -> bool {
         let body = self.pairs.bodies_of(self.proxies, pair)[1].0;
-        let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } = self.history[body];
+        let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } =
+            self.history[BodyIndex::new(body)];
         let was_checked = friction_checks > 1
             && friction_check_in == 1 << (friction_checks - 1).min(FRICTION_CHECK_MAX_DOUBLINGS);
-        let velocity = |body: u32| self.bodies.states[body as usize].velocity;
-        let is_calm = || !self.exceeds_calm_speed(velocity(body as u32));
+        let velocity = |body: BodyIndex| self.bodies.states[body.position()].velocity;
+        let is_calm = || !self.exceeds_calm_speed(velocity(BodyIndex::new(body)));
         let constraint = self.pairs.constraint(pair).filter(|(_, handle)| {
             was_checked && !formed_by_motion && !handle.is_in_direct_solver() && is_calm()
         });
@@ -103,19 +106,20 @@ impl SolverSelection<'_> {
 
     /// Computes the islands of awake bodies and the facts about each, into `census`. `velocity` returns the velocity of a body: x
     /// and y (length units/s), angular (radians/s), depth axis (length units/s).
-    pub fn count_islands(&self, census: &mut IslandCensus, velocity: &dyn Fn(u32) -> [f32; 4]) {
+    pub fn count_islands(&self, census: &mut IslandCensus, velocity: &dyn Fn(BodyIndex) -> [f32; 4]) {
         census.reset(self.bodies.states.len(), &self.sleep.awake_body_runs);
         self.unite_bodies(&mut census.union_find);
         for body in
             self.sleep.awake_bodies(self.bodies.last_movable).filter(|&body| !self.bodies.is_kinematic(body))
         {
-            let (stats, history) = (census.stats_of(body as u32), self.history[body]);
+            let index = BodyIndex::new(body);
+            let (stats, history) = (census.stats_of(index), self.history[index]);
             stats.bodies += 1;
             stats.direct_bodies += u32::from(history.is_direct);
             stats.has_unsupported_joint |= self.has_depth && self.joints.has_joint(body);
             stats.was_paused |= history.back_off > 0;
             stats.pause = stats.pause.max(history.pause);
-            stats.moves |= self.exceeds_calm_speed(velocity(body as u32));
+            stats.moves |= self.exceeds_calm_speed(velocity(index));
             stats.formed_by_motion |= history.formed_by_motion;
         }
         self.count_joints(census);
@@ -124,12 +128,12 @@ impl SolverSelection<'_> {
 
     /// Adds the contacts to the facts about their islands. `velocity` returns the velocity of a body, as in
     /// [`count_islands`](Self::count_islands).
-    fn count_contacts(&self, census: &mut IslandCensus, velocity: &dyn Fn(u32) -> [f32; 4]) {
+    fn count_contacts(&self, census: &mut IslandCensus, velocity: &dyn Fn(BodyIndex) -> [f32; 4]) {
         let heavy_ratio = self.heavy_mass_ratio();
         for pair in 0..self.pairs.awake_count {
             let Some((kind, handle)) = self.pairs.constraint(pair) else { continue };
             let [(one, mobility), (body, _)] = self.pairs.bodies_of(self.proxies, pair);
-            let stats = census.stats_of(body as u32);
+            let stats = census.stats_of(BodyIndex::new(body));
             stats.contacts += 1;
             stats.has_unsupported_joint |= mobility == BodyType::Hinged;
             stats.has_depth = self.has_depth;
@@ -141,7 +145,7 @@ impl SolverSelection<'_> {
             let inverse_masses = [one, body].map(|body| self.bodies.inverse_mass_inertia[body][0]);
             if self.has_restitution || stats.has_depth || exceeds_mass_ratio(inverse_masses, heavy_ratio) {
                 let contact = self.constraints.get(kind, handle);
-                let velocities = [contact.a, contact.b].map(velocity);
+                let velocities = [contact.a, contact.b].map(|body| velocity(BodyIndex(body)));
                 stats.bounces |= self.bounces(&contact, velocities);
                 stats.has_nonplanar_contact |= self.blocks_planar_solution(&contact, velocities);
                 let [is_heavy_on_light, may_jam] = self.classify_load(&contact);
@@ -174,8 +178,8 @@ impl SolverSelection<'_> {
         }
         if !self.has_depth {
             let of_joints = self.joints.candidates().chain(self.springs.candidates());
-            for [a, b] in of_joints.map(|joint| joint.bodies).filter(|[a, b]| *a != 0 && *b != 0) {
-                union_find.unite(a, b);
+            for [a, b] in of_joints.filter_map(|joint| joint.dynamic_pair()) {
+                union_find.unite(a.0, b.0);
             }
         }
     }
@@ -204,8 +208,8 @@ fn bounces(contact: &ContactConstraint, [a, b]: [[f32; 4]; 2], min_speed: f32) -
 
 /// Returns whether a contact slides faster than `limit` (length units/s) although its friction is within the limit. `velocity`
 /// returns the velocity of a body.
-fn slips(contact: &ContactConstraint, velocity: &dyn Fn(u32) -> [f32; 4], limit: f32) -> bool {
-    let [a, b] = [contact.a, contact.b].map(|body| velocity(body).map(f64::from));
+fn slips(contact: &ContactConstraint, velocity: &dyn Fn(BodyIndex) -> [f32; 4], limit: f32) -> bool {
+    let [a, b] = [contact.a, contact.b].map(|body| velocity(BodyIndex(body)).map(f64::from));
     let [.., along] =
         Jacobian::of_contact(contact).relative_velocities([a[0], a[1], a[2]], [b[0], b[1], b[2]]);
     let friction_limit =

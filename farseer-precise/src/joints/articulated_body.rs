@@ -17,6 +17,9 @@
 //! Trees that have only rigid revolute joints and no contacts use the same formulas in [`revolute_tree`](super::revolute_tree).
 //! All numbers are `f64`: along a long chain the reciprocal of the inertia loses half of its digits.
 
+use super::joint_constraint::JointIndex;
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
+
 /// A vector in the plane: x and y.
 pub type Vec2 = [f64; 2];
 
@@ -210,15 +213,23 @@ impl ArticulatedMomentum {
     }
 }
 
+index_type! {
+    /// Index of a link in the list of its articulation.
+    pub(super) struct LinkIndex;
+}
+
+/// The links of an articulation.
+pub(super) type Links<N> = IndexedVec<LinkIndex, N>;
+
 /// A link: a body in a tree of joints. Parents come before their children in the list of links; a root is its own parent.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ArticulatedLink {
     /// Index of the body into the arrays of `BodySet`; 0 for the world.
-    pub(super) body: u32,
+    pub(super) body: BodyIndex,
     /// Index of the parent in the list of links.
-    pub(super) parent: u32,
+    pub(super) parent: LinkIndex,
     /// Index of the joint with the parent into `JointSystem::constraints`.
-    pub(super) joint: u32,
+    pub(super) joint: JointIndex,
     /// Degrees of freedom that the joint with the parent locks, or how a root is held.
     pub(super) locked: LockedDofs,
     /// Whether this body is the first body of the joint, and the parent the second.
@@ -312,42 +323,43 @@ pub(super) struct AbaScratch {
 ///
 /// The function is not inlined because it has many callers.
 #[inline(never)]
-pub(super) fn propagate_up(links: &mut [ArticulatedLink]) {
+pub(super) fn propagate_up(links: &mut Links<ArticulatedLink>) {
     for_each_up(links, ArticulatedLink::propagate_up);
 }
 
 /// Backward pass of the articulated-body algorithm for momenta and target velocities only, with the inertias of the last
 /// [`propagate_up`].
 #[inline(never)]
-pub(super) fn propagate_momentum_up(links: &mut [ArticulatedLink]) {
+pub(super) fn propagate_momentum_up(links: &mut Links<ArticulatedLink>) {
     for_each_up(links, ArticulatedLink::propagate_momentum_up);
 }
 
 /// Forward pass of the articulated-body algorithm: computes velocities and joint impulses, from the roots to the leaves.
 #[inline(never)]
-pub(super) fn propagate_down(links: &mut [ArticulatedLink]) {
+pub(super) fn propagate_down(links: &mut Links<ArticulatedLink>) {
     for_each_down(links, ArticulatedLink::propagate_down);
 }
 
 /// A node of a tree in a list in which parents come before their children.
 pub(super) trait TreeNode {
     /// Returns the index of the parent in the list; a root returns its own index.
-    fn parent(&self) -> usize;
+    fn parent(&self) -> LinkIndex;
 }
 
 impl TreeNode for ArticulatedLink {
     #[inline(always)]
-    fn parent(&self) -> usize {
-        self.parent as usize
+    fn parent(&self) -> LinkIndex {
+        self.parent
     }
 }
 
 /// Calls `visit` with each node that has a parent and with that parent, children before parents.
 #[inline(always)]
-pub(super) fn for_each_up<N: TreeNode>(links: &mut [N], mut visit: impl FnMut(&mut N, &mut N)) {
+pub(super) fn for_each_up<N: TreeNode>(links: &mut Links<N>, mut visit: impl FnMut(&mut N, &mut N)) {
+    let links = links.slice_mut(..);
     for at in (1..links.len()).rev() {
         let (before, rest) = links.split_at_mut(at);
-        if let Some(parent) = before.get_mut(rest[0].parent()) {
+        if let Some(parent) = before.get_mut(rest[0].parent().position()) {
             visit(&mut rest[0], parent);
         }
     }
@@ -355,11 +367,15 @@ pub(super) fn for_each_up<N: TreeNode>(links: &mut [N], mut visit: impl FnMut(&m
 
 /// Calls `visit` with each node and its parent, parents before children. The parent of a root is `None`.
 #[inline(always)]
-pub(super) fn for_each_down<N: TreeNode>(links: &mut [N], mut visit: impl FnMut(&mut N, Option<&mut N>)) {
+pub(super) fn for_each_down<N: TreeNode>(
+    links: &mut Links<N>,
+    mut visit: impl FnMut(&mut N, Option<&mut N>),
+) {
+    let links = links.slice_mut(..);
     for at in 0..links.len() {
         let (before, rest) = links.split_at_mut(at);
         let parent = rest[0].parent();
-        visit(&mut rest[0], before.get_mut(parent));
+        visit(&mut rest[0], before.get_mut(parent.position()));
     }
 }
 

@@ -1,10 +1,11 @@
 //! An articulation of the joints in the plane: its bodies, its joints and, if it is a tree, its links.
 
-use super::articulated_body::{ArticulatedLink, LockedDofs};
+use super::articulated_body::{ArticulatedLink, Links, LockedDofs};
 use super::forest::{ArticulationPlan, TreeEntry};
-use super::joint_constraint::JointConstraint;
+use super::joint_constraint::{JointIndex, JointList};
 use super::revolute_tree::{RevoluteLink, revolute_links};
 use crate::bodies::BodySet;
+use crate::index::{BodyIndex, DenseIndex};
 use crate::mass::mass_of_inverse;
 use crate::reusing_clone;
 
@@ -13,17 +14,17 @@ use crate::reusing_clone;
 pub(super) struct Articulation {
     /// The links of the articulation's trees. Empty if a joint is no edge of a tree: it closes a loop, or has a motor, limits
     /// or a greatest impulse.
-    pub(super) links: Vec<ArticulatedLink>,
+    pub(super) links: Links<ArticulatedLink>,
     /// Indices of the dynamic bodies into the arrays of `BodySet`.
-    pub(super) bodies: Vec<u32>,
+    pub(super) bodies: Vec<BodyIndex>,
     /// Indices of the joints into `JointSystem::constraints`.
-    pub(super) joints: Vec<u32>,
+    pub(super) joints: Vec<JointIndex>,
     /// Whether joints without a range and without a greatest impulse close a loop.
     pub(super) has_loop: bool,
     /// Whether some joint is compliant. It yields in every substep, so that it needs the solver's substeps.
     pub(super) is_soft: bool,
     /// The bodies and joints of `links` as revolute links, if all joints are rigid revolute joints; else empty.
-    pub(super) revolute_links: Vec<RevoluteLink>,
+    pub(super) revolute_links: Links<RevoluteLink>,
     /// Whether no contact, spring or compliant joint acts on a body of the articulation in this step.
     pub(super) is_contact_free: bool,
     /// Whether the direct solver has solved the articulation in this step.
@@ -36,16 +37,21 @@ reusing_clone! { Articulation { links, bodies, joints, has_loop, is_soft, revolu
 
 impl Articulation {
     /// Returns the articulation of a plan, whose trees have the masses of `bodies` and the degrees of freedom of `constraints`.
-    pub(super) fn new(plan: ArticulationPlan, constraints: &[JointConstraint], bodies: &BodySet) -> Self {
-        let dynamic_bodies = plan.entries.iter().map(|entry| entry.body).filter(|&body| body != 0).collect();
-        let has_drive = |&at: &u32| constraints[at as usize].drive.is_some();
+    pub(super) fn new(plan: ArticulationPlan, constraints: &JointList, bodies: &BodySet) -> Self {
+        let dynamic_bodies = plan
+            .entries
+            .iter()
+            .map(|entry| entry.body)
+            .filter(|&body| body != BodyIndex::PLACEHOLDER)
+            .collect();
+        let has_drive = |&at: &JointIndex| constraints[at].drive.is_some();
         let is_tree = plan.non_tree_joints.is_empty() && !plan.joints.iter().any(has_drive);
-        let entries = if is_tree { &plan.entries[..] } else { &[] };
-        let links: Vec<ArticulatedLink> =
+        let entries = if is_tree { plan.entries.slice(..) } else { &[] };
+        let links: Links<ArticulatedLink> =
             entries.iter().map(|seat| link_of(seat, constraints, bodies)).collect();
         let revolute_links = revolute_links(&links, constraints);
-        let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at as usize].edge().is_bounded);
-        let is_soft = plan.joints.iter().any(|&at| constraints[at as usize].is_compliant());
+        let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at].edge().is_bounded);
+        let is_soft = plan.joints.iter().any(|&at| constraints[at].is_compliant());
         Articulation {
             links,
             bodies: dynamic_bodies,
@@ -81,20 +87,20 @@ impl Articulation {
 }
 
 /// Returns the link of a tree entry: masses and indices of its body, and the degrees of freedom that its joint locks.
-fn link_of(entry: &TreeEntry, constraints: &[JointConstraint], bodies: &BodySet) -> ArticulatedLink {
-    let [mass, inertia] = bodies.inverse_mass_inertia[entry.body as usize].map(mass_of_inverse);
+fn link_of(entry: &TreeEntry, constraints: &JointList, bodies: &BodySet) -> ArticulatedLink {
+    let [mass, inertia] = bodies.inverse_mass_inertia[entry.body.position()].map(mass_of_inverse);
     let mut link = ArticulatedLink {
         body: entry.body,
         parent: entry.parent,
-        locked: if entry.body == 0 { LockedDofs::Fixed } else { LockedDofs::Free },
+        locked: if entry.body == BodyIndex::PLACEHOLDER { LockedDofs::Fixed } else { LockedDofs::Free },
         mass,
         inertia,
         ..ArticulatedLink::default()
     };
     if let Some(joint) = entry.joint {
-        (link.joint, link.locked) = (joint, constraints[joint as usize].locked);
+        (link.joint, link.locked) = (joint, constraints[joint].locked);
         // The joint's force acts on its second body. In a tree it acts on the child.
-        link.is_first = constraints[joint as usize].anchors[0].body == entry.body;
+        link.is_first = constraints[joint].anchors[0].body == entry.body;
     }
     link
 }

@@ -21,12 +21,13 @@
 use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
 use super::articulated_body::{
-    ArticulatedLink, LockedDofs, Vec2, add_scaled, cross, dot, for_each_down, perp, propagate_down,
+    ArticulatedLink, Links, LockedDofs, Vec2, add_scaled, cross, dot, for_each_down, perp, propagate_down,
     propagate_momentum_up, propagate_up, rotate,
 };
 use super::energy_balance::{BalancedLink, EnergyBalance, InitialEnergy, LinkEndState, max_rounding_error};
-use super::joint_constraint::JointConstraint;
+use super::joint_constraint::JointList;
 use super::link_state::begin_links;
+use crate::index::{BodyIndex, DenseIndex};
 use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::{
     ARTICULATION_SUBSTEP_PARTS, IMPLICIT_STIFFNESS_RATIO, JOINT_CORRECTION_SPEED, LARGE_ARTICULATION_BODIES,
@@ -138,9 +139,9 @@ impl ArticulatedLink {
         self.geometric_stiffness *= 1.0 / (substeps * substeps);
         self.joint_spin_change *= 1.0 / substeps;
         self.added_stiffness = self.excess_stiffness();
-        if self.body != 0 {
+        if self.body != BodyIndex::PLACEHOLDER {
             let (force_delta, force_position_delta) =
-                (bodies.force_delta[self.body as usize], bodies.force_position_delta[self.body as usize]);
+                (bodies.force_delta[self.body.position()], bodies.force_position_delta[self.body.position()]);
             let (per_half_dt, share) = (2.0 / dt, 1.0 / substeps);
             for i in 0..3 {
                 let initial_kick = f64::from(force_position_delta[i]) * per_half_dt;
@@ -201,8 +202,9 @@ impl ArticulatedLink {
         let angle_error = self.angle_error_or_length.abs();
         let [arm, parent_arm, distance] = [self.arm, self.parent_arm, offset].map(|v| dot(v, v).sqrt());
         // A joint with the world has no arm on its parent: the anchor is a position.
-        let length =
-            arm + if parent.body == 0 { 0.0 } else { parent_arm } + (self.inertia / self.mass).sqrt();
+        let length = arm
+            + if parent.body == BodyIndex::PLACEHOLDER { 0.0 } else { parent_arm }
+            + (self.inertia / self.mass).sqrt();
         let relative = |gap: f64, reach: f64| if gap > 0.0 { gap / reach } else { 0.0 };
         match self.locked {
             LockedDofs::Free | LockedDofs::Fixed => 0.0,
@@ -270,7 +272,7 @@ impl ArticulatedLink {
 impl BalancedLink for ArticulatedLink {
     fn end_state(&self) -> Option<LinkEndState> {
         let ArticulatedLink { mass, inertia, delta_pose, position, velocity, force_delta, .. } = *self;
-        (self.body != 0).then_some(LinkEndState {
+        (self.body != BodyIndex::PLACEHOLDER).then_some(LinkEndState {
             mass,
             inertia,
             delta_pose,
@@ -491,7 +493,7 @@ pub(crate) fn momentum_conserving_stiffness(stiffness: f64, stable_stiffness: f6
 /// carries much more than its own weight would be torn apart. The excess is added to the inertia, as an implicit step does (M.
 /// Tournier et al., "Stable constrained dynamics", 2015; S. Andrews et al., "Geometric stiffness for real-time constrained
 /// multibody dynamics", 2017).
-fn raise_added_stiffness(links: &mut [ArticulatedLink]) {
+fn raise_added_stiffness(links: &mut Links<ArticulatedLink>) {
     for link in links.iter_mut() {
         let excess = link.excess_stiffness();
         link.added_stiffness = if excess > link.added_stiffness { excess } else { link.added_stiffness };
@@ -500,7 +502,7 @@ fn raise_added_stiffness(links: &mut [ArticulatedLink]) {
 
 /// Computes the geometric stiffness of all links from the joint impulses of a substep of `h` seconds. Unit: mass units * length
 /// units^2.
-fn compute_geometric_stiffness(links: &mut [ArticulatedLink], h: f64) {
+fn compute_geometric_stiffness(links: &mut Links<ArticulatedLink>, h: f64) {
     for_each_down(links, |link, parent| link.accumulate_stiffness(parent, h));
 }
 
@@ -568,7 +570,7 @@ impl SubstepPlan {
     /// the start, is `None`, or if a moving root or a moved anchor did work.
     pub(super) fn energy_balance<N: BalancedLink>(
         &self,
-        links: &[N],
+        links: &Links<N>,
         start: Option<InitialEnergy>,
         dt: f64,
     ) -> Option<EnergyBalance> {
@@ -609,8 +611,8 @@ pub(super) fn max_spins([max_start, max_end]: [f64; 2], start_spin: f64, change:
 /// Forces of springs and of the game may depend on the position. They act in full at the start of the step, as for bodies
 /// without joints. `length_unit` is the length unit of the simulator.
 pub(super) fn step_free_tree(
-    links: &mut [ArticulatedLink],
-    constraints: &[JointConstraint],
+    links: &mut Links<ArticulatedLink>,
+    constraints: &JointList,
     bodies: &BodySet,
     step: &StepContext,
     length_unit: f64,
@@ -632,8 +634,8 @@ pub(super) fn step_free_tree(
 
 /// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps.
 fn begin_step(
-    links: &mut [ArticulatedLink],
-    constraints: &[JointConstraint],
+    links: &mut Links<ArticulatedLink>,
+    constraints: &JointList,
     bodies: &BodySet,
     step: &StepContext,
 ) -> SubstepPlan {
@@ -647,7 +649,7 @@ fn begin_step(
     });
     let (mut count, mut spins, mut has_large_error) = (0, [0.0; 2], false);
     for link in links.iter_mut() {
-        if link.body == 0 {
+        if link.body == BodyIndex::PLACEHOLDER {
             link.joint_spin_change = 0.0;
             continue;
         }
@@ -668,7 +670,7 @@ fn begin_step(
 /// Runs all substeps of a step with as few passes over the links as possible. Returns the energy at the start of the step, or
 /// `None` if the articulation gets no energy balance.
 fn run_substeps(
-    links: &mut [ArticulatedLink],
+    links: &mut Links<ArticulatedLink>,
     bodies: &BodySet,
     step: &StepContext,
     plan: &SubstepPlan,
@@ -716,7 +718,7 @@ fn run_substeps(
 /// The solve is repeated once if a body's rotation deviates from the prediction. It is repeated up to
 /// [`STIFFNESS_JUMP_RETRIES`] times while the [stiffness jumps](ArticulatedLink::stiffness_jumped). `max_spin_error` is the
 /// largest accepted deviation of an angular velocity, in radians/s.
-fn solve_substep(links: &mut [ArticulatedLink], (h, length_unit): (f64, f64), max_spin_error: f64) {
+fn solve_substep(links: &mut Links<ArticulatedLink>, (h, length_unit): (f64, f64), max_spin_error: f64) {
     let mut has_stiffness_jump = true;
     for iteration in 0..=STIFFNESS_JUMP_RETRIES {
         for_each_down(links, |link, parent| {

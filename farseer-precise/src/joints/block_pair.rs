@@ -11,6 +11,7 @@ use super::super::constraint_graph::set_lane;
 use super::articulated_body::LockedDofs;
 use super::frame::JointFrame;
 use super::joint_constraint::JointConstraint;
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::math::lanes::{select, sin_cos};
 use crate::math::scalar::sin_cos_of_any;
 
@@ -71,7 +72,7 @@ pub(super) struct BodyPairLanes {
     /// Direction of the normal n, common to all four joints.
     pub(super) direction: RowDirection,
     /// Indices of the bodies A and B in [`BodySet::states`]; 0 for bodies without a velocity.
-    bodies: [[u32; 4]; 2],
+    bodies: [[BodyIndex; 4]; 2],
     /// Sets of the lanes in which A and B are dynamic: one bit per lane.
     movable_lanes: [u8; 2],
     /// Inverse masses of A and B, 1/(mass units); 0 for bodies that are not dynamic.
@@ -104,10 +105,13 @@ impl BodyPairLanes {
         let JointFrame { arms, origin_offset: apart, axis, .. } = JointFrame::of(joint);
         for side in [0, 1] {
             let end = &joint.anchors[side];
-            let is_listed = (end.pose_body as usize) < bodies.states.len();
-            self.bodies[side][lane] = if is_listed { end.pose_body } else { 0 };
-            let [mass, inertia] =
-                if end.body == 0 { [0.0; 2] } else { bodies.inverse_mass_inertia[end.body as usize] };
+            let is_listed = end.pose_body.position() < bodies.states.len();
+            self.bodies[side][lane] = if is_listed { end.pose_body } else { BodyIndex::PLACEHOLDER };
+            let [mass, inertia] = if end.body == BodyIndex::PLACEHOLDER {
+                [0.0; 2]
+            } else {
+                bodies.inverse_mass_inertia[end.body.position()]
+            };
             self.movable_lanes[side] |= u8::from(mass > 0.0 || inertia > 0.0) << lane;
             set_lane_rounded(&mut self.inverse_masses[side], lane, mass.into());
             set_lane_rounded(&mut self.inverse_inertias[side], lane, inertia.into());
@@ -122,7 +126,7 @@ impl BodyPairLanes {
     /// Returns the velocities of A and B in the world: x, y, angular, z, in length units/s and radians/s.
     #[inline(always)]
     pub(super) fn velocities(&self, states: &[MotionState]) -> [VelocityLanes; 2] {
-        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| states[body].velocity);
+        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| states[body.position()].velocity);
         [of_side(0), of_side(1)]
     }
 
@@ -131,16 +135,18 @@ impl BodyPairLanes {
     pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [VelocityLanes; 2]) {
         for (side, velocities) in velocities.into_iter().enumerate() {
             let rows = f32x4::transpose(velocities);
-            self.for_each_movable_body(side, |lane, body| states[body].velocity = rows[lane].to_array());
+            self.for_each_movable_body(side, |lane, body| {
+                states[body.position()].velocity = rows[lane].to_array()
+            });
         }
     }
 
     /// Calls `visit` with lane and body index for each dynamic body on `side`: 0 (A) or 1 (B).
     #[inline(always)]
-    fn for_each_movable_body(&self, side: usize, mut visit: impl FnMut(usize, usize)) {
+    fn for_each_movable_body(&self, side: usize, mut visit: impl FnMut(usize, BodyIndex)) {
         for lane in 0..4 {
             if self.movable_lanes[side] >> lane & 1 == 1 {
-                visit(lane, self.bodies[side][lane] as usize);
+                visit(lane, self.bodies[side][lane]);
             }
         }
     }
@@ -182,19 +188,26 @@ impl BodyPairLanes {
 
     /// Returns a mask with all bits set in the lanes of joints of which a body is marked. `masks` has for each body index all
     /// bits set if the body is marked, else 0.
-    pub(super) fn marked_lanes(&self, masks: &[u32]) -> JointLanes {
+    pub(super) fn marked_lanes(&self, masks: &IndexedVec<BodyIndex, u32>) -> JointLanes {
         let [a, b] = self.bodies;
-        let of = |body: u32| if body == 0 { 0 } else { masks.get(body as usize).copied().unwrap_or(0) };
+        let of = |body: BodyIndex| {
+            if body == BodyIndex::PLACEHOLDER { 0 } else { masks.at(body).copied().unwrap_or(0) }
+        };
         f32x4::new(std::array::from_fn(|lane| f32::from_bits(of(a[lane]) | of(b[lane]))))
     }
 
     /// Marks the dynamic bodies of the joints in `lanes`: sets all bits in `masks`, and appends the indices of newly marked
     /// bodies to `marked`.
-    pub(super) fn mark_bodies(&self, lanes: JointLanes, masks: &mut [u32], marked: &mut Vec<u32>) {
+    pub(super) fn mark_bodies(
+        &self,
+        lanes: JointLanes,
+        masks: &mut IndexedVec<BodyIndex, u32>,
+        marked: &mut Vec<BodyIndex>,
+    ) {
         for side in [0, 1] {
             self.for_each_movable_body(side, |lane, body| {
                 if lanes.to_array()[lane].to_bits() != 0 && std::mem::replace(&mut masks[body], !0) == 0 {
-                    marked.push(body as u32);
+                    marked.push(body);
                 }
             });
         }
@@ -209,7 +222,8 @@ impl BodyPairLanes {
         for (side, [x, y, turn]) in changes.into_iter().enumerate() {
             let rows = f32x4::transpose([x, y, turn, ZERO]);
             self.for_each_movable_body(side, |lane, body| {
-                sums[body] = (f32x4::new(sums[body]) + rows[lane]).to_array();
+                let sum = &mut sums[body.position()];
+                *sum = (f32x4::new(*sum) + rows[lane]).to_array();
             });
         }
     }
@@ -269,7 +283,8 @@ impl BodyPairLanes {
     /// normals after the motion. With the arms and normals before it, the impulses would add energy to bodies that rotate.
     pub(super) fn advance_poses(&mut self, bodies: &mut BodySet, impulses: RowLanes) {
         let before = self.velocity_changes(impulses);
-        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| bodies.states[body].displacement);
+        let of_side =
+            |side: usize| lanes_of(&self.bodies[side], |body| bodies.states[body.position()].displacement);
         let (a, b) = (of_side(0), of_side(1));
         for (arm, turn) in self.arms.iter_mut().zip([a[2], b[2]]) {
             *arm = rotated(*arm, sin_cos_of_rotations(turn));
@@ -288,8 +303,8 @@ impl BodyPairLanes {
 
 /// Returns the components of one vector per body in lanes; `of` returns the vector of a body by its index.
 #[inline(always)]
-fn lanes_of(bodies: &[u32; 4], of: impl Fn(usize) -> [f32; 4]) -> VelocityLanes {
-    let row = |lane: usize| f32x4::new(of(bodies[lane] as usize));
+fn lanes_of(bodies: &[BodyIndex; 4], of: impl Fn(BodyIndex) -> [f32; 4]) -> VelocityLanes {
+    let row = |lane: usize| f32x4::new(of(bodies[lane]));
     f32x4::transpose([row(0), row(1), row(2), row(3)])
 }
 

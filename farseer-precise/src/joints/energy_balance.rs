@@ -11,7 +11,7 @@
 //!
 //! The module reads positions, velocities and forces of the links at the end of a step, and writes the velocities.
 
-use super::articulated_body::{TreeNode, Vec2, add_scaled, cross, dot, perp};
+use super::articulated_body::{Links, TreeNode, Vec2, add_scaled, cross, dot, perp};
 use crate::parameters::joints::{
     MAX_ENERGY_VELOCITY_SCALE, MAX_INELASTIC_LOSS, MAX_POSITION_ROUNDING, MAX_ROTATION_ROUNDING,
     MAX_STEP_ENERGY_ERROR, MAX_STEP_JOINT_ERROR, MAX_WHIP_JOINT_ERROR,
@@ -82,7 +82,7 @@ impl LinkEndState {
 
 impl RigidMotion {
     /// Returns the rigid motion with the momentum and angular momentum of these links.
-    fn of<N: BalancedLink>(links: &[N]) -> Self {
+    fn of<N: BalancedLink>(links: &Links<N>) -> Self {
         let bodies = || links.iter().filter_map(N::end_state);
         let (mut mass, mut moment, mut momentum) = (0.0, [0.0; 2], [0.0; 2]);
         for LinkEndState { mass: m, position, velocity: [x, y, _], .. } in bodies() {
@@ -130,7 +130,7 @@ pub(super) struct InitialEnergy {
 
 impl InitialEnergy {
     /// Returns the energy of these links at the start of a step.
-    pub(super) fn of<N: BalancedLink>(links: &[N]) -> Self {
+    pub(super) fn of<N: BalancedLink>(links: &Links<N>) -> Self {
         let bodies = || links.iter().filter_map(N::end_state);
         let kinetic = bodies().map(|body| body.kinetic_energy()).sum();
         let mass: f64 = bodies().map(|body| body.mass).sum();
@@ -160,7 +160,11 @@ impl EnergyBalance {
     /// Returns the energy balance of a step of `dt` seconds in substeps of `h` seconds.
     ///
     /// Returns `None` if a moving root drives the articulation, or if a joint with the world was pulled apart before the step.
-    pub(super) fn of<N: BalancedLink>(links: &[N], start: InitialEnergy, [dt, h]: [f64; 2]) -> Option<Self> {
+    pub(super) fn of<N: BalancedLink>(
+        links: &Links<N>,
+        start: InitialEnergy,
+        [dt, h]: [f64; 2],
+    ) -> Option<Self> {
         let has_moved_anchor = |node: &N| {
             node.has_joint_error_above(MAX_STEP_JOINT_ERROR) && links[node.parent()].end_state().is_none()
         };
@@ -190,7 +194,7 @@ impl EnergyBalance {
 
     /// Scales the velocities of `links` so that the energy error becomes 0. [`MAX_ENERGY_VELOCITY_SCALE`] bounds the factor;
     /// legitimate losses stay.
-    pub(super) fn project_energy<N: BalancedLink>(&self, links: &mut [N]) {
+    pub(super) fn project_energy<N: BalancedLink>(&self, links: &mut Links<N>) {
         let is_free = links.first().is_some_and(N::is_free_root);
         let rigid = if is_free { RigidMotion::of(links) } else { RigidMotion::default() };
         let internal = self.end_kinetic - rigid.energy;

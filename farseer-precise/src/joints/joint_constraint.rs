@@ -6,15 +6,25 @@
 use super::super::bodies::{BodySet, signed_angle};
 use super::super::direct_solver::joint::ANGLE;
 use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot, rotate};
+use super::springs::SpringIndex;
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
+
+index_type! {
+    /// Index of an active joint, in the order of the simulator's list of joints.
+    pub struct JointIndex;
+}
+
+/// The active joints of a simulator, as constraints of a step.
+pub type JointList = IndexedVec<JointIndex, JointConstraint>;
 
 /// One side of a joint: a body or the world, with the anchor on it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JointAnchor {
     /// Index of the dynamic body into the arrays of `BodySet`; 0 for the world and for static, kinematic and sleeping bodies.
-    pub body: u32,
+    pub body: BodyIndex,
     /// Index of the body whose pose the anchor follows, whatever its body type; 0 for the world and for bodies that are not in
     /// the simulation.
-    pub pose_body: u32,
+    pub pose_body: BodyIndex,
     /// Anchor in local coordinates of the body, relative to its centre of mass. Unit: length units.
     pub local_anchor: Vec2,
     /// Position of the body's centre of mass in the world; 0 for the world. Unit: length units.
@@ -31,18 +41,18 @@ impl JointAnchor {
     /// them has changed.
     #[inline(always)]
     pub fn update(&mut self, bodies: &BodySet) -> bool {
-        if self.pose_body == 0 {
+        if self.pose_body == BodyIndex::PLACEHOLDER {
             return false;
         }
         let before = (self.position, self.arm, self.velocity);
-        let [x, y, c, s] = bodies.poses[self.pose_body as usize].map(f64::from);
+        let [x, y, c, s] = bodies.poses[self.pose_body.position()].map(f64::from);
         self.position = [x, y];
         self.arm = [
             c * self.local_anchor[0] - s * self.local_anchor[1],
             s * self.local_anchor[0] + c * self.local_anchor[1],
         ];
-        if self.body == 0
-            && let Some(hot) = bodies.states.get(self.pose_body as usize)
+        if self.body == BodyIndex::PLACEHOLDER
+            && let Some(hot) = bodies.states.get(self.pose_body.position())
         {
             let [x, y, spin, _] = hot.velocity.map(f64::from);
             self.velocity = [x, y, spin];
@@ -89,18 +99,27 @@ pub struct JointDrive {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JointEdge {
     /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
-    pub(super) bodies: [u32; 2],
+    pub(super) bodies: [BodyIndex; 2],
     /// Whether the joint is bounded: it has a range of positions or a greatest impulse.
     pub(super) is_bounded: bool,
+}
+
+/// Index of a joint or of a spring.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum CandidateIndex {
+    /// Index of a joint.
+    Joint(JointIndex),
+    /// Index of a spring.
+    Spring(SpringIndex),
 }
 
 /// A joint or spring with the properties by which the direct solver decides whether to solve it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct JointCandidate {
-    /// Index of the joint into `JointSystem::constraints`, or of the spring into `SpringRows::constraints`.
-    pub(crate) joint: u32,
+    /// The joint or the spring.
+    pub(crate) index: CandidateIndex,
     /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
-    pub(crate) bodies: [u32; 2],
+    pub(crate) bodies: [BodyIndex; 2],
     /// Whether the articulation of the joint is free, so that the articulated-body algorithm can solve it.
     pub(crate) is_free_articulation: bool,
     /// Whether the direct solver can represent the joint by rows.
@@ -110,9 +129,14 @@ pub(crate) struct JointCandidate {
 }
 
 impl JointCandidate {
+    /// Returns the indices of both bodies if both are dynamic.
+    pub(crate) fn dynamic_pair(&self) -> Option<[BodyIndex; 2]> {
+        (!self.bodies.contains(&BodyIndex::PLACEHOLDER)).then_some(self.bodies)
+    }
+
     /// Returns the index of the first dynamic body of the joint; `None` if neither body is dynamic.
-    pub(crate) fn first_dynamic_body(&self) -> Option<u32> {
-        self.bodies.into_iter().find(|&body| body != 0)
+    pub(crate) fn first_dynamic_body(&self) -> Option<BodyIndex> {
+        self.bodies.into_iter().find(|&body| body != BodyIndex::PLACEHOLDER)
     }
 }
 

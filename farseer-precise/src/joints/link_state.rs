@@ -1,28 +1,29 @@
 //! State of the links of an articulation when a step begins.
 
-use super::articulated_body::{ArticulatedLink, LockedDofs, dot};
-use super::joint_constraint::{JointAnchor, JointConstraint};
+use super::articulated_body::{ArticulatedLink, Links, LockedDofs, dot};
+use super::joint_constraint::{JointAnchor, JointConstraint, JointList};
 use crate::bodies::BodySet;
+use crate::index::DenseIndex;
 
 /// Copies poses and velocities of bodies, and anchors and forces of joints, to the links at the start of a step. `h` is the
 /// solver's substep in seconds.
 ///
 /// A fixed root takes position and velocity from the anchor of its joint.
 pub(super) fn begin_links(
-    links: &mut [ArticulatedLink],
-    constraints: &[JointConstraint],
+    links: &mut Links<ArticulatedLink>,
+    constraints: &JointList,
     bodies: &BodySet,
     h: f64,
 ) {
-    for at in 0..links.len() {
+    for at in links.indices() {
         let link = &mut links[at];
         link.begin_step(bodies);
         if !link.locked.is_joint() {
             // Rotating a zero arm could flip the sign of a zero.
             link.arm = [0.0; 2];
         } else {
-            let anchor = link.attach_to_joint(&constraints[link.joint as usize], h);
-            let (parent, max_arm_squared) = (link.parent as usize, dot(anchor.arm, anchor.arm));
+            let anchor = link.attach_to_joint(&constraints[link.joint], h);
+            let (parent, max_arm_squared) = (link.parent, dot(anchor.arm, anchor.arm));
             links[parent].max_arm_squared = links[parent].max_arm_squared.max(max_arm_squared);
             if links[parent].locked == LockedDofs::Fixed {
                 (links[parent].position, links[parent].velocity) = (anchor.position, anchor.velocity);
@@ -41,7 +42,7 @@ impl ArticulatedLink {
     /// Sets position and velocity of the link to those of its body at the start of a step, and its displacement to 0.
     #[inline(always)]
     fn begin_step(&mut self, bodies: &BodySet) {
-        let body = self.body as usize;
+        let body = self.body.position();
         let ([x, y, ..], [vx, vy, spin, _]) = (bodies.poses[body], bodies.states[body].velocity);
         self.position = [f64::from(x), f64::from(y)];
         self.velocity = [vx, vy, spin].map(f64::from);

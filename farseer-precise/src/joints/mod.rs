@@ -37,28 +37,34 @@ use super::bodies::BodySet;
 use super::constraint_graph::ContactConstraintSimd;
 use super::direct_solver::joint::JointRows;
 use super::scaled_parameters::StepContext;
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
 use crate::reusing_clone;
-use articulated_body::LockedDofs;
+use articulated_body::{LinkIndex, LockedDofs};
 use articulation::Articulation;
-use forest::{NO_TREE_INDEX, SpanningForest};
+use forest::{EdgeList, NO_TREE_INDEX, SpanningForest};
 pub(crate) use joint_constraint::JointCandidate;
-use joint_constraint::{JointConstraint, JointEdge};
+use joint_constraint::{CandidateIndex, JointConstraint, JointIndex, JointList};
 use soft_step::SoftJoints;
 use spatial_joints::{SpatialJointGroup, ZGroup, spatial_groups};
 use springs::SpringRows;
+
+index_type! {
+    /// Index of an articulation in the plane.
+    pub(crate) struct ArticulationIndex;
+}
 
 /// All active joints of a simulator, and the articulations that they form.
 #[derive(Debug, Default)]
 pub struct JointSystem {
     /// Active joints, which hold at least one dynamic body, in the order of the simulator's list of joints.
-    constraints: Vec<JointConstraint>,
+    constraints: JointList,
     /// Articulations that are solved in the plane: in 2D all, in three axes those without a distance joint.
-    articulation_list: Vec<Articulation>,
+    articulation_list: IndexedVec<ArticulationIndex, Articulation>,
     /// For each joint index: index of the joint's articulation in `articulation_list`, or the length of that list if the joint
     /// is in none.
-    articulation_of: Vec<u32>,
+    articulation_of: IndexedVec<JointIndex, ArticulationIndex>,
     /// For each body index: index of the body's entry in its articulation, or [`NO_TREE_INDEX`] if no joint holds the body.
-    tree_index_of: Vec<u32>,
+    tree_index_of: IndexedVec<BodyIndex, LinkIndex>,
     /// Groups of bodies with one velocity along the depth axis; empty in 2D.
     z_groups: Vec<ZGroup>,
     /// Articulations in three axes that contain a distance joint; empty in 2D.
@@ -83,7 +89,7 @@ impl JointSystem {
     }
 
     /// Returns the indices of the dynamic bodies of each articulation in the plane.
-    pub(crate) fn articulation_bodies(&self) -> impl Iterator<Item = &[u32]> + '_ {
+    pub(crate) fn articulation_bodies(&self) -> impl Iterator<Item = &[BodyIndex]> + '_ {
         self.articulation_list.iter().map(|articulation| &articulation.bodies[..])
     }
 
@@ -92,9 +98,9 @@ impl JointSystem {
         self.articulation_list.iter().flat_map(move |articulation| {
             let is_free = articulation.is_contact_free && articulation.is_tree();
             articulation.joints.iter().map(move |&joint| {
-                let constraint = &self.constraints[joint as usize];
+                let constraint = &self.constraints[joint];
                 JointCandidate {
-                    joint,
+                    index: CandidateIndex::Joint(joint),
                     bodies: constraint.anchors.map(|anchor| anchor.body),
                     is_free_articulation: is_free,
                     has_rows: constraint.fits_direct_solver(),
@@ -105,39 +111,39 @@ impl JointSystem {
     }
 
     /// Returns the constraint of the joint with the index `joint`.
-    pub(crate) fn constraint(&self, joint: u32) -> &JointConstraint {
-        &self.constraints[joint as usize]
+    pub(crate) fn constraint(&self, joint: JointIndex) -> &JointConstraint {
+        &self.constraints[joint]
     }
 
     /// Returns whether the articulation of a joint has a loop closure: a joint between bodies that other joints connect
     /// already.
-    pub(crate) fn has_loop(&self, joint: u32) -> bool {
-        self.articulation_list[self.articulation_of[joint as usize] as usize].has_loop
+    pub(crate) fn has_loop(&self, joint: JointIndex) -> bool {
+        self.articulation_list[self.articulation_of[joint]].has_loop
     }
 
     /// Stores `force`, which the direct solver has found for a joint. No other solver takes the joint in this step.
     ///
     /// The components of `force` are those on the joint's second body: along x and y (mass units * length units/s^2) and the
     /// torque (mass units * length units^2/s^2).
-    pub(crate) fn set_force(&mut self, joint: u32, force: [f64; 3]) {
-        self.constraints[joint as usize].force = force;
+    pub(crate) fn set_force(&mut self, joint: JointIndex, force: [f64; 3]) {
+        self.constraints[joint].force = force;
         self.mark_solved(joint);
     }
 
     /// Converts the row impulses that the direct solver has found in a step of `dt` seconds to the force of the joint, and
     /// stores it. No other solver takes the joint in this step.
-    pub(crate) fn store_solution(&mut self, joint: u32, rows: &JointRows, dt: f64) {
-        self.constraints[joint as usize].set_force_from_impulses(rows, dt);
+    pub(crate) fn store_solution(&mut self, joint: JointIndex, rows: &JointRows, dt: f64) {
+        self.constraints[joint].set_force_from_impulses(rows, dt);
         self.mark_solved(joint);
     }
 
     /// Marks the articulation of a joint as solved by the direct solver: no other solver takes it in this step.
-    pub(crate) fn mark_solved(&mut self, joint: u32) {
-        self.articulation_list[self.articulation_of[joint as usize] as usize].is_solved = true;
+    pub(crate) fn mark_solved(&mut self, joint: JointIndex) {
+        self.articulation_list[self.articulation_of[joint]].is_solved = true;
     }
 
     /// Marks the articulations of `joints` as solved by the direct solver. `joints` are indices.
-    pub(crate) fn mark_all_solved(&mut self, joints: &[u32]) {
+    pub(crate) fn mark_all_solved(&mut self, joints: &[JointIndex]) {
         joints.iter().for_each(|&joint| self.mark_solved(joint));
     }
 
@@ -147,19 +153,19 @@ impl JointSystem {
     }
 
     /// Returns all active joints, in the order of the simulator's list of joints.
-    pub fn constraints(&self) -> &[JointConstraint] {
+    pub fn constraints(&self) -> &JointList {
         &self.constraints
     }
 
     /// Returns all active joints for a change, in the order of the simulator's list of joints.
-    pub fn constraints_mut(&mut self) -> &mut [JointConstraint] {
+    pub fn constraints_mut(&mut self) -> &mut JointList {
         &mut self.constraints
     }
 
     /// Returns whether some joint holds the body with the index `body`.
     #[inline(always)]
     pub fn has_joint(&self, body: usize) -> bool {
-        self.tree_index_of.get(body).is_some_and(|&index| index != NO_TREE_INDEX)
+        self.tree_index_of.at(BodyIndex::new(body)).is_some_and(|&index| index != NO_TREE_INDEX)
     }
 
     /// Returns whether joints, or springs of the iterative solver, act on any body in this update.
@@ -177,12 +183,12 @@ impl JointSystem {
             let parts = substeps * group.substep_parts();
             group.bodies().iter().map(move |&body| (body, parts))
         });
-        in_plane.chain(in_space).map(|(body, parts)| (body as usize, parts))
+        in_plane.chain(in_space).map(|(body, parts)| (body.position(), parts))
     }
 
     /// Returns the indices of both bodies of each active joint, whatever their body types; 0 for the world.
     pub fn body_pairs(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        self.constraints.iter().map(|constraint| constraint.anchors.map(|anchor| anchor.pose_body as usize))
+        self.constraints.iter().map(|constraint| constraint.anchors.map(|anchor| anchor.pose_body.position()))
     }
 
     /// Returns for each running motor: the indices of both bodies (0 for the world), the target speed, and whether the motor is
@@ -191,7 +197,7 @@ impl JointSystem {
         self.constraints.iter().filter_map(|constraint| {
             let motor = constraint.drive?.motor.filter(|motor| motor.greatest_effort > 0.0)?;
             Some((
-                constraint.anchors.map(|anchor| anchor.pose_body as usize),
+                constraint.anchors.map(|anchor| anchor.pose_body.position()),
                 motor.speed,
                 constraint.locked == LockedDofs::Line,
             ))
@@ -208,7 +214,7 @@ impl JointSystem {
         is_in_space: bool,
     ) {
         self.constraints.clear();
-        self.constraints.reserve(count);
+        self.constraints.as_vec_mut().reserve(count);
         self.constraints.extend(joints);
         self.plan(bodies, is_in_space);
     }
@@ -216,17 +222,16 @@ impl JointSystem {
     /// Builds the articulations, their trees and the groups in three axes from the imported joints.
     fn plan(&mut self, bodies: &BodySet, is_in_space: bool) {
         (self.z_groups, self.spatial) = (Vec::new(), Vec::new());
-        let mut in_plane: Vec<u32> = (0..self.constraints.len() as u32).collect();
+        let mut in_plane: Vec<JointIndex> = self.constraints.indices().collect();
         if is_in_space {
             (self.spatial, in_plane) = spatial_groups(&self.constraints, bodies);
-            let planar_constraints: Vec<JointConstraint> =
-                in_plane.iter().map(|&at| self.constraints[at as usize]).collect();
+            let planar_constraints: JointList = in_plane.iter().map(|&at| self.constraints[at]).collect();
             self.z_groups = ZGroup::find_all(&planar_constraints, bodies.states.len());
         }
         for &at in &in_plane {
-            self.constraints[at as usize].force_along_depth = 0.0;
+            self.constraints[at].force_along_depth = 0.0;
         }
-        let edges: Vec<JointEdge> = in_plane.iter().map(|&at| self.constraints[at as usize].edge()).collect();
+        let edges: EdgeList = in_plane.iter().map(|&at| self.constraints[at].edge()).collect();
         let SpanningForest { articulations: mut plans, mut tree_index_of } =
             SpanningForest::new(&edges, bodies.first_static());
         plans.iter_mut().for_each(|group| group.map_joint_indices(&in_plane));
@@ -235,14 +240,14 @@ impl JointSystem {
         }
         for &body in self.spatial.iter().flat_map(SpatialJointGroup::bodies) {
             // A mark that some joint holds the body; the index itself is not used.
-            tree_index_of[body as usize] = 0;
+            tree_index_of[body] = LinkIndex(0);
         }
         let articulations = plans.into_iter().map(|plan| Articulation::new(plan, &self.constraints, bodies));
         self.articulation_list = articulations.collect();
         self.articulation_of.clear();
-        self.articulation_of.resize(self.constraints.len(), self.articulation_list.len() as u32);
-        for (at, group) in self.articulation_list.iter().enumerate() {
-            group.joints.iter().for_each(|&hold| self.articulation_of[hold as usize] = at as u32);
+        self.articulation_of.resize(self.constraints.len(), self.articulation_list.next_index());
+        for (at, group) in self.articulation_list.enumerated() {
+            group.joints.iter().for_each(|&hold| self.articulation_of[hold] = at);
         }
         self.tree_index_of = tree_index_of;
         self.soft.plan(&self.constraints, &in_plane, bodies.first_static());
@@ -257,17 +262,17 @@ impl JointSystem {
         &mut self,
         bodies: &BodySet,
         is_touched: Option<impl Fn(usize) -> bool>,
-        read: impl Fn(usize, &mut JointConstraint),
+        read: impl Fn(JointIndex, &mut JointConstraint),
     ) {
         let JointSystem { articulation_list: articulations, constraints, .. } = self;
         for articulation in articulations {
             articulation.is_contact_free = !articulation.is_soft
                 && is_touched.as_ref().is_none_or(|is_touched| {
-                    !articulation.bodies.iter().any(|&body| is_touched(body as usize))
+                    !articulation.bodies.iter().any(|&body| is_touched(body.position()))
                 });
             articulation.is_solved = false;
             if !articulation.is_free_revolute_tree() {
-                for at in articulation.joints.iter().map(|&at| at as usize) {
+                for &at in &articulation.joints {
                     constraints[at].update(bodies, |constraint| read(at, constraint));
                 }
             }
@@ -282,8 +287,8 @@ impl JointSystem {
         bodies: &BodySet,
         step: &StepContext,
         is_touched: impl Fn(usize) -> bool,
-        read: impl Fn(usize, &mut JointConstraint),
-        depth_of: impl Fn(usize, usize) -> f32,
+        read: impl Fn(JointIndex, &mut JointConstraint),
+        depth_of: impl Fn(JointIndex, usize) -> f32,
     ) {
         let times = [f64::from(step.dt), f64::from(step.h)];
         for group in &mut self.spatial {
@@ -297,11 +302,9 @@ impl JointSystem {
 
     /// Returns the articulations with a distance joint in three axes that the iterative solver solves, with the constraints of
     /// all joints.
-    fn iterative_spatial_groups(
-        &mut self,
-    ) -> impl Iterator<Item = (&mut SpatialJointGroup, &[JointConstraint])> {
+    fn iterative_spatial_groups(&mut self) -> impl Iterator<Item = (&mut SpatialJointGroup, &JointList)> {
         let JointSystem { spatial, constraints, .. } = self;
-        spatial.iter_mut().filter(|group| !group.is_contact_free()).map(|group| (group, &constraints[..]))
+        spatial.iter_mut().filter(|group| !group.is_contact_free()).map(|group| (group, &*constraints))
     }
 
     /// Moves free articulations with joints that are not revolute, and free groups of joints in three axes, through all
@@ -349,7 +352,7 @@ impl JointSystem {
             ..
         } = self;
         if articulations.iter().any(Articulation::is_iterative) || !springs.are_all_solved() {
-            let is_iterative = |at: usize| articulations[articulation_of[at] as usize].is_iterative();
+            let is_iterative = |at: JointIndex| articulations[articulation_of[at]].is_iterative();
             soft.prepare((constraints, springs), is_iterative, (bodies, step), *length_unit);
         }
     }
@@ -368,12 +371,12 @@ impl JointSystem {
     /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0. Returns
     /// `None` if the iterative solver has neither joints nor springs in this update.
     pub(crate) fn iterative_body_masks(&self) -> Option<&[u32]> {
-        (!self.soft.is_empty()).then(|| self.soft.body_masks())
+        (!self.soft.is_empty()).then(|| self.soft.body_masks().slice(..))
     }
 
     /// Returns whether the iterative solver has a joint or spring of the body with the index `body` in this update.
     pub(crate) fn has_iterative_joint(&self, body: usize) -> bool {
-        self.soft.body_masks().get(body).is_some_and(|&mask| mask != 0)
+        self.soft.body_masks().at(BodyIndex::new(body)).is_some_and(|&mask| mask != 0)
     }
 
     /// Solves joints and springs of the iterative solver with bias, before the positions of a substep of `h` seconds are
@@ -440,19 +443,19 @@ impl JointSystem {
                 );
                 continue;
             }
-            for node in group.links.iter().filter(|node| node.body != 0) {
+            for node in group.links.iter().filter(|node| node.body != BodyIndex::PLACEHOLDER) {
                 let ([vx, vy, spin], [x, y, rotation]) = (node.velocity, node.delta_pose);
                 // Joints in the plane leave the velocity along the depth axis as it is.
                 let (velocity, delta_pose) = (
-                    &mut bodies.states[node.body as usize].velocity,
-                    &mut bodies.delta_pose[node.body as usize],
+                    &mut bodies.states[node.body.position()].velocity,
+                    &mut bodies.delta_pose[node.body.position()],
                 );
                 *velocity = [vx as f32, vy as f32, spin as f32, velocity[3]];
                 *delta_pose = [x as f32, y as f32, rotation as f32, delta_pose[3]];
             }
             for node in group.links.iter().filter(|node| node.locked.is_joint()) {
                 let force_of_impulse = node.joint_sign() * per_second;
-                self.constraints[node.joint as usize].force =
+                self.constraints[node.joint].force =
                     node.total_impulse.map(|impulse| impulse * force_of_impulse);
             }
         }

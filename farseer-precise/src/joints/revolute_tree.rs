@@ -15,15 +15,16 @@ use wide::f32x4;
 use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
 use super::articulated_body::{
-    ArticulatedInertia, ArticulatedLink, ArticulatedMomentum, LockedDofs, TreeNode, Vec2, add_scaled, cross,
-    dot, for_each_down, for_each_up, perp, rotate,
+    ArticulatedInertia, ArticulatedLink, ArticulatedMomentum, LinkIndex, Links, LockedDofs, TreeNode, Vec2,
+    add_scaled, cross, dot, for_each_down, for_each_up, perp, rotate,
 };
 use super::articulation_step::{
     SubstepPlan, clamped_remainder, cos_sin, max_spins, momentum_conserving_stiffness, nonlinear_rotation,
     predict_spin_change, stable_stiffness,
 };
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
-use super::joint_constraint::JointConstraint;
+use super::joint_constraint::{JointIndex, JointList};
+use crate::index::{BodyIndex, DenseIndex};
 
 /// A link: a body in a tree of revolute joints. Parents come before their children in the list of links; a root is its own
 /// parent.
@@ -103,11 +104,11 @@ pub(super) struct RevoluteLink {
     /// Sum of both arms and the radius of gyration: joint errors are compared with it. Unit: length units.
     reach: f64,
     /// Index of the body into the arrays of `BodySet`; 0 for the world.
-    body: u32,
+    body: BodyIndex,
     /// Index of the parent in the list of links.
-    parent: u32,
+    parent: LinkIndex,
     /// Index of the joint with the parent into `JointSystem::constraints`.
-    joint: u32,
+    joint: JointIndex,
     /// `Point` for a body with a revolute joint to its parent; roots are `Free` or `Fixed`.
     locked: LockedDofs,
     /// Whether this body is the first body of the joint, and the parent the second.
@@ -116,15 +117,15 @@ pub(super) struct RevoluteLink {
 
 impl TreeNode for RevoluteLink {
     #[inline(always)]
-    fn parent(&self) -> usize {
-        self.parent as usize
+    fn parent(&self) -> LinkIndex {
+        self.parent
     }
 }
 
 impl BalancedLink for RevoluteLink {
     fn end_state(&self) -> Option<LinkEndState> {
         let RevoluteLink { mass, inertia, delta_pose, position, velocity, force_delta, .. } = *self;
-        (self.body != 0).then_some(LinkEndState {
+        (self.body != BodyIndex::PLACEHOLDER).then_some(LinkEndState {
             mass,
             inertia,
             delta_pose,
@@ -168,39 +169,39 @@ impl BalancedLink for RevoluteLink {
 
 /// Converts a tree of links to revolute links. Returns an empty list if some joint is not a rigid revolute joint without a
 /// motor.
-pub(super) fn revolute_links(
-    links: &[ArticulatedLink],
-    constraints: &[JointConstraint],
-) -> Vec<RevoluteLink> {
+pub(super) fn revolute_links(links: &Links<ArticulatedLink>, constraints: &JointList) -> Links<RevoluteLink> {
     let is_rigid_revolute = |link: &ArticulatedLink| {
-        let constraint = &constraints[link.joint as usize];
+        let constraint = &constraints[link.joint];
         link.locked == LockedDofs::Point && constraint.softness == 0.0 && constraint.drive.is_none()
     };
     let is_root = |node: &ArticulatedLink| !node.locked.is_joint();
     if !links.iter().all(|node| is_root(node) || is_rigid_revolute(node)) {
-        return Vec::new();
+        return Links::default();
     }
-    let mut revolute_links: Vec<RevoluteLink> =
+    let mut revolute_links: Links<RevoluteLink> =
         links.iter().map(|node| revolute_link(node, constraints)).collect();
     // The farther a joint is from the body's origin, the larger the stable stiffness is.
-    let mut max_arms_squared: Vec<f64> =
+    let mut max_arms_squared: Links<f64> =
         revolute_links.iter().map(|link| dot(link.anchor, link.anchor)).collect();
     for link in revolute_links.iter().filter(|hinge| hinge.locked.is_joint()) {
-        let max_arm_squared = &mut max_arms_squared[link.parent as usize];
+        let max_arm_squared = &mut max_arms_squared[link.parent];
         *max_arm_squared = max_arm_squared.max(dot(link.parent_anchor, link.parent_anchor));
     }
-    for (link, max_arm_squared) in revolute_links.iter_mut().zip(max_arms_squared) {
+    for (link, max_arm_squared) in revolute_links.iter_mut().zip(max_arms_squared.iter()) {
         let is_fixed = link.locked == LockedDofs::Fixed;
-        link.stable_stiffness =
-            if is_fixed { f64::INFINITY } else { stable_stiffness(link.inertia, link.mass, max_arm_squared) };
+        link.stable_stiffness = if is_fixed {
+            f64::INFINITY
+        } else {
+            stable_stiffness(link.inertia, link.mass, *max_arm_squared)
+        };
     }
     revolute_links
 }
 
 /// Returns the revolute link of a link in a tree that has only rigid revolute joints.
-fn revolute_link(link: &ArticulatedLink, constraints: &[JointConstraint]) -> RevoluteLink {
+fn revolute_link(link: &ArticulatedLink, constraints: &JointList) -> RevoluteLink {
     let [anchor, parent_anchor] = if link.locked.is_joint() {
-        let [first, second] = constraints[link.joint as usize].anchors.map(|anchor| anchor.local_anchor);
+        let [first, second] = constraints[link.joint].anchors.map(|anchor| anchor.local_anchor);
         if link.is_first { [first, second] } else { [second, first] }
     } else {
         [[0.0; 2]; 2]
@@ -228,8 +229,8 @@ fn revolute_link(link: &ArticulatedLink, constraints: &[JointConstraint]) -> Rev
 /// Writes velocities and displacements of `bodies`, and errors and forces of `constraints`. Repeats the step with more substeps
 /// if its energy error is too large. `length_unit` is the length unit of the simulator.
 pub(super) fn step_revolute_tree(
-    (links, count): (&mut [RevoluteLink], u32),
-    constraints: &mut [JointConstraint],
+    (links, count): (&mut Links<RevoluteLink>, u32),
+    constraints: &mut JointList,
     bodies: &mut BodySet,
     step: &StepContext,
     length_unit: f64,
@@ -264,8 +265,8 @@ pub(super) fn step_revolute_tree(
 /// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps. `count` is the
 /// number of dynamic bodies.
 fn begin_step(
-    (links, count): (&mut [RevoluteLink], u32),
-    constraints: &mut [JointConstraint],
+    (links, count): (&mut Links<RevoluteLink>, u32),
+    constraints: &mut JointList,
     bodies: &BodySet,
     step: &StepContext,
 ) -> SubstepPlan {
@@ -274,7 +275,7 @@ fn begin_step(
     if SubstepPlan::is_energy_balanced(count) {
         for_each_down(links, |link, parent| link.begin_step(parent, constraints, bodies, (dt, true)));
         for link in links.iter_mut() {
-            if link.body == 0 {
+            if link.body == BodyIndex::PLACEHOLDER {
                 link.joint_spin_change = 0.0;
                 continue;
             }
@@ -285,7 +286,7 @@ fn begin_step(
     } else {
         for_each_down(links, |link, parent| {
             link.begin_step(parent, constraints, bodies, (dt, false));
-            let spin = if link.body == 0 { 0.0 } else { link.velocity[2].abs() };
+            let spin = if link.body == BodyIndex::PLACEHOLDER { 0.0 } else { link.velocity[2].abs() };
             spins[0] = if spin > spins[0] { spin } else { spins[0] };
         });
     }
@@ -299,7 +300,7 @@ fn begin_step(
 /// Runs all substeps of a step. Returns the energy at the start of the step, or `None` if the articulation gets no energy
 /// balance.
 fn run_substeps(
-    links: &mut [RevoluteLink],
+    links: &mut Links<RevoluteLink>,
     bodies: &BodySet,
     step: &StepContext,
     plan: &SubstepPlan,
@@ -342,7 +343,7 @@ fn run_substeps(
 
 /// Applies the second half of the last force kick (velocity change by applied forces), and projects the velocities on the
 /// joints (RATTLE).
-fn project_velocities(links: &mut [RevoluteLink]) {
+fn project_velocities(links: &mut Links<RevoluteLink>) {
     for link in links.iter_mut() {
         link.apply_forces(0.5, false);
         (link.target_velocity, link.added_stiffness, link.momentum_stiffness) = ([0.0; 2], 0.0, 0.0);
@@ -363,7 +364,7 @@ fn project_velocities(links: &mut [RevoluteLink]) {
 /// [`STIFFNESS_JUMP_RETRIES`] times while the [stiffness jumps](RevoluteLink::stiffness_jumped). `max_spin_error` is the
 /// largest accepted deviation of an angular velocity, in radians/s.
 fn solve_substep(
-    links: &mut [RevoluteLink],
+    links: &mut Links<RevoluteLink>,
     (h, length_unit): (f64, f64),
     max_spin_error: f64,
     begin: impl Fn(&mut RevoluteLink),
@@ -418,12 +419,12 @@ impl RevoluteLink {
     fn begin_step(
         &mut self,
         parent: Option<&mut RevoluteLink>,
-        constraints: &mut [JointConstraint],
+        constraints: &mut JointList,
         bodies: &BodySet,
         (dt, is_balanced): (f64, bool),
     ) {
-        let body = self.body as usize;
-        if body != 0 {
+        let body = self.body.position();
+        if self.body != BodyIndex::PLACEHOLDER {
             let [x, y, c, s] = bodies.poses[body].map(f64::from);
             let [vx, vy, spin, _] = bodies.initial_velocity[body];
             (self.position, self.rotation) = ([x, y], [c, s]);
@@ -437,7 +438,7 @@ impl RevoluteLink {
             self.arm = [0.0; 2];
             return;
         };
-        let constraint = &mut constraints[self.joint as usize];
+        let constraint = &mut constraints[self.joint];
         self.arm = rotate(self.rotation, self.anchor);
         if parent.locked == LockedDofs::Fixed {
             let anchor = &mut constraint.anchors[usize::from(self.is_first)];
@@ -479,9 +480,9 @@ impl RevoluteLink {
             self.joint_spin_change *= 1.0 / f64::from(parts);
         }
         self.set_added_stiffness(self.excess_stiffness());
-        if self.body != 0 {
+        if self.body != BodyIndex::PLACEHOLDER {
             let [force_delta, force_position_delta] = [&bodies.force_delta, &bodies.force_position_delta]
-                .map(|of| f32x4::new(of[self.body as usize]));
+                .map(|of| f32x4::new(of[self.body.position()]));
             let initial_kick = force_position_delta * f32x4::splat(2.0 / dt);
             let push = (force_delta * f32x4::splat(substeps) - initial_kick) * f32x4::splat(1.0 / parts);
             let ([x, y, spin, _], at_once) = (push.to_array().map(f64::from), initial_kick.to_array());
@@ -651,12 +652,12 @@ impl RevoluteLink {
     #[inline(always)]
     fn store(
         &self,
-        constraints: &mut [JointConstraint],
+        constraints: &mut JointList,
         bodies: &mut BodySet,
         (velocity, delta_pose, force): ([f64; 3], [f64; 3], Vec2),
     ) {
-        if self.body != 0 {
-            let body = self.body as usize;
+        if self.body != BodyIndex::PLACEHOLDER {
+            let body = self.body.position();
             // Joints in the plane leave the velocity along the depth axis as it is.
             let (stored_velocity, stored_delta_pose) =
                 (&mut bodies.states[body].velocity, &mut bodies.delta_pose[body]);
@@ -666,7 +667,7 @@ impl RevoluteLink {
         }
         if self.locked.is_joint() {
             let [x, y] = force.map(|force| force * self.sign);
-            constraints[self.joint as usize].force = [x, y, 0.0];
+            constraints[self.joint].force = [x, y, 0.0];
         }
     }
 

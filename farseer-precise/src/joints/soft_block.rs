@@ -18,12 +18,13 @@ use super::block_pair::{
 };
 use super::block_row::{MotorLimitLanes, motor_limit_row};
 use super::frame::JointFrame;
-use super::joint_constraint::JointConstraint;
+use super::joint_constraint::{JointConstraint, JointIndex, JointList};
 use super::soft_law::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes, wide_masks};
+use crate::index::{BodyIndex, IndexedVec};
 use crate::math::lanes::{greater, select, smaller};
 
 /// Index of the joint in a lane that has no joint.
-const NO_JOINT: u32 = u32::MAX;
+const NO_JOINT: JointIndex = JointIndex(u32::MAX);
 
 const ZERO: JointLanes = f32x4::ZERO;
 
@@ -31,7 +32,7 @@ const ZERO: JointLanes = f32x4::ZERO;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SoftJointBlock {
     /// For each lane: index of the joint in the list of all joints, or [`NO_JOINT`] if the lane is empty.
-    joints: [u32; 4],
+    joints: [JointIndex; 4],
     /// The two bodies of each joint, with the Jacobian.
     pair: BodyPairLanes,
     /// Masks of the equality rows along the normal, of the angle and along the tangent: a lane has all bits set where its joint
@@ -89,7 +90,12 @@ impl BlockKind {
 
     /// Returns the number of the kind, 0..[`COUNT`](Self::COUNT), which serves as an index.
     pub(super) fn index(self) -> usize {
-        self.direction as usize * 2 + usize::from(self.has_motor_or_limits)
+        let direction = match self.direction {
+            RowDirection::Fixed => 0,
+            RowDirection::AcrossAxis => 1,
+            RowDirection::BetweenAnchors => 2,
+        };
+        direction * 2 + usize::from(self.has_motor_or_limits)
     }
 }
 
@@ -129,7 +135,7 @@ impl SoftJointBlock {
     /// equality row, a motor, or a limit with an impulse. A slack rope does not act.
     pub(super) fn add_joint(
         &mut self,
-        index: u32,
+        index: JointIndex,
         joint: &JointConstraint,
         bodies: &BodySet,
         times: [f64; 2],
@@ -320,7 +326,7 @@ impl SoftJointBlock {
     pub(super) fn solve_impact(
         &mut self,
         states: &mut [MotionState],
-        (impacted_masks, impacted_bodies): (&mut [u32], &mut Vec<u32>),
+        (impacted_masks, impacted_bodies): (&mut IndexedVec<BodyIndex, u32>, &mut Vec<BodyIndex>),
         length_unit: f32,
     ) -> f32 {
         let infinite = f32x4::splat(f32::INFINITY);
@@ -415,13 +421,13 @@ impl SoftJointBlock {
 
     /// Stores force and torque on body B in each joint: `force` is that of the last substep of `h` seconds, `mean_force` the
     /// mean over the update of `dt` seconds.
-    pub(super) fn store_forces(&self, joints: &mut [JointConstraint], [dt, h]: [f32; 2]) {
+    pub(super) fn store_forces(&self, joints: &mut JointList, [dt, h]: [f32; 2]) {
         let impulse_on_b = self.impulse_on_b();
         for (lane, &at) in self.joints.iter().enumerate().filter(|&(_, &at)| at != NO_JOINT) {
             let per_second = |rows: &RowLanes, seconds: f32| -> Vec3 {
                 rows.map(|impulses| f64::from(impulses.to_array()[lane]) / f64::from(seconds) + 0.0)
             };
-            let hold = &mut joints[at as usize];
+            let hold = &mut joints[at];
             hold.force = per_second(&impulse_on_b, h);
             hold.mean_force = Some(per_second(&self.total_impulse, dt));
         }

@@ -6,13 +6,14 @@ use super::super::direct_solver::joint::ANGLE;
 use super::super::direct_solver::mat3::Vec3;
 use super::frame::JointFrame;
 use super::joint_constraint::JointAnchor;
+use crate::index::{BodyIndex, DenseIndex};
 
 /// Bodies A and B of a spring. Impulses are those of one substep on B, in the rows of [`JointFrame::jacobian`]: along the
 /// normal, of the angle, along the tangent.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SpringBodyPair {
     /// Indices of A and B in [`BodySet::states`]; 0 for bodies without a velocity.
-    bodies: [u32; 2],
+    bodies: [BodyIndex; 2],
     /// For A and B: inverse mass, 1/(mass units), and inverse moment of inertia, 1/(mass units * length units^2); 0 for bodies
     /// that are not dynamic.
     inverses: [[f64; 2]; 2],
@@ -24,14 +25,14 @@ pub(super) struct SpringBodyPair {
 
 impl SpringBodyPair {
     pub(super) fn new(anchors: &[JointAnchor; 2], frame: JointFrame, bodies: &BodySet) -> Self {
-        let is_listed = |pose: u32| (pose as usize) < bodies.states.len();
+        let is_listed = |pose: BodyIndex| pose.position() < bodies.states.len();
         SpringBodyPair {
             bodies: [0, 1]
                 .map(|side| anchors[side].pose_body)
-                .map(|pose| if is_listed(pose) { pose } else { 0 }),
+                .map(|pose| if is_listed(pose) { pose } else { BodyIndex::PLACEHOLDER }),
             inverses: [0, 1].map(|side| match anchors[side].body {
-                0 => [0.0; 2],
-                body => bodies.inverse_mass_inertia[body as usize].map(f64::from),
+                BodyIndex::PLACEHOLDER => [0.0; 2],
+                body => bodies.inverse_mass_inertia[body.position()].map(f64::from),
             }),
             frame,
             jacobian: frame.jacobian(),
@@ -42,7 +43,7 @@ impl SpringBodyPair {
     #[inline(always)]
     pub(super) fn velocities(&self, states: &[MotionState]) -> [Vec3; 2] {
         self.bodies.map(|body| {
-            let [x, y, spin, _] = states[body as usize].velocity.map(f64::from);
+            let [x, y, spin, _] = states[body.position()].velocity.map(f64::from);
             [x, y, spin]
         })
     }
@@ -52,7 +53,7 @@ impl SpringBodyPair {
     pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [Vec3; 2]) {
         for (side, [x, y, spin]) in velocities.into_iter().enumerate() {
             if self.is_movable(side) {
-                let velocity = &mut states[self.bodies[side] as usize].velocity;
+                let velocity = &mut states[self.bodies[side].position()].velocity;
                 (velocity[0], velocity[1], velocity[2]) = (x as f32, y as f32, spin as f32);
             }
         }
@@ -113,7 +114,7 @@ impl SpringBodyPair {
     pub(super) fn add_warm_start(&self, sums: &mut [[f32; 4]], changes: [Vec3; 2]) {
         for (side, change) in changes.into_iter().enumerate() {
             if self.is_movable(side) {
-                let sum = &mut sums[self.bodies[side] as usize];
+                let sum = &mut sums[self.bodies[side].position()];
                 (0..3).for_each(|i| sum[i] += change[i] as f32);
             }
         }
@@ -126,14 +127,14 @@ impl SpringBodyPair {
     pub(super) fn advance(&mut self, bodies: &mut BodySet, impulses: Vec3) {
         let before = self.velocity_changes(impulses);
         let steps = self.bodies.map(|body| {
-            let [x, y, turned, _] = bodies.states[body as usize].displacement.map(f64::from);
+            let [x, y, turned, _] = bodies.states[body.position()].displacement.map(f64::from);
             [x, y, turned]
         });
         self.frame = self.frame.displaced(steps);
         self.jacobian = self.frame.jacobian();
         let after = self.velocity_changes(impulses);
         for side in [0, 1].into_iter().filter(|&side| self.is_movable(side)) {
-            let begun = &mut bodies.warm_started_velocity[self.bodies[side] as usize];
+            let begun = &mut bodies.warm_started_velocity[self.bodies[side].position()];
             (0..3).for_each(|i| begun[i] -= (after[side][i] - before[side][i]) as f32);
         }
     }

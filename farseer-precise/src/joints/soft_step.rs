@@ -12,12 +12,13 @@
 use super::super::bodies::BodySet;
 use super::super::constraint_graph::ContactConstraintSimd;
 use super::super::scaled_parameters::StepContext;
-use super::colours::{assign_colors, is_overflow};
-use super::joint_constraint::{JointAnchor, JointConstraint};
+use super::colours::{JointColor, assign_colors};
+use super::joint_constraint::{JointAnchor, JointIndex, JointList};
 use super::soft_block::{BlockKind, SoftJointBlock};
 use super::soft_law::{RowSoftness, RowSoftnessLanes};
 use super::soft_spring::SoftSpring;
 use super::springs::SpringRows;
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::parameters::joints::{JOINTED_BODY_ROTATION, JOINTED_BODY_SPEED, SOFT_ROW_ARM};
 use crate::reusing_clone;
 
@@ -25,19 +26,19 @@ use crate::reusing_clone;
 #[derive(Debug, Default)]
 pub(super) struct SoftJoints {
     /// All 2D joints as (index into the list of joints, colour), sorted by colour.
-    colored_joints: Vec<(u32, u32)>,
+    colored_joints: Vec<(JointIndex, JointColor)>,
     /// Joints that the iterative solver has in this update, in blocks of four.
     blocks: Vec<SoftJointBlock>,
     /// Springs that the iterative solver has in this update.
     springs: Vec<SoftSpring>,
     /// Indices of the dynamic bodies of `blocks` and `springs`, into the arrays of `BodySet`.
-    jointed_bodies: Vec<u32>,
+    jointed_bodies: Vec<BodyIndex>,
     /// For each body index all bits set if the body is in `jointed_bodies`, else 0.
-    jointed_masks: Vec<u32>,
+    jointed_masks: IndexedVec<BodyIndex, u32>,
     /// Indices of bodies that an impact of this update has reached, by a contact or through joints.
-    impacted_bodies: Vec<u32>,
+    impacted_bodies: Vec<BodyIndex>,
     /// For each body index all bits set if the body is in `impacted_bodies`, else 0.
-    impacted_masks: Vec<u32>,
+    impacted_masks: IndexedVec<BodyIndex, u32>,
 }
 
 reusing_clone! { SoftJoints { colored_joints, blocks, springs, jointed_bodies, jointed_masks, impacted_bodies, impacted_masks } }
@@ -45,17 +46,17 @@ reusing_clone! { SoftJoints { colored_joints, blocks, springs, jointed_bodies, j
 impl SoftJoints {
     /// Assigns colours to the 2D joints, whose indices into `joints` are `in_plane`, and reserves memory. Called after the list
     /// of joints has changed. `bodies` is the number of bodies.
-    pub(super) fn plan(&mut self, joints: &[JointConstraint], in_plane: &[u32], bodies: usize) {
+    pub(super) fn plan(&mut self, joints: &JointList, in_plane: &[JointIndex], bodies: usize) {
         self.clear();
         assign_colors(joints, in_plane, bodies, &mut self.colored_joints);
         // The memory is for all joints: any of them may come to the iterative solver later. Each colour may leave one block of
         // each kind that is not full.
         let colours = self.colored_joints.chunk_by(|one, other| one.1 == other.1).count();
         let blocks = self.colored_joints.len().div_ceil(4) + BlockKind::COUNT * colours;
-        let alone = self.colored_joints.iter().filter(|&&(_, colour)| is_overflow(colour)).count();
+        let alone = self.colored_joints.iter().filter(|&&(_, colour)| colour.is_overflow()).count();
         self.blocks.reserve(self.colored_joints.len().min(blocks + alone));
         self.jointed_bodies.reserve(bodies.min(2 * self.colored_joints.len()));
-        self.impacted_bodies.drain(..).for_each(|body| self.impacted_masks[body as usize] = 0);
+        self.impacted_bodies.drain(..).for_each(|body| self.impacted_masks[body] = 0);
         // All masks are 0 here.
         for masks in [&mut self.jointed_masks, &mut self.impacted_masks] {
             masks.resize(bodies, 0);
@@ -66,7 +67,7 @@ impl SoftJoints {
     pub(super) fn clear(&mut self) {
         self.blocks.clear();
         self.springs.clear();
-        self.jointed_bodies.drain(..).for_each(|body| self.jointed_masks[body as usize] = 0);
+        self.jointed_bodies.drain(..).for_each(|body| self.jointed_masks[body] = 0);
     }
 
     /// Builds the rows of an update: from the joints for which `is_iterative` returns true, and from the springs that the
@@ -75,8 +76,8 @@ impl SoftJoints {
     /// `is_iterative` takes an index into `joints`. `length_unit` is the length unit of the simulator, > 0.
     pub(super) fn prepare(
         &mut self,
-        (joints, springs): (&[JointConstraint], &SpringRows),
-        is_iterative: impl Fn(usize) -> bool,
+        (joints, springs): (&JointList, &SpringRows),
+        is_iterative: impl Fn(JointIndex) -> bool,
         (bodies, step): (&BodySet, &StepContext),
         length_unit: f64,
     ) {
@@ -88,8 +89,8 @@ impl SoftJoints {
             colored_joints, blocks, springs: soft_springs, jointed_bodies, jointed_masks, ..
         } = self;
         let mut mark = |ends: &[JointAnchor; 2]| {
-            for body in ends.iter().map(|end| end.body).filter(|&body| body != 0) {
-                if std::mem::replace(&mut jointed_masks[body as usize], !0) == 0 {
+            for body in ends.iter().map(|end| end.body).filter(|&body| body != BodyIndex::PLACEHOLDER) {
+                if std::mem::replace(&mut jointed_masks[body], !0) == 0 {
                     jointed_bodies.push(body);
                 }
             }
@@ -97,9 +98,9 @@ impl SoftJoints {
         // For each kind, the block of this colour that is not full.
         let mut open = [None; BlockKind::COUNT];
         let mut last = None;
-        for &(at, colour) in colored_joints.iter().filter(|&&(at, _)| is_iterative(at as usize)) {
-            let (hold, is_new) = (&joints[at as usize], last.replace(colour) != Some(colour));
-            if is_new || is_overflow(colour) {
+        for &(at, colour) in colored_joints.iter().filter(|&&(at, _)| is_iterative(at)) {
+            let (hold, is_new) = (&joints[at], last.replace(colour) != Some(colour));
+            if is_new || colour.is_overflow() {
                 open = [None; BlockKind::COUNT];
             }
             let kind = BlockKind::of_joint(hold);
@@ -127,7 +128,7 @@ impl SoftJoints {
     }
 
     /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0.
-    pub(super) fn body_masks(&self) -> &[u32] {
+    pub(super) fn body_masks(&self) -> &IndexedVec<BodyIndex, u32> {
         &self.jointed_masks
     }
 
@@ -169,7 +170,7 @@ impl SoftJoints {
     pub(super) fn limit_speeds(&self, bodies: &mut BodySet, length_unit: f32, h: f32) {
         let (max_speed, max_angular_speed) = (JOINTED_BODY_SPEED * length_unit, JOINTED_BODY_ROTATION / h);
         for body in
-            self.jointed_bodies.iter().map(|&body| body as usize).filter(|&body| !bodies.are_bullets[body])
+            self.jointed_bodies.iter().map(|body| body.position()).filter(|&body| !bodies.are_bullets[body])
         {
             let [x, y, spin, _] = bodies.states[body].velocity;
             let (squared_speed, angular_speed) = (x * x + y * y, spin.abs());
@@ -194,16 +195,16 @@ impl SoftJoints {
 
     /// Starts the restitution phase of the contacts: no body is impacted yet.
     pub(super) fn begin_restitution(&mut self) {
-        self.impacted_bodies.drain(..).for_each(|body| self.impacted_masks[body as usize] = 0);
+        self.impacted_bodies.drain(..).for_each(|body| self.impacted_masks[body] = 0);
     }
 
     /// Adds the bodies of these contact lanes to the impacted bodies, if they have joints or springs in the iterative solver.
     /// `lanes` has one bit for each of the four lanes of `row`.
     pub(super) fn record_restitution<const P: usize>(&mut self, row: &ContactConstraintSimd<P>, lanes: u32) {
         for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
-            for body in [row.a[lane], row.b[lane]] {
-                let is_jointed = self.jointed_masks.get(body as usize).is_some_and(|&mask| mask != 0);
-                if is_jointed && std::mem::replace(&mut self.impacted_masks[body as usize], !0) == 0 {
+            for body in [row.a[lane], row.b[lane]].map(BodyIndex) {
+                let is_jointed = self.jointed_masks.at(body).is_some_and(|&mask| mask != 0);
+                if is_jointed && std::mem::replace(&mut self.impacted_masks[body], !0) == 0 {
                     self.impacted_bodies.push(body);
                 }
             }
@@ -228,7 +229,7 @@ impl SoftJoints {
 
     /// Stores two forces in each joint: force and torque of the last substep, and the mean over the update. `times` are the
     /// seconds of the update and of the substep.
-    pub(super) fn store_forces(&self, joints: &mut [JointConstraint], times: [f32; 2]) {
+    pub(super) fn store_forces(&self, joints: &mut JointList, times: [f32; 2]) {
         self.blocks.iter().for_each(|block| block.store_forces(joints, times));
     }
 }

@@ -25,16 +25,22 @@ use super::super::direct_solver::constraint::{BodyIndices, FIXED};
 use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
 use super::articulated_body::LockedDofs;
 use super::frame::JointFrame;
-use super::joint_constraint::{JointAnchor, JointCandidate};
+use super::joint_constraint::{CandidateIndex, JointAnchor, JointCandidate};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
 use crate::reusing_clone;
+
+index_type! {
+    /// Index of a spring that is a row in this step.
+    pub struct SpringIndex;
+}
 
 /// Springs that solvers treat as rows in this update, instead of explicit forces.
 #[derive(Debug, Default)]
 pub struct SpringRows {
     /// Springs that are rows and act on a dynamic body, with poses and coefficients in this step.
-    constraints: Vec<SpringConstraint>,
+    constraints: IndexedVec<SpringIndex, SpringConstraint>,
     /// For each body index whether a spring of `constraints` acts on the body. Unused between steps.
-    is_body_attached: Vec<bool>,
+    is_body_attached: IndexedVec<BodyIndex, bool>,
 }
 
 reusing_clone! { SpringRows { constraints, is_body_attached } }
@@ -93,9 +99,9 @@ impl SpringRows {
         is_body_attached.resize(if constraints.is_empty() { 0 } else { bodies.states.len() }, false);
         for hold in constraints.iter() {
             for (end, accelerations) in hold.ends.iter().zip(hold.accelerations) {
-                if end.body != 0 {
-                    is_body_attached[end.body as usize] = true;
-                    let position_delta = &mut bodies.force_position_delta[end.body as usize];
+                if end.body != BodyIndex::PLACEHOLDER {
+                    is_body_attached[end.body] = true;
+                    let position_delta = &mut bodies.force_position_delta[end.body.position()];
                     (0..3).for_each(|axis| position_delta[axis] += accelerations[axis] * (0.5 * dt * dt));
                 }
             }
@@ -104,8 +110,8 @@ impl SpringRows {
 
     /// Returns the springs of this step as candidates for islands of the direct solver.
     pub(crate) fn candidates(&self) -> impl Iterator<Item = JointCandidate> + '_ {
-        self.constraints.iter().enumerate().map(|(at, hold)| JointCandidate {
-            joint: at as u32,
+        self.constraints.enumerated().map(|(at, hold)| JointCandidate {
+            index: CandidateIndex::Spring(at),
             bodies: hold.ends.map(|end| end.body),
             is_free_articulation: false,
             has_rows: true,
@@ -114,13 +120,13 @@ impl SpringRows {
     }
 
     /// Returns the spring at `index` of the list of this step.
-    pub(crate) fn constraint(&self, index: u32) -> &SpringConstraint {
-        &self.constraints[index as usize]
+    pub(crate) fn constraint(&self, index: SpringIndex) -> &SpringConstraint {
+        &self.constraints[index]
     }
 
     /// Marks the spring at `index` as solved by the direct solver, so that the iterative solver leaves it out.
-    pub(crate) fn mark_solved(&mut self, index: u32) {
-        self.constraints[index as usize].is_solved = true;
+    pub(crate) fn mark_solved(&mut self, index: SpringIndex) {
+        self.constraints[index].is_solved = true;
     }
 
     /// Returns the springs that the direct solver has not solved.
@@ -186,7 +192,7 @@ impl SpringConstraint {
     pub fn set_spin_damping(&mut self, angular_velocity: impl Fn(&JointAnchor) -> f32) {
         let damping = std::mem::take(&mut self.damping);
         let is_bounded = |end: &JointAnchor, sign: f64| {
-            end.body != 0
+            end.body != BodyIndex::PLACEHOLDER
                 && (sign * self.stiffness * self.stretch - damping * f64::from(angular_velocity(end))).abs()
                     >= self.max_torque
         };

@@ -20,6 +20,7 @@ use farseer_precise::broad_phase::pair_finder::order_pair;
 use farseer_precise::broad_phase::pairs::OneWayState;
 use farseer_precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::narrow_phase::TouchEvent;
 
 impl From<Saved> for Precise {
@@ -163,7 +164,7 @@ impl Precise {
         self.solver.direct_solver.timer = saved.reselection_timer;
         for &(body, history) in &saved.solver_history {
             match self.body_index(body).filter(|&number| self.solver.bodies.is_dynamic(number)) {
-                Some(number) => self.solver.direct_solver.history[number] = history,
+                Some(number) => self.solver.direct_solver.history[BodyIndex::new(number)] = history,
                 None => self.solver.direct_solver.timer.is_due |= history.is_direct,
             }
         }

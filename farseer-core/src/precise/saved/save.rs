@@ -16,6 +16,7 @@ use farseer_precise::constraint_graph::{
 };
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::direct_solver::IslandHistory;
+use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::narrow_phase::TouchEvent;
 
@@ -103,7 +104,7 @@ impl Precise {
     /// Returns the histories of the solver selection that differ from the default, by body.
     fn save_solver_history(&self) -> impl Iterator<Item = (BodyId, IslandHistory)> + '_ {
         let histories = (1..=self.solver.bodies.last_movable)
-            .map(|number| (number, self.solver.direct_solver.history[number]));
+            .map(|number| (number, self.solver.direct_solver.history[BodyIndex::new(number)]));
         let worn = histories.filter(|&(_, history)| history != IslandHistory::default());
         worn.filter_map(|(number, wear)| Some((self.ids.bodies[number]?, wear)))
     }

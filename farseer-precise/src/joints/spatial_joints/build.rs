@@ -2,11 +2,11 @@
 
 use super::super::super::bodies::BodySet;
 use super::super::articulated_body::LockedDofs;
-use super::super::joint_constraint::JointConstraint;
+use super::super::joint_constraint::{JointConstraint, JointIndex, JointList};
 use super::constraint_row::{JointState, NodeIndex, RowKind, SpatialJointRow};
 use super::group_solver::{OffDiagonal, SpatialJointGroup};
 use super::sparse_ldlt::SparseLdlt;
-use crate::index::{DenseIndex, IndexedVec};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::island::union_find::UnionFind;
 use crate::minimum_degree::RowIndex;
 use crate::parameters::spatial_joints::GROUP_MAX_FACTOR_PRODUCTS;
@@ -18,24 +18,24 @@ use crate::storage::order::{packed_key, sort_by_number};
 ///
 /// The groups are in the order of their first joints. Static and kinematic bodies do not connect joints.
 pub(in super::super) fn spatial_groups(
-    joints: &[JointConstraint],
+    joints: &JointList,
     bodies: &BodySet,
-) -> (Vec<SpatialJointGroup>, Vec<u32>) {
+) -> (Vec<SpatialJointGroup>, Vec<JointIndex>) {
     let mut unions = UnionFind::new(bodies.states.len());
-    for [a, b] in joints.iter().map(|hold| hold.anchors.map(|end| end.body)) {
+    for [a, b] in joints.iter().map(|hold| hold.anchors.map(|end| end.body.0)) {
         if a != 0 && b != 0 {
             unions.unite(a, b);
         }
     }
-    let mut root_of = |hold: &JointConstraint| unions.find(hold.anchors[0].body.max(hold.anchors[1].body));
+    let mut root_of = |hold: &JointConstraint| unions.find(hold.anchors[0].body.max(hold.anchors[1].body).0);
     let roots: Vec<u32> = joints.iter().map(&mut root_of).collect();
-    let mut groups: Vec<Vec<u32>> = Vec::new();
+    let mut groups: Vec<Vec<JointIndex>> = Vec::new();
     let distances = joints.iter().zip(&roots).filter(|(hold, _)| hold.locked == LockedDofs::Distance);
     let mut has_distance: Vec<u32> = distances.map(|(_, &root)| root).collect();
     has_distance.sort_unstable();
     has_distance.dedup();
     let (mut group_of, mut others) = (vec![None; has_distance.len()], Vec::new());
-    for (at, root) in (0..).zip(&roots) {
+    for (at, root) in joints.indices().zip(&roots) {
         match has_distance.binary_search(root) {
             Ok(of) => {
                 let group = *group_of[of].get_or_insert_with(|| {
@@ -52,11 +52,11 @@ pub(in super::super) fn spatial_groups(
 
 impl SpatialJointGroup {
     /// Returns the group of the joints with the indices `members` into `joints`.
-    fn new(members: &[u32], joints: &[JointConstraint], bodies: &BodySet) -> Self {
-        let mut body_indices: Vec<u32> = members
+    fn new(members: &[JointIndex], joints: &JointList, bodies: &BodySet) -> Self {
+        let mut body_indices: Vec<BodyIndex> = members
             .iter()
-            .flat_map(|&at| joints[at as usize].anchors.map(|end| end.body))
-            .filter(|&body| body != 0)
+            .flat_map(|&at| joints[at].anchors.map(|end| end.body))
+            .filter(|&body| body != BodyIndex::PLACEHOLDER)
             .collect();
         body_indices.sort_unstable();
         body_indices.dedup();
@@ -65,7 +65,7 @@ impl SpatialJointGroup {
             SpatialJointGroup { has_loops: closing.contains(&true), ..SpatialJointGroup::default() };
         let mut ground_sides = 0;
         for (&at, closes_loop) in members.iter().zip(closing) {
-            let hold = &joints[at as usize];
+            let hold = &joints[at];
             let nodes = hold.anchors.map(|end| {
                 body_indices.binary_search(&end.body).unwrap_or_else(|_| {
                     ground_sides += 1;
@@ -78,13 +78,13 @@ impl SpatialJointGroup {
             group.rows.extend(kinds.map(|kind| SpatialJointRow::new(of_joint, kind, closes_loop)));
         }
         let inverses = body_indices.iter().map(|&body| {
-            let [mass, inertia] = bodies.inverse_mass_inertia[body as usize].map(f64::from);
+            let [mass, inertia] = bodies.inverse_mass_inertia[body.position()].map(f64::from);
             [mass, mass, inertia, mass]
         });
         group.inverse_masses = inverses.chain(std::iter::repeat_n([0.0; 4], ground_sides)).collect();
         group.velocities = IndexedVec::of_copies([0.0; 4], group.inverse_masses.len());
         group.velocity_errors = vec![0.0; group.rows.len()];
-        group.bodies = body_indices;
+        group.bodies = body_indices.into_iter().collect();
         group.find_off_diagonals();
         group
     }
@@ -134,11 +134,11 @@ impl SpatialJointGroup {
 
 /// Returns for each joint of `members` whether it closes a loop of the joint graph, in which all static and kinematic bodies
 /// are one node.
-fn find_loop_closures(members: &[u32], joints: &[JointConstraint], bodies: &[u32]) -> Vec<bool> {
+fn find_loop_closures(members: &[JointIndex], joints: &JointList, bodies: &[BodyIndex]) -> Vec<bool> {
     let mut unions = UnionFind::new(bodies.len() + 1);
     // Node 0 is the world.
-    let node_of = |body: u32| bodies.binary_search(&body).map_or(0, |place| place as u32 + 1);
-    let ends = members.iter().map(|&at| joints[at as usize].anchors.map(|end| node_of(end.body)));
+    let node_of = |body: BodyIndex| bodies.binary_search(&body).map_or(0, |place| place as u32 + 1);
+    let ends = members.iter().map(|&at| joints[at].anchors.map(|end| node_of(end.body)));
     let closes_loop = ends.map(|[a, b]| {
         let is_joined = unions.find(a) == unions.find(b);
         unions.unite(a, b);

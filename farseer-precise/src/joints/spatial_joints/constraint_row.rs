@@ -5,7 +5,7 @@
 
 use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
 use super::super::articulation_step::cos_sin;
-use super::super::joint_constraint::{JointConstraint, Limits, Motor};
+use super::super::joint_constraint::{JointConstraint, JointIndex, JointList, Limits, Motor};
 use crate::index::{DenseIndex, IndexedVec, index_type};
 use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, LOOP_COMPLIANCE, MAX_POSITION_CORRECTION};
 
@@ -136,7 +136,7 @@ impl JointSide {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JointState {
     /// Index of the joint into the list of all joints.
-    pub(super) joint: u32,
+    pub(super) joint: JointIndex,
     pub(super) link: LockedDofs,
     pub(super) sides: [JointSide; 2],
     /// Vector from anchor A to anchor B in the world at the present poses: x, y and z, length units.
@@ -156,7 +156,7 @@ pub(super) struct JointState {
 
 impl JointState {
     /// Returns the state of the joint with the index `joint` into the list of all joints, at poses that are not known yet.
-    pub(super) fn new(joint: u32, link: LockedDofs, nodes: [NodeIndex; 2]) -> Self {
+    pub(super) fn new(joint: JointIndex, link: LockedDofs, nodes: [NodeIndex; 2]) -> Self {
         JointState {
             joint,
             link,
@@ -421,7 +421,7 @@ impl SpatialJointRow {
     pub(super) fn choose_limit(
         &mut self,
         state: &JointState,
-        joints: &[JointConstraint],
+        joints: &JointList,
         velocities: &Nodes,
         h: f64,
     ) {
@@ -449,7 +449,7 @@ impl SpatialJointRow {
     pub(super) fn update_jacobian(
         &mut self,
         state: &JointState,
-        joints: &[JointConstraint],
+        joints: &JointList,
         (inverse_masses, body_count): (&Nodes, usize),
     ) {
         if state.anchors_at_origins && self.kind == RowKind::Distance {
@@ -457,7 +457,7 @@ impl SpatialJointRow {
             self.jacobian = [[-nx, -ny, 0.0, -nz], [nx, ny, 0.0, nz]];
             self.value = state.distance;
         } else {
-            self.update_anchor_jacobian(state, &joints[state.joint as usize]);
+            self.update_anchor_jacobian(state, &joints[state.joint]);
         }
         let mut inverse_mass = 0.0;
         for (node, push) in self.nodes.into_iter().zip(self.jacobian) {
@@ -514,17 +514,11 @@ impl SpatialJointRow {
     /// Returns the value of the row after `h` seconds with the velocities of the group's bodies: radians in angular rows, else
     /// length units.
     #[inline(always)]
-    fn predicted_value(
-        &self,
-        state: &JointState,
-        joints: &[JointConstraint],
-        velocities: &Nodes,
-        h: f64,
-    ) -> f64 {
+    fn predicted_value(&self, state: &JointState, joints: &JointList, velocities: &Nodes, h: f64) -> f64 {
         if state.anchors_at_origins && self.kind == RowKind::Distance {
             state.predicted_origin_distance(velocities, h)
         } else {
-            state.value(self.kind, &state.predicted_anchors(velocities, h), &joints[state.joint as usize])
+            state.value(self.kind, &state.predicted_anchors(velocities, h), &joints[state.joint])
         }
     }
 
@@ -554,7 +548,7 @@ impl SpatialJointRow {
     #[inline(always)]
     pub(super) fn velocity_error(
         &self,
-        (states, joints): (&IndexedVec<StateIndex, JointState>, &[JointConstraint]),
+        (states, joints): (&IndexedVec<StateIndex, JointState>, &JointList),
         velocities: &Nodes,
         h: f64,
     ) -> f64 {

@@ -6,11 +6,12 @@
 
 use super::super::super::bodies::BodySet;
 use super::super::super::scaled_parameters::StepContext;
-use super::super::joint_constraint::JointConstraint;
+use super::super::joint_constraint::JointList;
 use super::super::soft_law::min;
 use super::constraint_row::{RowKind, Velocity4};
 use super::group_solver::SpatialJointGroup;
 use super::sparse_ldlt::SparseLdlt;
+use crate::index::DenseIndex;
 use crate::parameters::spatial_joints::{
     ROPE_MAX_ENERGY_GAIN, ROPE_MAX_STEP_PARTS, ROPE_MAX_SUBSTEP_PARTS, ROPE_MAX_SUBSTEP_PRODUCTS,
     ROPE_RETRY_FACTOR, ROPE_STABLE_LIMIT_FRACTION, ROPE_TENSION_MARGIN,
@@ -19,10 +20,10 @@ use crate::parameters::spatial_joints::{
 impl SpatialJointGroup {
     /// Returns the number of parts into which a substep of `h` seconds must be divided, in a step of `dt` seconds. It follows
     /// from the tensions of the last step.
-    pub(super) fn required_parts(&self, joints: &[JointConstraint], [dt, h]: [f64; 2]) -> u32 {
+    pub(super) fn required_parts(&self, joints: &JointList, [dt, h]: [f64; 2]) -> u32 {
         let stiffness = self.rows.iter().filter(|row| row.kind == RowKind::Distance).map(|row| {
             let state = &self.joints[row.joint];
-            let joint = &joints[state.joint as usize];
+            let joint = &joints[state.joint];
             let ([x, y, _], z) = (joint.force, f64::from(joint.force_along_depth));
             let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
             // Two links pull at each body.
@@ -48,12 +49,7 @@ impl SpatialJointGroup {
     ///
     /// An impulsive tension is known only after it has occurred. A step that does not converge or gains energy is repeated with
     /// [`ROPE_RETRY_FACTOR`] times as many parts per substep.
-    pub(in super::super) fn free_step(
-        &mut self,
-        joints: &[JointConstraint],
-        bodies: &BodySet,
-        step: &StepContext,
-    ) {
+    pub(in super::super) fn free_step(&mut self, joints: &JointList, bodies: &BodySet, step: &StepContext) {
         if !self.is_contact_free {
             return;
         }
@@ -72,7 +68,7 @@ impl SpatialJointGroup {
     /// removed.
     fn try_free_step(
         &mut self,
-        joints: &[JointConstraint],
+        joints: &JointList,
         bodies: &BodySet,
         step: &StepContext,
         is_last_attempt: bool,
@@ -84,7 +80,7 @@ impl SpatialJointGroup {
         let h = f64::from(step.h) * fraction;
         for _ in 0..step.substeps * self.substep_parts {
             for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
-                let push = bodies.force_delta[body as usize];
+                let push = bodies.force_delta[body.position()];
                 (0..4).for_each(|i| velocity[i] += f64::from(push[i]) * fraction);
             }
             let energy = if self.is_passive { self.doubled_kinetic_energy() } else { 0.0 };
@@ -139,8 +135,8 @@ impl SpatialJointGroup {
         for ((velocity, way), &body) in
             self.velocities.iter().zip(self.displacements.iter()).zip(&self.bodies)
         {
-            bodies.states[body as usize].velocity = velocity.map(|velocity| velocity as f32);
-            bodies.delta_pose[body as usize] = way.map(|way| way as f32);
+            bodies.states[body.position()].velocity = velocity.map(|velocity| velocity as f32);
+            bodies.delta_pose[body.position()] = way.map(|way| way as f32);
         }
     }
 }

@@ -10,12 +10,12 @@
 //! violated row joins it. Groups that are too large for a factorisation use Gauss-Seidel sweeps.
 
 use super::super::super::bodies::BodySet;
-use super::super::joint_constraint::JointConstraint;
+use super::super::joint_constraint::{JointIndex, JointList};
 use super::constraint_row::{
     JointState, NodeIndex, RowKind, SolvePhase, SpatialJointRow, StateIndex, Velocity4, delassus_term,
 };
 use super::sparse_ldlt::SparseLdlt;
-use crate::index::{DenseIndex, IndexedVec};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::minimum_degree::RowIndex;
 use crate::parameters::spatial_joints::{
     ACTIVE_SET_MAX_ITERATIONS, GROUP_ERROR_CONVERGED, GROUP_ERROR_FLOOR, GROUP_GAUSS_SEIDEL_SWEEPS,
@@ -30,7 +30,7 @@ use crate::sparse_ordering::EntryIndex;
 pub(in super::super) struct SpatialJointGroup {
     /// Indices of the dynamic bodies into the arrays of `BodySet`, sorted. Other fields of the group refer to a body by its
     /// position in this list.
-    pub(super) bodies: Vec<u32>,
+    pub(super) bodies: IndexedVec<NodeIndex, BodyIndex>,
     /// Inverse masses: x, y and z in 1/(mass units), angular in 1/(mass units * length units^2). Entries of `bodies` come first;
     /// then 0 for each side of a joint that is the world, static or kinematic.
     pub(super) inverse_masses: IndexedVec<NodeIndex, Velocity4>,
@@ -94,13 +94,13 @@ pub(super) struct OffDiagonal {
 
 impl SpatialJointGroup {
     /// Returns the indices of the group's dynamic bodies into the arrays of `BodySet`.
-    pub(in super::super) fn bodies(&self) -> &[u32] {
+    pub(in super::super) fn bodies(&self) -> &[BodyIndex] {
         &self.bodies
     }
 
     /// Returns the indices of the group's joints in the list of all joints.
-    pub(in super::super) fn joint_indices(&self) -> impl Iterator<Item = usize> + '_ {
-        self.joints.iter().map(|tie| tie.joint as usize)
+    pub(in super::super) fn joint_indices(&self) -> impl Iterator<Item = JointIndex> + '_ {
+        self.joints.iter().map(|tie| tie.joint)
     }
 
     /// Returns whether no body of the group has a contact.
@@ -115,7 +115,7 @@ impl SpatialJointGroup {
 
     /// Sets `is_contact_free`. `is_touched` returns whether contacts or springs act on a body.
     pub(in super::super) fn update_contact_free(&mut self, is_touched: impl Fn(usize) -> bool) {
-        self.is_contact_free = !self.bodies.iter().any(|&body| is_touched(body as usize));
+        self.is_contact_free = !self.bodies.iter().any(|&body| is_touched(body.position()));
     }
 
     /// Prepares the group for a step of `dt` seconds with substeps of `h` seconds: sets poses, velocities of static and
@@ -124,24 +124,25 @@ impl SpatialJointGroup {
     /// `depth_of` returns the z position of the body on a side (0 or 1) of a joint, by its index, in length units.
     pub(in super::super) fn prepare(
         &mut self,
-        joints: &[JointConstraint],
+        joints: &JointList,
         bodies: &BodySet,
         [dt, h]: [f64; 2],
         length_unit: f64,
-        depth_of: impl Fn(usize, usize) -> f32,
+        depth_of: impl Fn(JointIndex, usize) -> f32,
     ) {
         self.length_unit = length_unit;
         let mut is_at_rest = true;
         for state in self.joints.iter_mut() {
-            let joint = &joints[state.joint as usize];
+            let joint = &joints[state.joint];
             for (at, side) in state.sides.iter_mut().enumerate() {
-                let (end, z) = (&joint.anchors[at], f64::from(depth_of(state.joint as usize, at)));
+                let (end, z) = (&joint.anchors[at], f64::from(depth_of(state.joint, at)));
                 (side.origin, side.arm, side.rotation) =
                     ([end.position[0], end.position[1], z], end.arm, 0.0);
                 let along_z =
-                    bodies.states.get(end.pose_body as usize).map_or(0.0, |hot| f64::from(hot.velocity[3]));
+                    bodies.states.get(end.pose_body.position()).map_or(0.0, |hot| f64::from(hot.velocity[3]));
                 let [x, y, spin] = end.velocity;
-                let velocity = [x, y, spin, if end.pose_body == 0 { 0.0 } else { along_z }];
+                let velocity =
+                    [x, y, spin, if end.pose_body == BodyIndex::PLACEHOLDER { 0.0 } else { along_z }];
                 // The velocity of a dynamic body is energy that the group has, not work that is done on it.
                 if side.node.position() >= self.bodies.len() {
                     is_at_rest &= velocity == [0.0; 4];
@@ -158,12 +159,12 @@ impl SpatialJointGroup {
     }
 
     /// Prepares the rows for a step of `dt` seconds with substeps of `h` seconds, each divided into `substep_parts` parts.
-    pub(super) fn prepare_rows(&mut self, joints: &[JointConstraint], [dt, h]: [f64; 2], substep_parts: u32) {
+    pub(super) fn prepare_rows(&mut self, joints: &JointList, [dt, h]: [f64; 2], substep_parts: u32) {
         self.substep_parts = substep_parts;
         let (parts, unit) = (f64::from(substep_parts), self.length_unit);
         for row in self.rows.iter_mut() {
             let state = &self.joints[row.joint];
-            row.prepare(state, &joints[state.joint as usize], ([dt, h / parts], unit), parts);
+            row.prepare(state, &joints[state.joint], ([dt, h / parts], unit), parts);
         }
         if self.has_loops {
             self.cap_loop_impulses(h / parts);
@@ -171,12 +172,7 @@ impl SpatialJointGroup {
     }
 
     /// Changes the velocities of the bodies so that the joints hold at the end of a substep of `h` seconds (SHAKE).
-    pub(in super::super) fn solve_positions(
-        &mut self,
-        joints: &[JointConstraint],
-        bodies: &mut BodySet,
-        h: f64,
-    ) {
+    pub(in super::super) fn solve_positions(&mut self, joints: &JointList, bodies: &mut BodySet, h: f64) {
         self.load_velocities(bodies);
         if !self.solve_position_velocities(joints, h, true) {
             self.solve_velocities_only(joints, h);
@@ -192,7 +188,7 @@ impl SpatialJointGroup {
     /// removed in the relaxation.
     pub(super) fn solve_position_velocities(
         &mut self,
-        joints: &[JointConstraint],
+        joints: &JointList,
         h: f64,
         accepts_residual: bool,
     ) -> bool {
@@ -231,7 +227,7 @@ impl SpatialJointGroup {
     /// position solve.
     ///
     /// Such velocities add no energy. The position errors that they leave are corrected in later substeps.
-    pub(super) fn solve_velocities_only(&mut self, joints: &[JointConstraint], h: f64) {
+    pub(super) fn solve_velocities_only(&mut self, joints: &JointList, h: f64) {
         self.velocities.clone_from(&self.unconstrained_velocities);
         self.rows.iter_mut().for_each(|row| row.impulse = 0.0);
         self.solve(joints, h, (SolvePhase::Relax, true));
@@ -254,12 +250,7 @@ impl SpatialJointGroup {
 
     /// Changes the velocities of the bodies so that they satisfy the joints, after bodies have moved in a substep of `h`
     /// seconds (RATTLE).
-    pub(in super::super) fn solve_velocities(
-        &mut self,
-        joints: &[JointConstraint],
-        bodies: &mut BodySet,
-        h: f64,
-    ) {
+    pub(in super::super) fn solve_velocities(&mut self, joints: &JointList, bodies: &mut BodySet, h: f64) {
         self.load_velocities(bodies);
         self.relax_velocities(joints, h);
         self.store_velocities(bodies);
@@ -267,7 +258,7 @@ impl SpatialJointGroup {
 
     /// Removes the correction velocities from the group's velocities, and solves the velocities for the joints (RATTLE). Adds
     /// the impulses of the substep of `h` seconds to the sums of the step.
-    pub(super) fn relax_velocities(&mut self, joints: &[JointConstraint], h: f64) {
+    pub(super) fn relax_velocities(&mut self, joints: &JointList, h: f64) {
         for (undoing, velocity) in self.correction_velocities.iter().zip(self.velocities.iter_mut()) {
             (0..4).for_each(|i| velocity[i] -= undoing[i]);
         }
@@ -285,16 +276,11 @@ impl SpatialJointGroup {
 
     /// Stores the mean forces and torques of a step of `dt` seconds in the joints. Stores velocities and displacements of a
     /// group without contacts in `bodies`.
-    pub(in super::super) fn store_forces(
-        &self,
-        joints: &mut [JointConstraint],
-        bodies: &mut BodySet,
-        dt: f64,
-    ) {
+    pub(in super::super) fn store_forces(&self, joints: &mut JointList, bodies: &mut BodySet, dt: f64) {
         self.store_free_step(bodies);
         for state in self.joints.iter() {
             let [x, y, turning, z] = state.total_impulse.map(|impulse| impulse / dt);
-            let joint = &mut joints[state.joint as usize];
+            let joint = &mut joints[state.joint];
             (joint.force, joint.force_along_depth) = ([x, y, turning], z as f32);
         }
     }
@@ -302,7 +288,7 @@ impl SpatialJointGroup {
     /// Copies the velocities of the bodies into `velocities` of the group.
     pub(super) fn load_velocities(&mut self, bodies: &BodySet) {
         for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
-            *velocity = bodies.states[body as usize].velocity.map(f64::from);
+            *velocity = bodies.states[body.position()].velocity.map(f64::from);
         }
     }
 
@@ -312,8 +298,8 @@ impl SpatialJointGroup {
     fn store_velocities(&self, bodies: &mut BodySet) {
         for (velocity, &body) in self.velocities.iter().zip(&self.bodies) {
             let (now, begun) = (
-                &mut bodies.states[body as usize].velocity,
-                &mut bodies.warm_started_velocity[body as usize],
+                &mut bodies.states[body.position()].velocity,
+                &mut bodies.warm_started_velocity[body.position()],
             );
             for i in 0..4 {
                 let next = velocity[i] as f32;
@@ -328,12 +314,7 @@ impl SpatialJointGroup {
     ///
     /// With `accepts_residual`, or in a group with loops, a solve that has not increased the largest error counts as converged,
     /// too.
-    fn solve(
-        &mut self,
-        joints: &[JointConstraint],
-        h: f64,
-        (phase, accepts_residual): (SolvePhase, bool),
-    ) -> bool {
+    fn solve(&mut self, joints: &JointList, h: f64, (phase, accepts_residual): (SolvePhase, bool)) -> bool {
         self.rows.iter_mut().for_each(|row| row.set_target(h, phase));
         let Some(mut sparse) = self.ldlt.take() else {
             self.gauss_seidel(joints, h);
@@ -397,12 +378,7 @@ impl SpatialJointGroup {
     /// angular rows, else length units/s), and whether the set has changed.
     ///
     /// Errors of inactive rows are set to 0. A row joins the set only if `may_activate` holds.
-    fn find_velocity_errors(
-        &mut self,
-        joints: &[JointConstraint],
-        h: f64,
-        may_activate: bool,
-    ) -> (f64, bool) {
+    fn find_velocity_errors(&mut self, joints: &JointList, h: f64, may_activate: bool) -> (f64, bool) {
         let (mut worst, mut is_set_changed) = (0.0_f64, false);
         for (row, missing) in self.rows.iter_mut().zip(&mut self.velocity_errors) {
             let error = row.velocity_error((&self.joints, joints), &self.velocities, h);
@@ -461,7 +437,7 @@ impl SpatialJointGroup {
     }
 
     /// Solves the rows one after the other in [`GROUP_GAUSS_SEIDEL_SWEEPS`] sweeps, in a substep of `h` seconds.
-    fn gauss_seidel(&mut self, joints: &[JointConstraint], h: f64) {
+    fn gauss_seidel(&mut self, joints: &JointList, h: f64) {
         let count = self.bodies.len();
         for _ in 0..GROUP_GAUSS_SEIDEL_SWEEPS {
             for row in self.rows.iter_mut() {

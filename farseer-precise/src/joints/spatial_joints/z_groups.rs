@@ -6,7 +6,8 @@
 
 use super::super::super::bodies::BodySet;
 use super::super::articulated_body::LockedDofs;
-use super::super::joint_constraint::JointConstraint;
+use super::super::joint_constraint::JointList;
+use crate::index::{BodyIndex, DenseIndex};
 use crate::island::union_find::UnionFind;
 use crate::mass::mass_of_inverse;
 use crate::reusing_clone;
@@ -15,10 +16,10 @@ use crate::reusing_clone;
 #[derive(Debug, Default)]
 pub(in super::super) struct ZGroup {
     /// Indices of the dynamic bodies into the arrays of `BodySet`, sorted.
-    bodies: Vec<u32>,
+    bodies: Vec<BodyIndex>,
     /// Index of a static or kinematic body that determines the z velocity, 0 for the world. `None` if no joint connects the
     /// group with such a body.
-    carrier: Option<u32>,
+    carrier: Option<BodyIndex>,
 }
 
 reusing_clone! { ZGroup { bodies, carrier } }
@@ -26,7 +27,7 @@ reusing_clone! { ZGroup { bodies, carrier } }
 impl ZGroup {
     /// Returns the connected components of revolute, weld and prismatic joints, sorted by their first bodies. `body_count` is
     /// the number of bodies.
-    pub(in super::super) fn find_all(joints: &[JointConstraint], body_count: usize) -> Vec<ZGroup> {
+    pub(in super::super) fn find_all(joints: &JointList, body_count: usize) -> Vec<ZGroup> {
         let mut unions = UnionFind::new(body_count);
         let point_joints = || {
             joints
@@ -34,20 +35,21 @@ impl ZGroup {
                 .filter(|hold| matches!(hold.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line))
         };
         for hold in point_joints() {
-            if let [one, other] = hold.anchors.map(|end| end.body)
+            if let [one, other] = hold.anchors.map(|end| end.body.0)
                 && one != 0
                 && other != 0
             {
                 unions.unite(one, other);
             }
         }
-        let mut bodies: Vec<u32> = point_joints().flat_map(|hold| hold.anchors.map(|end| end.body)).collect();
+        let mut bodies: Vec<BodyIndex> =
+            point_joints().flat_map(|hold| hold.anchors.map(|end| end.body)).collect();
         bodies.sort_unstable();
         bodies.dedup();
         // The representative of a component is its smallest index, so that it occurs first.
         let mut all: Vec<(u32, ZGroup)> = Vec::new();
-        for body in bodies.into_iter().filter(|&body| body != 0) {
-            let root = unions.find(body);
+        for body in bodies.into_iter().filter(|&body| body != BodyIndex::PLACEHOLDER) {
+            let root = unions.find(body.0);
             match all.binary_search_by_key(&root, |(of, _)| *of) {
                 Ok(at) => all[at].1.bodies.push(body),
                 Err(at) => all.insert(at, (root, ZGroup { bodies: vec![body], carrier: None })),
@@ -56,8 +58,8 @@ impl ZGroup {
         for hold in point_joints() {
             let [one, other] = hold.anchors;
             for (anchor, carrier) in [(one, other), (other, one)] {
-                let root = unions.find(anchor.body);
-                if carrier.body == 0
+                let root = unions.find(anchor.body.0);
+                if carrier.body == BodyIndex::PLACEHOLDER
                     && let Ok(at) = all.binary_search_by_key(&root, |(of, _)| *of)
                 {
                     all[at].1.carrier.get_or_insert(carrier.pose_body);
@@ -71,8 +73,8 @@ impl ZGroup {
     fn mass_weighted_mean(&self, bodies: &BodySet, value: impl Fn(usize) -> f32) -> f32 {
         let (mut sum, mut mass) = (0.0, 0.0);
         for &body in &self.bodies {
-            let weight = mass_of_inverse(bodies.inverse_mass_inertia[body as usize][0]);
-            (sum, mass) = (sum + weight * f64::from(value(body as usize)), mass + weight);
+            let weight = mass_of_inverse(bodies.inverse_mass_inertia[body.position()][0]);
+            (sum, mass) = (sum + weight * f64::from(value(body.position())), mass + weight);
         }
         (sum / mass) as f32
     }
@@ -81,7 +83,7 @@ impl ZGroup {
     /// momentum.
     fn z_velocity(&self, bodies: &BodySet) -> f32 {
         match self.carrier {
-            Some(carrier) => bodies.states.get(carrier as usize).map_or(0.0, |hot| hot.velocity[3]),
+            Some(carrier) => bodies.states.get(carrier.position()).map_or(0.0, |hot| hot.velocity[3]),
             None => self.mass_weighted_mean(bodies, |body| bodies.states[body].velocity[3]),
         }
     }
@@ -92,8 +94,8 @@ impl ZGroup {
     pub(in super::super) fn equalize_z_velocity(&self, bodies: &mut BodySet) {
         let velocity = self.z_velocity(bodies);
         for &body in &self.bodies {
-            let now = &mut bodies.states[body as usize].velocity[3];
-            bodies.warm_started_velocity[body as usize][3] += velocity - *now;
+            let now = &mut bodies.states[body.position()].velocity[3];
+            bodies.warm_started_velocity[body.position()][3] += velocity - *now;
             *now = velocity;
         }
     }
@@ -107,8 +109,8 @@ impl ZGroup {
             None => self.mass_weighted_mean(bodies, |body| bodies.delta_pose[body][3]),
         };
         for &body in &self.bodies {
-            bodies.states[body as usize].velocity[3] = velocity;
-            bodies.delta_pose[body as usize][3] = way;
+            bodies.states[body.position()].velocity[3] = velocity;
+            bodies.delta_pose[body.position()][3] = way;
         }
     }
 }
