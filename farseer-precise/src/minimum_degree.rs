@@ -11,7 +11,7 @@
 //! for minimum degree. P. Amestoy, T. Davis and I. Duff, "An approximate minimum degree ordering algorithm" (1996). C. Ashcraft,
 //! "Compressed graphs and the minimum degree algorithm" (1995), for hashes of supervariables.
 
-use crate::index::{IndexedVec, index_type};
+use crate::index::{DenseIndex, IndexedVec, index_type};
 use std::mem::replace;
 use std::ops::Range;
 
@@ -21,12 +21,24 @@ index_type! {
 }
 
 index_type! {
+    /// Index into the neighbours of all nodes.
+    struct ListIndex;
+}
+index_type! {
     /// Bound of the number of neighbouring rows, as an index.
     struct DegreeIndex;
 }
 index_type! {
     /// Hash of the list of neighbours of a supervariable, below the number of rows.
     struct HashIndex;
+}
+
+impl ListIndex {
+    /// Returns the index `count` entries later.
+    #[inline(always)]
+    fn after(self, count: u32) -> Self {
+        ListIndex(self.0 + count)
+    }
 }
 
 /// Index instead of a node where there is none.
@@ -46,7 +58,7 @@ const DENSE_ROW_SQRT_FACTOR: u32 = 10;
 struct Node {
     /// Index into `lists` of the first neighbour of the node: for a supervariable its elements, then its neighbours that no
     /// element connects; for an element its supervariables.
-    start: u32,
+    start: ListIndex,
     /// Number of neighbours in the list.
     length: u32,
     /// Number of elements among the neighbours of a supervariable.
@@ -82,7 +94,7 @@ struct Node {
 impl Node {
     /// A supervariable of one row, without neighbours.
     const OF_ROW: Node = Node {
-        start: 0,
+        start: ListIndex(0),
         length: 0,
         elements: 0,
         weight: 1,
@@ -103,13 +115,13 @@ impl Node {
     /// Returns the range in `lists` of all neighbours.
     #[inline(always)]
     fn list(&self) -> Range<usize> {
-        self.start as usize..(self.start + self.length) as usize
+        self.start.position()..self.start.after(self.length).position()
     }
 
     /// Returns the range in `lists` of the elements among the neighbours of a supervariable.
     #[inline(always)]
     fn element_list(&self) -> Range<usize> {
-        self.start as usize..(self.start + self.elements) as usize
+        self.start.position()..self.start.after(self.elements).position()
     }
 
     /// Returns the range in `lists` of the neighbours of a supervariable that no element connects.
@@ -125,11 +137,11 @@ fn nodes_of_rows(count: usize, edges: &[[RowIndex; 2]]) -> IndexedVec<RowIndex, 
     for &row in edges.iter().flatten() {
         nodes[row].degree += 1;
     }
-    let mut start = 0;
+    let mut start = ListIndex(0);
     for row in nodes.indices() {
         let node = &mut nodes[row];
         (node.start, node.last_row) = (start, row);
-        start += node.degree;
+        start = start.after(node.degree);
     }
     nodes
 }
@@ -212,7 +224,7 @@ pub(crate) fn order_by_minimum_degree(
         let (pivot, before) = (graph.of_degree[DegreeIndex(degree)], graph.remaining);
         let size = graph.eliminate(pivot);
         let rows = before - graph.remaining;
-        costs += (size..size + rows).map(|degree| cost(degree as usize)).sum::<usize>();
+        costs += (size..size + rows).map(|degree| cost(DegreeIndex(degree).position())).sum::<usize>();
         if costs > max_cost {
             return false;
         }
@@ -317,7 +329,8 @@ impl QuotientGraph {
         self.add_to_element(node.supervariable_list());
         let rows = self.lists[first..].iter().map(|&row| self.nodes[row].weight).sum();
         let node = &mut self.nodes[pivot];
-        (node.start, node.length, node.degree) = (first as u32, (self.lists.len() - first) as u32, rows);
+        (node.start, node.length, node.degree) =
+            (ListIndex::new(first), (self.lists.len() - first) as u32, rows);
     }
 
     /// Marks `element` as absorbed by the element of `pivot`, and makes it a child of that in the assembly tree.

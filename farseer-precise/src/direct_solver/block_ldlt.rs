@@ -9,7 +9,7 @@
 use std::sync::Arc;
 
 use super::mat3::{Mat3, Vec3};
-use crate::index::{DenseIndex, IndexedVec};
+use crate::index::{DenseIndex, IndexedVec, index_type};
 use crate::minimum_degree::RowIndex;
 use crate::reusing_clone;
 use crate::sparse_ordering::{EntryIndex, MatrixEntryIndex, PlaceIndex, RowEntry, SymbolicFactor};
@@ -21,6 +21,11 @@ pub(crate) struct BlockIndex {
     index: MatrixEntryIndex,
     /// Whether the stored block is the transpose of the block with rows of B and columns of A.
     is_transposed: bool,
+}
+
+index_type! {
+    /// Index of an entry of the factor within its column, below the diagonal.
+    struct ColumnEntry;
 }
 
 /// The sparse matrix of an island and its factors L D L^T, with one 3x3 block (x, y, angle) per body.
@@ -60,7 +65,7 @@ pub(super) struct FactorBlocks {
     lower: IndexedVec<EntryIndex, Mat3>,
     /// Scratch of [`factorise`](BlockLdlt::factorise): for each row below the diagonal of the present column the index
     /// of its entry in the column.
-    entries_of_rows: IndexedVec<PlaceIndex, u32>,
+    entries_of_rows: IndexedVec<PlaceIndex, ColumnEntry>,
     /// Scratch of [`solve`](BlockLdlt::solve): one vector per body, in the order of elimination.
     solution: IndexedVec<PlaceIndex, Vec3>,
 }
@@ -81,7 +86,7 @@ impl FactorBlocks {
             of_entries.resize(factor_blocks, Mat3::default());
         }
         self.has_changed.resize(bodies, true);
-        self.entries_of_rows.resize(bodies, 0);
+        self.entries_of_rows.resize(bodies, ColumnEntry(0));
         self.solution.resize(bodies, [0.0; 3]);
     }
 }
@@ -211,7 +216,7 @@ impl BlockLdlt {
             lower_times_diagonal[entry] = *block;
         }
         for (entry, &row) in symbolic.rows.slice(column).iter().enumerate() {
-            entries_of_rows[row] = entry as u32;
+            entries_of_rows[row] = ColumnEntry::new(entry);
         }
         self.blocks.matrix_diagonal[place]
     }
@@ -284,7 +289,7 @@ fn subtract_column(
     blocks: &[Mat3],
     factor: &Mat3,
     rows: &[PlaceIndex],
-    entries_of_rows: &IndexedVec<PlaceIndex, u32>,
+    entries_of_rows: &IndexedVec<PlaceIndex, ColumnEntry>,
 ) {
     if blocks.len() == of_column.len() {
         for (rest, block) in of_column.iter_mut().zip(blocks) {
@@ -292,7 +297,7 @@ fn subtract_column(
         }
     } else {
         for (block, &row) in blocks.iter().zip(rows) {
-            of_column[entries_of_rows[row] as usize].subtract(&block.mul_transposed(factor));
+            of_column[entries_of_rows[row].position()].subtract(&block.mul_transposed(factor));
         }
     }
 }

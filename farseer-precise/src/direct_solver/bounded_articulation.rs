@@ -118,6 +118,41 @@ impl DirectIsland {
         worst
     }
 
+    /// Solves interval number `interval` of a step that has `intervals` of them, and moves the bodies through it. Forces act by
+    /// halves at both ends of the step, so that one more solution follows the last interval. Returns Newton steps, residual and
+    /// acceptance. `limits` are the length unit and the maximum number of Newton steps.
+    fn step_interval(
+        &mut self,
+        reader: &RowReader<'_>,
+        (interval, intervals): (u32, u32),
+        limits: (f64, usize),
+    ) -> SolveStats {
+        let (h, unit) = (reader.dt, limits.0);
+        let moves = interval < intervals;
+        let share = if interval == 0 || !moves { 0.5 } else { 1.0 };
+        let share_of_step = share / f64::from(intervals);
+        self.apply_forces(share_of_step, interval == 0, reader);
+        let span = StepInterval {
+            dt: h,
+            force_dt: share * h,
+            force_substeps: share_of_step * reader.substeps,
+            step_dt: f64::from(reader.step.dt),
+        };
+        self.make_interval_rows(span, ERROR_ARM * unit);
+        if moves {
+            self.system.add_geometric_stiffness(h / share, momentum_conserving_stiffness);
+        }
+        let mut stats = self.solve_interval(reader, limits, moves);
+        stats.is_solved &= self.system.max_angular_speed() * h <= ACCEPTED_ROTATION;
+        if stats.is_solved {
+            self.store_forces(span.force_dt);
+            if moves {
+                self.advance_bodies(h);
+            }
+        }
+        stats
+    }
+
     /// Stores the solved forces and torques in `interval_joints`, and adds their impulses to `joint_impulses`, the sums over
     /// the step. `force_time` is the time for which the forces act, in seconds.
     fn store_forces(&mut self, force_time: f64) {
@@ -186,63 +221,40 @@ impl IslandSolver<'_> {
     /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted.
     pub(super) fn solve_articulation(&mut self, island: &mut DirectIsland) -> SolveStats {
         let unit = self.length_unit();
-        let IslandSolver { bodies, joints, parameters, step, .. } = self;
-        let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
-        let slop = island.load_bodies(bodies, 0.0, unit);
+        let slop = island.load_bodies(self.bodies, 0.0, unit);
         island.is_released = false;
         island.resting_bodies.clear();
-        let intervals = island.begin_articulation(joints, step);
-        let h = dt / f64::from(intervals);
+        let intervals = island.begin_articulation(self.joints, self.step);
         // The tolerance at rest would add up to a wrong angle of a slow motor.
-        let velocity_tolerance = unit * MOVING_VELOCITY_ERROR;
-        let reader = RowReader {
-            bodies,
-            step,
-            dt: h,
-            inverse_dt: h.recip(),
-            substeps,
-            penetration_slop: slop,
-            velocity_tolerance,
-        };
+        let reader = RowReader::new(self.bodies, self.step, slop, unit * MOVING_VELOCITY_ERROR)
+            .of_interval(f64::from(self.step.dt) / f64::from(intervals));
         let max_steps = max_newton_steps(island);
         let mut total = SolveStats { newton_steps: 0, residual: 0.0, is_solved: true };
         for interval in 0..=intervals {
-            let (moves, share) =
-                (interval < intervals, if interval == 0 || interval == intervals { 0.5 } else { 1.0 });
-            let share_of_step = share / f64::from(intervals);
-            island.apply_forces(share_of_step, interval == 0, &reader);
-            let span = StepInterval {
-                dt: h,
-                force_dt: share * h,
-                force_substeps: share_of_step * substeps,
-                step_dt: dt,
-            };
-            island.make_interval_rows(span, ERROR_ARM * unit);
-            if moves {
-                island.system.add_geometric_stiffness(h / share, momentum_conserving_stiffness);
-            }
-            let stats = island.solve_interval(&reader, (unit, max_steps), moves);
+            let stats = island.step_interval(&reader, (interval, intervals), (unit, max_steps));
             total.newton_steps += stats.newton_steps;
             total.residual = max_or_nan(stats.residual, total.residual);
-            total.is_solved = stats.is_solved && island.system.max_angular_speed() * h <= ACCEPTED_ROTATION;
+            total.is_solved = stats.is_solved;
             if !total.is_solved {
                 return total;
             }
-            island.store_forces(span.force_dt);
-            if moves {
-                island.advance_bodies(h);
-            }
         }
-        island.displacements.clone_from(&island.total_displacements);
-        let max_correction = f64::from(parameters.recovery_speed) * dt;
-        let gap = island.solve_positions(joints, (dt, 0.0), [slop, max_correction, 0.0], 0.0, None);
-        total.is_solved = gap <= ACCEPTED_JOINT_ERROR * unit;
-        island.was_articulation = total.is_solved;
-        if total.is_solved {
-            for (&at, total) in island.joints.iter().zip(&island.joint_impulses) {
-                joints.set_force(at, total.map(|impulse| impulse / dt + 0.0));
-            }
-        }
+        total.is_solved = self.finish_articulation(island, slop);
         total
+    }
+
+    /// Closes the joints after the last interval of a step, and stores their forces if the solution is accepted. Returns whether
+    /// it is. `slop` is the joint error that remains uncorrected, in length units.
+    fn finish_articulation(&mut self, island: &mut DirectIsland, slop: f64) -> bool {
+        let (dt, limits) = (f64::from(self.step.dt), [slop, self.max_correction(), 0.0]);
+        island.displacements.clone_from(&island.total_displacements);
+        let gap = island.solve_positions(self.joints, (dt, 0.0), limits, 0.0, None);
+        island.was_articulation = gap <= ACCEPTED_JOINT_ERROR * self.length_unit();
+        if island.was_articulation {
+            for (&at, total) in island.joints.iter().zip(&island.joint_impulses) {
+                self.joints.set_force(at, total.map(|impulse| impulse / dt + 0.0));
+            }
+        }
+        island.was_articulation
     }
 }

@@ -12,8 +12,8 @@ use super::mat3::Vec3;
 use crate::bodies::BodySet;
 use crate::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactPoint, ParkedConstraint};
 use crate::index::{BodyIndex, DenseIndex};
-use crate::joints::joint_constraint::{JointConstraint, JointIndex};
-use crate::joints::springs::SpringIndex;
+use crate::joints::indices::{JointIndex, SpringIndex};
+use crate::joints::joint_constraint::JointConstraint;
 use crate::mass::mass_of_inverse;
 use crate::math::plane::Pose;
 use crate::parameters::direct::{PENETRATION_SLOP, PENETRATION_SLOP_PER_COORDINATE};
@@ -137,6 +137,11 @@ impl<'a> RowReader<'a> {
             penetration_slop: slop,
             velocity_tolerance,
         }
+    }
+
+    /// Returns the reader for an interval of `dt` seconds of the step.
+    pub(super) fn of_interval(self, dt: f64) -> Self {
+        RowReader { dt, inverse_dt: dt.recip(), ..self }
     }
 
     /// Returns the factor from the stored impulses of the contact constraint `row` to impulses over the whole step,

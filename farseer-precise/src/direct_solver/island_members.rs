@@ -15,7 +15,7 @@ use crate::index::{BodyIndex, DenseIndex, PairIndex};
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
-use crate::joints::joint_constraint::CandidateIndex;
+use crate::joints::indices::CandidateIndex;
 use crate::joints::springs::SpringRows;
 use crate::parameters::direct::{
     BUSY_ISLAND_PAUSE, FACTOR_PRODUCTS_PER_BODY, JOINTED_FACTOR_PRODUCTS_PER_BODY, RESELECTION_PERIOD,

@@ -19,22 +19,22 @@
 //! like solution methods" (1991), for Newton's method on them. K. Erleben, "Rigid body contact problems using proximal
 //! operators" (2017), for the proximal view.
 
+mod gauss_seidel;
+mod newton_step;
+mod position_correction;
+
 use super::block_ldlt::{BlockLdlt, FactorBlocks};
 use super::constraint::{BodyIndices, Constraint, FIXED, Jacobian};
-use super::constraint_list::{
-    add_constraint_impulses, add_derivatives, add_impulse_changes, add_velocity_changes,
-    evaluate_all_full_step, step_all_along,
-};
-use super::contact::{ContactRows, FRICTION};
-use super::island_body::{Members, add, dot, max_or_nan};
+use super::constraint_list::{add_constraint_impulses, add_impulse_changes, add_velocity_changes};
+use super::contact::ContactRows;
+use super::island_body::{Members, add, max_or_nan};
 use super::joint::JointRows;
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
 use crate::parameters::direct::{
     ACYCLIC_COMPLIANCE, COMPLIANCE_FACTOR, FIRST_COMPLIANCE, FRESH_SOLUTION_NEWTON_STEPS,
     FRICTION_LIMIT_CONVERGED, FRICTION_LIMIT_RELAXATION, FRICTION_LIMIT_ROUNDS, FRICTION_RESIDUAL_WEIGHT,
-    HELD_POINT_SOLUTIONS, HELD_SEPARATION_FRACTION, ISLAND_SWEEPS, JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE,
-    LINE_SEARCH_SLOPE, LINE_SEARCH_STEPS, RESTING_COMPLIANCE, ROUND_NEWTON_STEPS, SOLUTION_NEWTON_STEPS,
+    JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, RESTING_COMPLIANCE, ROUND_NEWTON_STEPS, SOLUTION_NEWTON_STEPS,
     SOLUTION_ROUNDS, STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
 };
 use crate::reusing_clone;
@@ -67,6 +67,28 @@ pub(super) struct Tolerances {
     pub(super) moving_cycles: f64,
     /// Maximum number of Newton steps for an island with joints. For other islands the limit is a constant.
     pub(super) max_newton_steps: usize,
+}
+
+/// Properties of an island on which the rounds of its solution depend.
+struct RoundPlan {
+    /// Maximum number of Newton steps of the solution.
+    max_newton_steps: usize,
+    /// Whether the island has contact cycles.
+    has_cycles: bool,
+    /// Whether the island counts as at rest.
+    is_resting: bool,
+}
+
+/// A round of the augmented Lagrangian method.
+struct Round {
+    /// Index of the round, from 0.
+    index: usize,
+    /// Number of Newton steps of the round.
+    steps: usize,
+    /// Whether the round has converged.
+    is_found: bool,
+    /// Whether the next round must begin anew, with softer contacts.
+    has_failed: bool,
 }
 
 /// System of equations of one island: its bodies, its constraint rows and the factors of its matrix.
@@ -163,10 +185,41 @@ impl IslandSystem {
     /// acceptable: the result then comes from Gauss-Seidel sweeps.
     pub(super) fn solve(&mut self, tolerances: &Tolerances) -> SolveStats {
         let mut stats = SolveStats { newton_steps: 0, residual: f64::INFINITY, is_solved: false };
+        let plan = self.begin_rounds(tolerances);
+        let mut is_first = true;
+        for index in 0..SOLUTION_ROUNDS {
+            let round =
+                self.run_round((index, is_first), plan.max_newton_steps - stats.newton_steps, tolerances);
+            stats.newton_steps += round.steps;
+            let is_over = stats.newton_steps >= plan.max_newton_steps;
+            is_first = round.has_failed && !is_over;
+            if is_first {
+                self.restore_initial_impulses();
+                self.set_compliance(FIRST_COMPLIANCE);
+                continue;
+            }
+            if !plan.has_cycles {
+                self.recompute_velocity_changes();
+            }
+            let improves = self.keep_best(&mut stats);
+            if is_over || self.is_finished(&plan, &round, (stats.residual, improves), tolerances) {
+                break;
+            }
+            // In contact cycles the friction limits of the first round come from the first guess: a round of one Newton step
+            // there does not yet confirm the set.
+            if self.compliance > LEAST_COMPLIANCE && round.steps == 1 && !(plan.has_cycles && index == 0) {
+                self.set_compliance(COMPLIANCE_FACTOR * self.compliance);
+            }
+        }
+        self.finish_rounds(stats, tolerances)
+    }
+
+    /// Plans the rounds of a solution, and sets the compliance of the first one.
+    fn begin_rounds(&mut self, tolerances: &Tolerances) -> RoundPlan {
         let has_cycles = self.has_contact_cycles();
         let (is_resting, is_cold_start) =
             (tolerances.initial_residual < tolerances.resting, self.is_cold_start());
-        let limit = match self.has_joints() {
+        let max_newton_steps = match self.has_joints() {
             true => tolerances.max_newton_steps,
             false if has_cycles && is_cold_start => FRESH_SOLUTION_NEWTON_STEPS,
             false => SOLUTION_NEWTON_STEPS,
@@ -176,41 +229,45 @@ impl IslandSystem {
             true if is_resting => RESTING_COMPLIANCE,
             _ => FIRST_COMPLIANCE,
         });
-        let mut is_first = true;
-        for round in 0..SOLUTION_ROUNDS {
-            let is_stiff = self.compliance < LEAST_COMPLIANCE;
-            let steps_left = limit - stats.newton_steps;
-            let max_steps = if is_stiff { STIFF_ROUND_STEPS.min(steps_left) } else { steps_left };
-            let (steps, is_found) = self.augmented_lagrangian_round(is_first, tolerances.exact, max_steps);
-            stats.newton_steps += steps;
-            let is_over = stats.newton_steps >= limit;
-            if is_stiff
-                && !(is_found || is_over)
-                && self.residual() >= STIFF_ROUND_RESIDUAL * tolerances.initial_residual
-            {
-                self.restore_initial_impulses();
-                self.set_compliance(FIRST_COMPLIANCE);
-                is_first = true;
-                continue;
-            }
-            is_first = false;
-            if !has_cycles {
-                self.recompute_velocity_changes();
-            }
-            let improves = self.keep_best(&mut stats);
-            let is_near = has_cycles && !is_resting && stats.residual <= tolerances.moving_cycles;
-            let is_stuck = !improves
-                && self.has_converged(is_found, round)
-                && (stats.residual <= tolerances.sufficient || (has_cycles && round > 0));
-            if stats.residual <= tolerances.exact || is_near || is_stuck || is_over {
-                break;
-            }
-            // In contact cycles the friction limits of the first round come from the first guess: a round of one Newton step
-            // there does not yet confirm the set.
-            if self.compliance > LEAST_COMPLIANCE && steps == 1 && !(has_cycles && round == 0) {
-                self.set_compliance(COMPLIANCE_FACTOR * self.compliance);
-            }
-        }
+        RoundPlan { max_newton_steps, has_cycles, is_resting }
+    }
+
+    /// Runs the round with this index of at most `steps_left` Newton steps. `is_first` tells that friction limits and active set
+    /// are still to be guessed. The round has failed if its contacts are stiff and it has neither converged nor reduced the
+    /// residual enough: the next round begins anew with softer contacts.
+    fn run_round(
+        &mut self,
+        (index, is_first): (usize, bool),
+        steps_left: usize,
+        tolerances: &Tolerances,
+    ) -> Round {
+        let is_stiff = self.compliance < LEAST_COMPLIANCE;
+        let max_steps = if is_stiff { STIFF_ROUND_STEPS.min(steps_left) } else { steps_left };
+        let (steps, is_found) = self.augmented_lagrangian_round(is_first, tolerances.exact, max_steps);
+        let has_failed =
+            is_stiff && !is_found && self.residual() >= STIFF_ROUND_RESIDUAL * tolerances.initial_residual;
+        Round { index, steps, is_found, has_failed }
+    }
+
+    /// Returns whether the solution ends after a round: its smallest residual so far is small enough, or a further round would
+    /// hardly reduce it. `improves` tells that the round has reduced it to a quarter.
+    fn is_finished(
+        &self,
+        plan: &RoundPlan,
+        round: &Round,
+        (residual, improves): (f64, bool),
+        tolerances: &Tolerances,
+    ) -> bool {
+        let is_near = plan.has_cycles && !plan.is_resting && residual <= tolerances.moving_cycles;
+        let is_stuck = !improves
+            && self.has_converged(round.is_found, round.index)
+            && (residual <= tolerances.sufficient || (plan.has_cycles && round.index > 0));
+        residual <= tolerances.exact || is_near || is_stuck
+    }
+
+    /// Ends a solution: sets impulses and velocities to those of the best round if it is acceptable, otherwise to those of
+    /// Gauss-Seidel sweeps.
+    fn finish_rounds(&mut self, stats: SolveStats, tolerances: &Tolerances) -> SolveStats {
         let is_solved = stats.residual <= tolerances.acceptable;
         if is_solved {
             self.contacts.iter_mut().for_each(|contact| contact.impulses = contact.best_impulses);
@@ -290,24 +347,6 @@ impl IslandSystem {
             self.joints.iter_mut().for_each(|joint| joint.best_impulses = joint.impulses);
         }
         improves
-    }
-
-    /// Makes [`ISLAND_SWEEPS`] sweeps of projected Gauss-Seidel over all rows, from the initial impulses: the fallback without
-    /// an acceptable solution. The sweeps add no more energy than the initial impulses do.
-    fn gauss_seidel_sweeps(&mut self) {
-        self.restore_initial_impulses();
-        let IslandSystem { members, contacts, joints, .. } = self;
-        members.iter_mut().for_each(|member| member.best_velocity_change = [0.0; 3]);
-        for _ in 0..ISLAND_SWEEPS {
-            for joint in joints.iter_mut() {
-                (0..3).for_each(|row| solve_row_alone(joint, row, members));
-            }
-            for contact in contacts.iter_mut() {
-                solve_row_alone(contact, FRICTION, members);
-                solve_row_alone(contact, 0, members);
-                solve_row_alone(contact, 1, members);
-            }
-        }
     }
 
     /// Restores the impulses, velocity changes and velocity errors from the beginning of the solution. The stored result of the
@@ -390,315 +429,5 @@ impl IslandSystem {
             }
         }
         (ROUND_NEWTON_STEPS.min(max_steps), false)
-    }
-
-    /// Makes one semismooth Newton step with line search. Returns whether it is the last step of the round.
-    ///
-    /// The step is the last one if the active set stays unchanged, or if each velocity error changes by less than `min_change`
-    /// (length units/s). `is_guess` tells that impulses and active set are the first guess. With `relaxes_friction` the
-    /// friction limits move towards Coulomb's law after the step.
-    fn newton_step(&mut self, is_guess: &mut bool, relaxes_friction: bool, min_change: f64) -> bool {
-        if !self.has_current_factors() {
-            self.factorise();
-        }
-        let slope = self.find_direction();
-        let [product_with_change, product_with_direction] = self.mass_products();
-        let (is_same, greatest, end_slope) =
-            self.evaluate_full_step(product_with_change + product_with_direction);
-        let mut fraction = 1.0;
-        if !is_same {
-            let mut slope = slope;
-            if std::mem::take(is_guess) {
-                // The derivative at the guess is not that of the augmented Lagrangian.
-                slope = self.derivatives(0.0, product_with_change, product_with_direction).0;
-                let descends = slope < 0.0;
-                if !descends {
-                    self.step_along(-1.0);
-                    return false;
-                }
-            }
-            if end_slope > 0.25 * -slope {
-                fraction = self.line_search([slope, end_slope], product_with_change, product_with_direction);
-            }
-            self.step_along(fraction - 1.0);
-        }
-        *is_guess = false;
-        for (member, direction) in self.members.iter_mut().zip(&self.direction) {
-            add(&mut member.velocity_change, direction.map(|velocity| fraction * velocity));
-        }
-        let is_exact = is_same;
-        if relaxes_friction && !is_exact {
-            for contact in &mut self.contacts {
-                contact.friction_limit = contact.relax_friction_limit(FRICTION_LIMIT_RELAXATION);
-                contact.apply_projection();
-            }
-        }
-        is_exact || fraction * greatest < min_change
-    }
-
-    /// Moves the velocity errors of all rows by `fraction` of the last Newton direction (dimensionless), and projects the
-    /// impulses onto their bounds again.
-    #[inline(never)]
-    fn step_along(&mut self, fraction: f64) {
-        step_all_along(&mut self.contacts, fraction);
-        step_all_along(&mut self.joints, fraction);
-    }
-
-    /// Returns whether the factors of the matrix are those of the present active set.
-    fn has_current_factors(&self) -> bool {
-        self.is_factored
-            && self.contacts.iter().all(|contact| contact.active_rows == contact.factored_rows)
-            && self.joints.iter().all(|joint| joint.active_rows == joint.factored_rows)
-    }
-
-    /// Changes the matrix to that of the present active set, and factorises it.
-    pub(super) fn factorise(&mut self) {
-        let IslandSystem { members, contacts, joints, factor, .. } = self;
-        if !self.is_factored {
-            factor.set_block_diagonal(members.iter().map(|member| [member.mass, member.inertia]));
-            contacts.iter_mut().for_each(|contact| contact.factored_rows = 0);
-            joints.iter_mut().for_each(|joint| joint.factored_rows = 0);
-        }
-        let contacts = contacts.iter_mut().filter(|contact| contact.active_rows != contact.factored_rows);
-        contacts.for_each(|contact| contact.assemble(factor));
-        let joints = joints.iter_mut().filter(|joint| joint.active_rows != joint.factored_rows);
-        joints.for_each(|joint| joint.assemble(factor));
-        factor.factorise();
-        self.is_factored = true;
-    }
-
-    /// Computes the Newton direction, H^-1 times the negative gradient of the augmented Lagrangian. Returns the derivative of
-    /// the augmented Lagrangian along that direction, mass units * length units^2/s^2.
-    fn find_direction(&mut self) -> f64 {
-        let IslandSystem { members, contacts, joints, factor, negative_gradient, direction, .. } = self;
-        negative_gradient.clear();
-        negative_gradient.extend(
-            members.iter().map(|member| member.momentum(member.velocity_change).map(|momentum| -momentum)),
-        );
-        add_impulse_changes(contacts, negative_gradient);
-        add_impulse_changes(joints, negative_gradient);
-        direction.clone_from(negative_gradient);
-        factor.solve(direction);
-        -negative_gradient.iter().zip(direction.iter()).map(|(&g, &d)| dot(g, d)).sum::<f64>()
-    }
-
-    /// Returns two products d^T M x and d^T M d of the Newton direction d, the velocity change x and the mass matrix M, both in
-    /// mass units * length units^2/s^2.
-    fn mass_products(&self) -> [f64; 2] {
-        let mut sums = [0.0; 2];
-        for (member, &velocity) in self.members.iter().zip(&self.direction) {
-            let momentum = member.momentum(velocity);
-            sums[0] += dot(momentum, member.velocity_change);
-            sums[1] += dot(momentum, velocity);
-        }
-        sums
-    }
-
-    /// Takes the full Newton step on all rows. Returns three results: whether the active set stays unchanged, the greatest
-    /// change of a velocity error (length units/s), and the derivative of the augmented Lagrangian along the direction at the
-    /// end (mass units * length units^2/s^2). `weight` is the term of the masses in that derivative.
-    fn evaluate_full_step(&mut self, weight: f64) -> (bool, f64, f64) {
-        let IslandSystem { contacts, joints, direction, .. } = self;
-        let of_contacts = evaluate_all_full_step(contacts, direction, (true, 0.0, weight));
-        evaluate_all_full_step(joints, direction, of_contacts)
-    }
-
-    /// Returns the first and second derivative of the augmented Lagrangian along the Newton direction at `fraction` of the step
-    /// (0..=1), both in mass units * length units^2/s^2. The full step must have been evaluated. The products are those of
-    /// [`mass_products`](Self::mass_products).
-    fn derivatives(
-        &self,
-        fraction: f64,
-        product_with_change: f64,
-        product_with_direction: f64,
-    ) -> (f64, f64) {
-        let of_masses = (product_with_change + fraction * product_with_direction, product_with_direction);
-        add_derivatives(&self.joints, fraction, add_derivatives(&self.contacts, fraction, of_masses))
-    }
-
-    /// Line search: returns the fraction of the Newton step, 0..=1, at which the derivative of the augmented Lagrangian along
-    /// the direction is nearly 0.
-    ///
-    /// It is Newton's method in one dimension, safeguarded by bisection. `start_slope` < 0 and `end_slope` > 0 are the
-    /// derivatives at fractions 0 and 1. The products are those of [`mass_products`](Self::mass_products).
-    fn line_search(
-        &self,
-        [start_slope, end_slope]: [f64; 2],
-        product_with_change: f64,
-        product_with_direction: f64,
-    ) -> f64 {
-        let (mut low, mut high, mut fraction) = (0.0, 1.0, start_slope / (start_slope - end_slope));
-        for _ in 0..LINE_SEARCH_STEPS {
-            let (slope, curvature) = self.derivatives(fraction, product_with_change, product_with_direction);
-            if slope.abs() < LINE_SEARCH_SLOPE * -start_slope {
-                break;
-            }
-            if slope < 0.0 {
-                low = fraction
-            } else {
-                high = fraction
-            }
-            fraction -= slope / curvature;
-            if !(fraction > low && fraction < high) {
-                fraction = 0.5 * (low + high);
-            }
-        }
-        fraction
-    }
-
-    /// Position correction of penetration in an island without joints. Returns whether a contact point is deep enough for a
-    /// correction. [`corrections`](Self::corrections) then returns the displacement of each member.
-    ///
-    /// Advances the separations by `dt` seconds of the velocities first. If the deepest point exceeds `slop`, each point that
-    /// has an impulse or is very deep moves out by `resolved_fraction` of its penetration, or of `max_correction` if that is
-    /// less. Lengths in length units.
-    pub(super) fn resolve_penetration(
-        &mut self,
-        dt: f64,
-        [slop, max_correction]: [f64; 2],
-        resolved_fraction: f64,
-    ) -> bool {
-        self.advance_separations(dt, slop) > slop
-            && self.correct_positions([slop, max_correction, 0.0], resolved_fraction, [false, true])
-    }
-
-    /// Position correction of all constraints in one linear solve. [`corrections`](Self::corrections) then returns the
-    /// displacement of each member of the island. Returns whether there is anything to correct.
-    ///
-    /// `limits` are the penetration that remains, the greatest correction and the least correction, in length units. Joint
-    /// errors are corrected completely up to the greatest correction, penetration by `resolved_fraction` (0..=1).
-    /// `are_jacobians_new` tells that the factors of the matrix are out of date, `closes_joints` that a joint has an error to
-    /// correct. In islands with joints, held points are [left out](Self::leave_out_held_points).
-    pub(super) fn correct_positions(
-        &mut self,
-        [slop, max_correction, min_correction]: [f64; 3],
-        resolved_fraction: f64,
-        [are_jacobians_new, closes_joints]: [bool; 2],
-    ) -> bool {
-        self.is_factored &= !are_jacobians_new;
-        self.set_compliance(FIRST_COMPLIANCE);
-        self.joints.iter_mut().for_each(JointRows::select_corrected_rows);
-        for contact in &mut self.contacts {
-            contact.select_corrected_rows(slop, [max_correction, min_correction], resolved_fraction);
-        }
-        if !self.has_current_factors() {
-            self.factorise();
-        }
-        self.solve_corrections(max_correction);
-        let may_be_held = self.has_joints();
-        for _ in 0..HELD_POINT_SOLUTIONS {
-            if !(may_be_held && self.leave_out_held_points()) {
-                break;
-            }
-            if !closes_joints && self.greatest_correction() <= slop {
-                return false;
-            }
-            self.solve_corrections(max_correction);
-        }
-        if self.contacts.iter().any(|contact| contact.active_rows != 0) {
-            self.limit_corrections(max_correction);
-        }
-        for contact in &mut self.contacts {
-            let changes = contact.relative_velocities_in(&self.direction);
-            for (row, change) in changes.into_iter().enumerate().take(2) {
-                if contact.has_row(row) {
-                    contact.separations[row] += change;
-                }
-            }
-        }
-        true
-    }
-
-    /// Advances the separations of all contacts by `dt` seconds of the velocities. Returns the penetration of the deepest
-    /// contact point that needs correction, in length units; 0 if none does. `slop` is the penetration that remains
-    /// uncorrected, length units.
-    pub(super) fn advance_separations(&mut self, dt: f64, slop: f64) -> f64 {
-        let IslandSystem { members, contacts, .. } = self;
-        contacts
-            .iter_mut()
-            .fold(0.0, |deepest, contact| max_or_nan(contact.advance_separations(members, dt, slop), deepest))
-    }
-
-    /// Solves the present matrix for the displacements that correct joint errors, each by at most `max_correction` length
-    /// units, and separate contact points by their corrections. The result is in `direction`.
-    fn solve_corrections(&mut self, max_correction: f64) {
-        self.direction.fill([0.0; 3]);
-        for contact in &self.contacts {
-            let impulses = contact.correction_impulses();
-            add_constraint_impulses(&contact.jacobian, contact.bodies, impulses, &mut self.direction);
-        }
-        for joint in &self.joints {
-            add_constraint_impulses(
-                &joint.jacobian,
-                joint.bodies,
-                joint.correction_impulses(max_correction),
-                &mut self.direction,
-            );
-        }
-        self.factor.solve(&mut self.direction);
-    }
-
-    /// Leaves the penetration of all held points as it is: sets their corrections to 0. A point is held if the displacements
-    /// in `direction` separate it by less than [`HELD_SEPARATION_FRACTION`] of its correction. Returns whether there are new
-    /// ones.
-    ///
-    /// Joints may keep bodies overlapping for good. A correction then moves nothing but the errors of joints and other
-    /// contacts, in every step, and the island never comes to rest.
-    fn leave_out_held_points(&mut self) -> bool {
-        let mut is_any_held = false;
-        for contact in &mut self.contacts {
-            let changes = contact.relative_velocities_in(&self.direction);
-            for (correction, change) in contact.corrections.iter_mut().zip(changes) {
-                if *correction > 0.0 && change < HELD_SEPARATION_FRACTION * *correction {
-                    (*correction, is_any_held) = (0.0, true);
-                }
-            }
-        }
-        is_any_held
-    }
-
-    /// Returns the greatest separation that the last position correction has demanded of a contact point, in length units.
-    pub(super) fn greatest_correction(&self) -> f64 {
-        self.contacts
-            .iter()
-            .flat_map(|contact| contact.corrections)
-            .fold(0.0, |most, next| max_or_nan(next, most))
-    }
-
-    /// Scales the position corrections so that no member of the island moves by more than twice `max_correction`, in length
-    /// units. In a column the corrections of all contacts add up.
-    fn limit_corrections(&mut self, max_correction: f64) {
-        let square = |&[x, y, _]: &Vec3| x * x + y * y;
-        let (longest, limit) =
-            (self.direction.iter().map(square).fold(0.0, max_or_nan).sqrt(), 2.0 * max_correction);
-        if longest > limit {
-            let factor = limit / longest;
-            self.direction.iter_mut().flatten().for_each(|component| *component *= factor);
-        }
-    }
-
-    /// Returns the position correction of each member of the island, after [`resolve_penetration`](Self::resolve_penetration)
-    /// or [`correct_positions`](Self::correct_positions): length units, length units, radians.
-    pub(super) fn corrections(&self) -> &[Vec3] {
-        &self.direction
-    }
-}
-
-/// Gauss-Seidel step for one row of a constraint: changes the impulse of the row, within its bounds, so that its velocity error
-/// becomes 0. Adds the effect to `best_velocity_change` of the two bodies.
-#[inline(never)]
-fn solve_row_alone<C: Constraint>(rows: &mut C, row: usize, members: &mut Members) {
-    if rows.effective_masses[row] <= 0.0 {
-        return;
-    }
-    let change = rows.relative_velocities_of(|member| members[member].best_velocity_change);
-    let error = rows.velocity_error[row] + change[row];
-    let impulse = rows.solve_row(row, error);
-    for (&member, impulse) in rows.bodies.iter().zip(rows.jacobian.body_impulses(impulse)) {
-        if member != FIXED {
-            let member = &mut members[member];
-            let change = member.velocity_from_impulse(impulse);
-            add(&mut member.best_velocity_change, change);
-        }
     }
 }

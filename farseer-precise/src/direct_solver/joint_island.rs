@@ -31,86 +31,109 @@ use crate::parameters::direct::{
 };
 use crate::solver_choice::SolverChoice;
 
-impl IslandSolver<'_> {
+impl<'a> IslandSolver<'a> {
     /// Solves an island with joints. `was_solved` is its [`has_accepted_solution`](super::IslandHistory::has_accepted_solution).
     /// Returns the number of Newton steps, the velocity residual and whether the solution is accepted.
     pub(super) fn solve_jointed_island(&mut self, island: &mut DirectIsland, was_solved: bool) -> SolveStats {
-        let (unit, is_optional) = (self.length_unit(), self.choice != SolverChoice::Direct);
-        let IslandSolver { bodies, constraints: rows, joints, springs, parameters, step, .. } = self;
-        if island.is_unchanged_at_rest(bodies, joints, rows) {
-            joints.mark_all_solved(&island.joints);
+        let unit = self.length_unit();
+        if island.is_unchanged_at_rest(self.bodies, self.joints, self.constraints) {
+            self.joints.mark_all_solved(&island.joints);
             return SolveStats { newton_steps: 0, residual: 0.0, is_solved: true };
         }
-        island.begin_resting_lists();
-        let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
-        let slop = island.load_bodies(bodies, substeps, unit);
-        let mut reader = RowReader {
-            bodies,
-            step,
-            dt,
-            inverse_dt: dt.recip(),
-            substeps,
-            penetration_slop: slop,
-            velocity_tolerance: unit * RESTING_VELOCITY_ERROR,
-        };
-        island.make_all_rows(rows, (joints, springs), &reader, unit);
-        let is_driven = island.system.is_driven();
-        if is_driven {
-            reader.velocity_tolerance = unit * MOVING_VELOCITY_ERROR;
-        }
-        island.system.add_geometric_stiffness(dt, |_, _| 0.0);
-        let free_energy = island.system.doubled_kinetic_energy();
-        island.system.warm_start();
-        let max_steps = max_newton_steps(island);
-        let mut stats = island.system.solve_velocities(&reader, unit, max_steps);
-        let gains_energy = island.system.gains_energy(free_energy, dt, unit);
-        island.find_displacements(dt, false);
-        let max_correction = f64::from(parameters.recovery_speed) * dt;
-        let deepest = island.system.advance_separations(dt, slop);
-        let error_before = island.compute_position_errors(joints, (0.0, false));
-        // Stiff springs without friction creep towards their rest length, so velocities below the tolerance add up.
-        let is_at_rest = island.springs.is_empty()
-            && island.system.max_speed(ERROR_ARM * unit) <= reader.velocity_tolerance;
-        let may_rest = stats.newton_steps == 0 && is_at_rest && !is_driven && error_before <= slop;
+        let reader = self.begin_jointed_island(island, unit);
+        let (stats, gains_energy) = island.solve_jointed_velocities(&reader, unit);
+        let slop = reader.penetration_slop;
+        island.find_displacements(reader.dt, false);
+        let deepest = island.system.advance_separations(reader.dt, slop);
+        let error_before = island.compute_position_errors(self.joints, (0.0, false));
+        let may_rest = stats.newton_steps == 0 && island.is_slow(&reader, unit) && error_before <= slop;
         if may_rest && deepest <= slop {
-            island.keep_at_rest(rows, &reader);
-            joints.mark_all_solved(&island.joints);
-            return stats;
+            return self.rest(island, &reader, stats);
         }
-        let rotation = island.system.max_angular_speed() * dt;
-        let mut of_joints = island.joints.iter().zip(&island.joint_bodies);
-        let is_pulled = of_joints.any(|(&at, &ends)| joints.constraint(at).is_moved_by_kinematic_body(ends));
-        let error_after = match !(gains_energy && is_optional) {
-            true => island.solve_positions(
-                joints,
-                (dt, deepest),
-                [slop, max_correction, JOINTED_PENETRATION_SPEED * unit * dt],
-                (JOINTED_PENETRATION_RATE * dt).min(1.0),
-                (!is_pulled).then_some(error_before),
-            ),
-            false => f64::INFINITY,
+        let rotation = island.system.max_angular_speed() * reader.dt;
+        let error_after = match gains_energy && self.is_release_allowed() {
+            true => f64::INFINITY,
+            false => self.solve_jointed_positions(island, &reader, [deepest, error_before]),
         };
         // All penetration is held, and so nothing was corrected.
         let is_overlap_held =
             deepest > slop && error_after == error_before && island.system.greatest_correction() <= slop;
         if may_rest && is_overlap_held {
-            island.keep_at_rest(rows, &reader);
-            joints.mark_all_solved(&island.joints);
-            return stats;
+            return self.rest(island, &reader, stats);
         }
         let has_gap = error_after > ACCEPTED_JOINT_ERROR * unit;
-        let is_stuck = island.contact_handles.is_empty()
-            && error_before > ACCEPTED_JOINT_ERROR * unit
-            && has_gap
-            && error_after > error_before - JOINT_ERROR_PROGRESS * max_correction;
         let has_diverged = !was_solved && rotation > ACCEPTED_ROTATION && has_gap;
-        island.is_released = is_optional && (gains_energy || has_diverged || is_stuck);
-        stats.is_solved &=
-            !gains_energy && rotation <= ACCEPTED_ROTATION && error_after <= ACCEPTED_JOINT_ERROR * unit;
+        let is_stuck = island.contact_handles.is_empty() && self.is_joint_stuck([error_before, error_after]);
+        island.is_released = self.is_release_allowed() && (gains_energy || has_diverged || is_stuck);
         if !island.is_released {
             self.store_jointed_solution(island);
         }
+        let is_accepted =
+            !gains_energy && rotation <= ACCEPTED_ROTATION && error_after <= ACCEPTED_JOINT_ERROR * unit;
+        SolveStats { is_solved: stats.is_solved && is_accepted, ..stats }
+    }
+
+    /// Returns whether an island may go to the iterative solver within this update: the user has not chosen the direct solver
+    /// for all islands.
+    fn is_release_allowed(&self) -> bool {
+        self.choice != SolverChoice::Direct
+    }
+
+    /// Loads the bodies of an island with joints and builds its rows. `unit` is the length unit. The result has the velocity
+    /// tolerance at rest, or a smaller one if something drives the island.
+    fn begin_jointed_island(&mut self, island: &mut DirectIsland, unit: f64) -> RowReader<'a> {
+        let IslandSolver { bodies, constraints: rows, joints, springs, step, .. } = self;
+        island.begin_resting_lists();
+        let slop = island.load_bodies(bodies, f64::from(step.substeps), unit);
+        let mut reader = RowReader::new(bodies, step, slop, unit * RESTING_VELOCITY_ERROR);
+        island.make_all_rows(rows, (joints, springs), &reader, unit);
+        if island.system.is_driven() {
+            reader.velocity_tolerance = unit * MOVING_VELOCITY_ERROR;
+        }
+        reader
+    }
+
+    /// Ends an update in which an island with joints [stays at rest](DirectIsland::keep_at_rest). Returns `stats`.
+    fn rest(&mut self, island: &mut DirectIsland, reader: &RowReader<'_>, stats: SolveStats) -> SolveStats {
+        island.keep_at_rest(self.constraints, reader);
+        self.joints.mark_all_solved(&island.joints);
         stats
+    }
+
+    /// Closes the joints of an island and resolves its penetration, after the solution of the velocities. Returns the greatest
+    /// joint error that remains, in length units. `deepest` is the greatest penetration before and `error_before` the greatest
+    /// joint error before, both in length units.
+    fn solve_jointed_positions(
+        &self,
+        island: &mut DirectIsland,
+        reader: &RowReader<'_>,
+        [deepest, error_before]: [f64; 2],
+    ) -> f64 {
+        let (joints, dt) = (&*self.joints, reader.dt);
+        let mut of_joints = island.joints.iter().zip(&island.joint_bodies);
+        let is_pulled = of_joints.any(|(&at, &ends)| joints.constraint(at).is_moved_by_kinematic_body(ends));
+        let min_correction = JOINTED_PENETRATION_SPEED * self.length_unit() * dt;
+        island.solve_positions(
+            joints,
+            (dt, deepest),
+            [reader.penetration_slop, self.max_correction(), min_correction],
+            (JOINTED_PENETRATION_RATE * dt).min(1.0),
+            (!is_pulled).then_some(error_before),
+        )
+    }
+
+    /// Returns the greatest position correction of a step, in length units.
+    pub(super) fn max_correction(&self) -> f64 {
+        f64::from(self.parameters.recovery_speed) * f64::from(self.step.dt)
+    }
+
+    /// Returns whether a joint has a gap that the position solve hardly closes. The greatest joint errors before and after it
+    /// are in length units.
+    fn is_joint_stuck(&self, [error_before, error_after]: [f64; 2]) -> bool {
+        let accepted = ACCEPTED_JOINT_ERROR * self.length_unit();
+        error_before > accepted
+            && error_after > accepted
+            && error_after > error_before - JOINT_ERROR_PROGRESS * self.max_correction()
     }
 
     /// Stores the solution of an island with joints: forces of joints and impulses of contacts. Its joints and springs are
@@ -166,6 +189,26 @@ impl DirectIsland {
             resting_bodies.extend(system.members.iter().map(|member| RestingBody::of(bodies, member.body)));
         }
         system.members.iter_mut().for_each(|member| member.velocity = [0.0; 3]);
+    }
+
+    /// Solves the velocities of an island with joints, whose rows are built. Returns Newton steps, residual and acceptance, and
+    /// whether the solution gains energy. `unit` is the length unit.
+    fn solve_jointed_velocities(&mut self, reader: &RowReader<'_>, unit: f64) -> (SolveStats, bool) {
+        self.system.add_geometric_stiffness(reader.dt, |_, _| 0.0);
+        let free_energy = self.system.doubled_kinetic_energy();
+        self.system.warm_start();
+        let max_steps = max_newton_steps(self);
+        let stats = self.system.solve_velocities(reader, unit, max_steps);
+        (stats, self.system.gains_energy(free_energy, reader.dt, unit))
+    }
+
+    /// Returns whether nothing drives the island and no member is faster than the velocity tolerance. An island with springs is
+    /// never slow: stiff springs without friction creep towards their rest length, so that velocities below the tolerance add
+    /// up. `unit` is the length unit.
+    fn is_slow(&self, reader: &RowReader<'_>, unit: f64) -> bool {
+        self.springs.is_empty()
+            && self.system.max_speed(ERROR_ARM * unit) <= reader.velocity_tolerance
+            && !self.system.is_driven()
     }
 
     /// Clears the lists that tell of an island at rest, and reserves their memory for the update in which the island comes to

@@ -17,7 +17,7 @@
 //! Trees that have only rigid revolute joints and no contacts use the same formulas in [`revolute_tree`](super::revolute_tree).
 //! All numbers are `f64`: along a long chain the reciprocal of the inertia loses half of its digits.
 
-use super::joint_constraint::JointIndex;
+use super::indices::JointIndex;
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
 
 /// A vector in the plane: x and y.

@@ -2,7 +2,8 @@
 
 use super::articulated_body::{ArticulatedLink, Links, LockedDofs};
 use super::forest::{ArticulationPlan, TreeEntry};
-use super::joint_constraint::{JointIndex, JointList};
+use super::indices::JointIndex;
+use super::joint_constraint::JointList;
 use super::revolute_tree::{RevoluteLink, revolute_links};
 use crate::bodies::BodySet;
 use crate::index::{BodyIndex, DenseIndex};

@@ -7,7 +7,8 @@
 //! In the order of creation, velocity errors would travel along a chain as a wave. In that order, a bridge of 100 planks whose
 //! rows have a damping ratio of 10 moves at 2,000 px/s; in the order of colours at 560 px/s.
 
-use super::joint_constraint::{JointIndex, JointList};
+use super::indices::JointIndex;
+use super::joint_constraint::JointList;
 use crate::index::{BodyIndex, IndexedVec, ListRanges, index_type};
 
 /// Number of colours in each of two classes: joints between two dynamic bodies, and joints to a static or kinematic body.

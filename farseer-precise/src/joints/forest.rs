@@ -5,7 +5,8 @@
 //! `JointEdge`s and writes `ArticulationPlan`s.
 
 use super::articulated_body::LinkIndex;
-use super::joint_constraint::{JointEdge, JointIndex};
+use super::indices::JointIndex;
+use super::joint_constraint::JointEdge;
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, ListRanges};
 use crate::island::union_find::UnionFind;
 

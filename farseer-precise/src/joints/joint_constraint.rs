@@ -6,13 +6,8 @@
 use super::super::bodies::{BodySet, signed_angle};
 use super::super::direct_solver::joint::ANGLE;
 use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot, rotate};
-use super::springs::SpringIndex;
-use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
-
-index_type! {
-    /// Index of an active joint, in the order of the simulator's list of joints.
-    pub struct JointIndex;
-}
+use super::indices::{CandidateIndex, JointIndex};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 
 /// The active joints of a simulator, as constraints of a step.
 pub type JointList = IndexedVec<JointIndex, JointConstraint>;
@@ -102,15 +97,6 @@ pub(super) struct JointEdge {
     pub(super) bodies: [BodyIndex; 2],
     /// Whether the joint is bounded: it has a range of positions or a greatest impulse.
     pub(super) is_bounded: bool,
-}
-
-/// Index of a joint or of a spring.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum CandidateIndex {
-    /// Index of a joint.
-    Joint(JointIndex),
-    /// Index of a spring.
-    Spring(SpringIndex),
 }
 
 /// A joint or spring with the properties by which the direct solver decides whether to solve it.

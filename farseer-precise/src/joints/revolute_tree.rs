@@ -23,7 +23,8 @@ use super::articulation_step::{
     predict_spin_change, stable_stiffness,
 };
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
-use super::joint_constraint::{JointIndex, JointList};
+use super::indices::JointIndex;
+use super::joint_constraint::JointList;
 use crate::index::{BodyIndex, DenseIndex};
 
 /// A link: a body in a tree of revolute joints. Parents come before their children in the list of links; a root is its own

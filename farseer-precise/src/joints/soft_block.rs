@@ -18,7 +18,8 @@ use super::block_pair::{
 };
 use super::block_row::{MotorLimitLanes, motor_limit_row};
 use super::frame::JointFrame;
-use super::joint_constraint::{JointConstraint, JointIndex, JointList};
+use super::indices::JointIndex;
+use super::joint_constraint::{JointConstraint, JointList};
 use super::soft_law::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes, wide_masks};
 use crate::index::{BodyIndex, IndexedVec};
 use crate::math::lanes::{greater, select, smaller};

@@ -25,14 +25,10 @@ use super::super::direct_solver::constraint::{BodyIndices, FIXED};
 use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
 use super::articulated_body::LockedDofs;
 use super::frame::JointFrame;
-use super::joint_constraint::{CandidateIndex, JointAnchor, JointCandidate};
-use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
+use super::indices::{CandidateIndex, SpringIndex};
+use super::joint_constraint::{JointAnchor, JointCandidate};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::reusing_clone;
-
-index_type! {
-    /// Index of a spring that is a row in this step.
-    pub struct SpringIndex;
-}
 
 /// Springs that solvers treat as rows in this update, instead of explicit forces.
 #[derive(Debug, Default)]

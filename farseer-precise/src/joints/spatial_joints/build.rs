@@ -2,7 +2,8 @@
 
 use super::super::super::bodies::BodySet;
 use super::super::articulated_body::LockedDofs;
-use super::super::joint_constraint::{JointConstraint, JointIndex, JointList};
+use super::super::indices::JointIndex;
+use super::super::joint_constraint::{JointConstraint, JointList};
 use super::constraint_row::{JointState, NodeIndex, RowKind, SpatialJointRow};
 use super::group_solver::{OffDiagonal, SpatialJointGroup};
 use super::sparse_ldlt::SparseLdlt;

@@ -5,7 +5,8 @@
 
 use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
 use super::super::articulation_step::cos_sin;
-use super::super::joint_constraint::{JointConstraint, JointIndex, JointList, Limits, Motor};
+use super::super::indices::JointIndex;
+use super::super::joint_constraint::{JointConstraint, JointList, Limits, Motor};
 use crate::index::{DenseIndex, IndexedVec, index_type};
 use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, LOOP_COMPLIANCE, MAX_POSITION_CORRECTION};
 

@@ -10,7 +10,8 @@
 //! violated row joins it. Groups that are too large for a factorisation use Gauss-Seidel sweeps.
 
 use super::super::super::bodies::BodySet;
-use super::super::joint_constraint::{JointIndex, JointList};
+use super::super::indices::JointIndex;
+use super::super::joint_constraint::JointList;
 use super::constraint_row::{
     JointState, NodeIndex, RowKind, SolvePhase, SpatialJointRow, StateIndex, Velocity4, delassus_term,
 };

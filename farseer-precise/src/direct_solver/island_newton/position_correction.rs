@@ -1,0 +1,147 @@
+//! Position correction of an island: displacements that close joints and resolve penetration, from the matrix of the Newton step.
+
+use super::super::constraint_list::add_constraint_impulses;
+use super::super::island_body::max_or_nan;
+use super::super::joint::JointRows;
+use super::super::mat3::Vec3;
+use super::IslandSystem;
+use crate::parameters::direct::{FIRST_COMPLIANCE, HELD_POINT_SOLUTIONS, HELD_SEPARATION_FRACTION};
+
+impl IslandSystem {
+    /// Position correction of penetration in an island without joints. Returns whether a contact point is deep enough for a
+    /// correction. [`corrections`](Self::corrections) then returns the displacement of each member.
+    ///
+    /// Advances the separations by `dt` seconds of the velocities first. If the deepest point exceeds `slop`, each point that
+    /// has an impulse or is very deep moves out by `resolved_fraction` of its penetration, or of `max_correction` if that is
+    /// less. Lengths in length units.
+    pub(in super::super) fn resolve_penetration(
+        &mut self,
+        dt: f64,
+        [slop, max_correction]: [f64; 2],
+        resolved_fraction: f64,
+    ) -> bool {
+        self.advance_separations(dt, slop) > slop
+            && self.correct_positions([slop, max_correction, 0.0], resolved_fraction, [false, true])
+    }
+
+    /// Position correction of all constraints in one linear solve. [`corrections`](Self::corrections) then returns the
+    /// displacement of each member of the island. Returns whether there is anything to correct.
+    ///
+    /// `limits` are the penetration that remains, the greatest correction and the least correction, in length units. Joint
+    /// errors are corrected completely up to the greatest correction, penetration by `resolved_fraction` (0..=1).
+    /// `are_jacobians_new` tells that the factors of the matrix are out of date, `closes_joints` that a joint has an error to
+    /// correct. In islands with joints, held points are [left out](Self::leave_out_held_points).
+    pub(in super::super) fn correct_positions(
+        &mut self,
+        [slop, max_correction, min_correction]: [f64; 3],
+        resolved_fraction: f64,
+        [are_jacobians_new, closes_joints]: [bool; 2],
+    ) -> bool {
+        self.is_factored &= !are_jacobians_new;
+        self.set_compliance(FIRST_COMPLIANCE);
+        self.joints.iter_mut().for_each(JointRows::select_corrected_rows);
+        for contact in &mut self.contacts {
+            contact.select_corrected_rows(slop, [max_correction, min_correction], resolved_fraction);
+        }
+        if !self.has_current_factors() {
+            self.factorise();
+        }
+        self.solve_corrections(max_correction);
+        let may_be_held = self.has_joints();
+        for _ in 0..HELD_POINT_SOLUTIONS {
+            if !(may_be_held && self.leave_out_held_points()) {
+                break;
+            }
+            if !closes_joints && self.greatest_correction() <= slop {
+                return false;
+            }
+            self.solve_corrections(max_correction);
+        }
+        if self.contacts.iter().any(|contact| contact.active_rows != 0) {
+            self.limit_corrections(max_correction);
+        }
+        for contact in &mut self.contacts {
+            let changes = contact.relative_velocities_in(&self.direction);
+            for (row, change) in changes.into_iter().enumerate().take(2) {
+                if contact.has_row(row) {
+                    contact.separations[row] += change;
+                }
+            }
+        }
+        true
+    }
+
+    /// Advances the separations of all contacts by `dt` seconds of the velocities. Returns the penetration of the deepest
+    /// contact point that needs correction, in length units; 0 if none does. `slop` is the penetration that remains
+    /// uncorrected, length units.
+    pub(in super::super) fn advance_separations(&mut self, dt: f64, slop: f64) -> f64 {
+        let IslandSystem { members, contacts, .. } = self;
+        contacts
+            .iter_mut()
+            .fold(0.0, |deepest, contact| max_or_nan(contact.advance_separations(members, dt, slop), deepest))
+    }
+
+    /// Solves the present matrix for the displacements that correct joint errors, each by at most `max_correction` length
+    /// units, and separate contact points by their corrections. The result is in `direction`.
+    fn solve_corrections(&mut self, max_correction: f64) {
+        self.direction.fill([0.0; 3]);
+        for contact in &self.contacts {
+            let impulses = contact.correction_impulses();
+            add_constraint_impulses(&contact.jacobian, contact.bodies, impulses, &mut self.direction);
+        }
+        for joint in &self.joints {
+            add_constraint_impulses(
+                &joint.jacobian,
+                joint.bodies,
+                joint.correction_impulses(max_correction),
+                &mut self.direction,
+            );
+        }
+        self.factor.solve(&mut self.direction);
+    }
+
+    /// Leaves the penetration of all held points as it is: sets their corrections to 0. A point is held if the displacements
+    /// in `direction` separate it by less than [`HELD_SEPARATION_FRACTION`] of its correction. Returns whether there are new
+    /// ones.
+    ///
+    /// Joints may keep bodies overlapping for good. A correction then moves nothing but the errors of joints and other
+    /// contacts, in every step, and the island never comes to rest.
+    fn leave_out_held_points(&mut self) -> bool {
+        let mut is_any_held = false;
+        for contact in &mut self.contacts {
+            let changes = contact.relative_velocities_in(&self.direction);
+            for (correction, change) in contact.corrections.iter_mut().zip(changes) {
+                if *correction > 0.0 && change < HELD_SEPARATION_FRACTION * *correction {
+                    (*correction, is_any_held) = (0.0, true);
+                }
+            }
+        }
+        is_any_held
+    }
+
+    /// Returns the greatest separation that the last position correction has demanded of a contact point, in length units.
+    pub(in super::super) fn greatest_correction(&self) -> f64 {
+        self.contacts
+            .iter()
+            .flat_map(|contact| contact.corrections)
+            .fold(0.0, |most, next| max_or_nan(next, most))
+    }
+
+    /// Scales the position corrections so that no member of the island moves by more than twice `max_correction`, in length
+    /// units. In a column the corrections of all contacts add up.
+    fn limit_corrections(&mut self, max_correction: f64) {
+        let square = |&[x, y, _]: &Vec3| x * x + y * y;
+        let (longest, limit) =
+            (self.direction.iter().map(square).fold(0.0, max_or_nan).sqrt(), 2.0 * max_correction);
+        if longest > limit {
+            let factor = limit / longest;
+            self.direction.iter_mut().flatten().for_each(|component| *component *= factor);
+        }
+    }
+
+    /// Returns the position correction of each member of the island, after [`resolve_penetration`](Self::resolve_penetration)
+    /// or [`correct_positions`](Self::correct_positions): length units, length units, radians.
+    pub(in super::super) fn corrections(&self) -> &[Vec3] {
+        &self.direction
+    }
+}
