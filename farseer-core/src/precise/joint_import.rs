@@ -20,9 +20,10 @@ use farseer_precise::depth::state::DepthState;
 use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::joints::JointSystem;
-use farseer_precise::joints::articulated_body::{LockedDofs, Vec2};
 use farseer_precise::joints::indices::JointIndex;
 use farseer_precise::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
+use farseer_precise::joints::locked_dofs::LockedDofs;
+use farseer_precise::joints::vec2::Vec2;
 use farseer_precise::reusing_clone;
 use farseer_precise::scaled_parameters::StepContext;
 

@@ -252,11 +252,11 @@ impl BlockLdlt {
 
     /// Solves the system in place. `x` holds the right-hand side, one vector per body of the island, and then the solution. The
     /// steps are forward substitution with L, multiplication by the inverse of D, and back substitution.
-    pub(super) fn solve(&mut self, x: &mut [Vec3]) {
+    pub(super) fn solve(&mut self, x: &mut IndexedVec<RowIndex, Vec3>) {
         let FactorBlocks { inverse_diagonal, lower, solution, .. } = &mut self.blocks;
         let symbolic = &self.graph.symbolic;
         for (value, &body) in solution.iter_mut().zip(symbolic.order.iter()) {
-            *value = x[body.position()];
+            *value = x[body];
         }
         for place in symbolic.order.indices() {
             let (value, column) = (solution[place], symbolic.column(place));
@@ -274,7 +274,7 @@ impl BlockLdlt {
                 value = std::array::from_fn(|axis| value[axis] - product[axis]);
             }
             solution[place] = value;
-            x[symbolic.order[place].position()] = value;
+            x[symbolic.order[place]] = value;
         }
     }
 }
@@ -320,14 +320,18 @@ mod tests {
 
     /// Returns the product of `x` and the matrix of unit masses with springs as of [`add_spring`] between the bodies of all
     /// `edges`.
-    fn spring_matrix_product(edges: &[[RowIndex; 2]], k: f64, x: &[Vec3]) -> Vec<Vec3> {
-        let mut sums = x.to_vec();
+    fn spring_matrix_product(
+        edges: &[[RowIndex; 2]],
+        k: f64,
+        x: &IndexedVec<RowIndex, Vec3>,
+    ) -> IndexedVec<RowIndex, Vec3> {
+        let mut sums = x.clone();
         for &[a, b] in edges {
             let (ja, jb) = ([-1.0, -0.3, -0.2], [1.0, 0.3, 0.5]);
             let dot = |j: Vec3, x: Vec3| j[0] * x[0] + j[1] * x[1] + j[2] * x[2];
-            let u = dot(ja, x[a.position()]) + dot(jb, x[b.position()]);
+            let u = dot(ja, x[a]) + dot(jb, x[b]);
             for (body, j) in [(a, ja), (b, jb)] {
-                (0..3).for_each(|i| sums[body.position()][i] += k * u * j[i]);
+                (0..3).for_each(|i| sums[body][i] += k * u * j[i]);
             }
         }
         sums
@@ -341,7 +345,8 @@ mod tests {
         factor.set_block_diagonal((0..6).map(|_| [1.0, 1.0]));
         edges.iter().for_each(|&edge| add_spring(&mut factor, edge, 1e3));
         factor.factorise();
-        let wanted: Vec<Vec3> = (0..6).map(|i| [f64::from(i), 1.0 - f64::from(i), 0.5]).collect();
+        let wanted: IndexedVec<RowIndex, Vec3> =
+            (0..6).map(|i| [f64::from(i), 1.0 - f64::from(i), 0.5]).collect();
         let mut x = wanted.clone();
         factor.solve(&mut x);
         for (found, wanted) in
@@ -377,9 +382,9 @@ mod tests {
             }
             assert!(in_parts.blocks.has_changed.iter().all(|changed| !changed));
             let bits = |mut factor: BlockLdlt| {
-                let mut x: Vec<Vec3> = (0..16).map(|i| [f64::from(i), 1.0, 0.5]).collect();
+                let mut x: IndexedVec<RowIndex, Vec3> = (0..16).map(|i| [f64::from(i), 1.0, 0.5]).collect();
                 factor.solve(&mut x);
-                x.into_iter().flatten().map(f64::to_bits).collect::<Vec<_>>()
+                x.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>()
             };
             assert_eq!(bits(in_parts), bits(at_once), "tie {at}");
         }

@@ -8,10 +8,9 @@
 use std::ops::DerefMut;
 
 use super::block_ldlt::{BlockIndex, BlockLdlt};
-use super::island_body::MemberIndex;
+use super::island_body::{MemberIndex, MemberVectors};
 use super::mat3::{Mat3, Vec3};
 use crate::constraint_graph::ContactConstraint;
-use crate::index::DenseIndex;
 
 /// Index in place of a member of the island for a side of a constraint that impulses do not move: a static body, a kinematic
 /// body or the world.
@@ -195,8 +194,8 @@ impl ConstraintRows {
 
     /// Returns the relative velocities of rows 0 to 2 from `members`, the velocities of all members of the island: length
     /// units/s, length units/s, radians/s. Unit of a linear row: length units/s; of an angular row: radians/s.
-    pub(super) fn relative_velocities_in(&self, members: &[Vec3]) -> Vec3 {
-        self.relative_velocities_of(|member| members[member.position()])
+    pub(super) fn relative_velocities_in(&self, members: &MemberVectors) -> Vec3 {
+        self.relative_velocities_of(|member| members[member])
     }
 
     /// Changes the matrix `factor` from the factored set to the active set of this constraint: adds stiffness * J^T J for each

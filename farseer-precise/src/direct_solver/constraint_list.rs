@@ -4,9 +4,8 @@
 //! of the augmented Lagrangian along that line; [`island_newton`](super::island_newton) adds the terms of the masses.
 
 use super::constraint::{Constraint, FIXED, Jacobian};
-use super::island_body::{MemberIndex, add, max_or_nan};
+use super::island_body::{MemberIndex, MemberVectors, add, max_or_nan};
 use super::mat3::Vec3;
-use crate::index::DenseIndex;
 
 /// Adds the `impulses` of the rows of one constraint, as impulses on its two bodies, to `impulse_sums`. There is one sum per
 /// member of the island: x, y (mass units * length units/s) and angular (mass units * length units^2/s).
@@ -15,11 +14,11 @@ pub(super) fn add_constraint_impulses(
     jacobian: &Jacobian,
     bodies: [MemberIndex; 2],
     impulses: Vec3,
-    impulse_sums: &mut [Vec3],
+    impulse_sums: &mut MemberVectors,
 ) {
     for (member, impulse) in bodies.into_iter().zip(jacobian.body_impulses(impulses)) {
         if member != FIXED {
-            add(&mut impulse_sums[member.position()], impulse);
+            add(&mut impulse_sums[member], impulse);
         }
     }
 }
@@ -27,7 +26,7 @@ pub(super) fn add_constraint_impulses(
 /// Adds the changes of all row impulses since the beginning of the solution, as impulses on bodies, to `impulse_sums`. There is
 /// one sum per member of the island: x, y (mass units * length units/s) and angular (mass units * length units^2/s).
 #[inline(never)]
-pub(super) fn add_impulse_changes<C: Constraint>(constraints: &[C], impulse_sums: &mut [Vec3]) {
+pub(super) fn add_impulse_changes<C: Constraint>(constraints: &[C], impulse_sums: &mut MemberVectors) {
     for rows in constraints {
         let impulses = std::array::from_fn(|row| rows.impulses[row] - rows.initial_impulses[row]);
         add_constraint_impulses(&rows.jacobian, rows.bodies, impulses, impulse_sums);
@@ -36,7 +35,7 @@ pub(super) fn add_impulse_changes<C: Constraint>(constraints: &[C], impulse_sums
 
 /// Adds to the velocity errors of all rows the relative velocities that `changes` make: velocity changes of the island's
 /// members in length units/s, length units/s, radians/s.
-pub(super) fn add_velocity_changes<C: Constraint>(constraints: &mut [C], changes: &[Vec3]) {
+pub(super) fn add_velocity_changes<C: Constraint>(constraints: &mut [C], changes: &MemberVectors) {
     for rows in constraints {
         let change = rows.relative_velocities_in(changes);
         add(&mut rows.velocity_error, change);
@@ -60,7 +59,7 @@ pub(super) fn step_all_along<C: Constraint>(constraints: &mut [C], fraction: f64
 #[inline(always)]
 pub(super) fn evaluate_all_full_step<C: Constraint>(
     constraints: &mut [C],
-    direction: &[Vec3],
+    direction: &MemberVectors,
     (mut is_same, mut greatest, mut slope): (bool, f64, f64),
 ) -> (bool, f64, f64) {
     for rows in constraints {

@@ -11,6 +11,9 @@ pub(crate) use crate::minimum_degree::RowIndex as MemberIndex;
 /// The members of an island.
 pub(super) type Members = IndexedVec<MemberIndex, IslandBody>;
 
+/// A vector (x, y, angle) of each member of an island.
+pub(crate) type MemberVectors = IndexedVec<MemberIndex, Vec3>;
+
 /// State of one dynamic body of the island during a solution.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct IslandBody {

@@ -5,7 +5,7 @@ use super::constraint::{BodyIndices, FIXED, Jacobian};
 use super::contact::{
     ContactRows, FRICTION, allowed_approach_speed, is_penetration_corrected, step_impulses,
 };
-use super::island_body::{Members, finite_or_zero, max_or_nan};
+use super::island_body::{MemberVectors, Members, finite_or_zero, max_or_nan};
 use super::island_newton::IslandSystem;
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
@@ -31,7 +31,7 @@ pub(super) struct DirectIsland {
     /// Bodies of each contact of `contact_handles`, as indices into the island's members.
     pub(super) contact_bodies: Vec<BodyIndices>,
     /// Displacement of each member of the island in the step: length units, length units, radians.
-    pub(super) displacements: Vec<Vec3>,
+    pub(super) displacements: MemberVectors,
     /// Separations of the two points of each contact before the last residual was computed, or when the island came to rest.
     /// Unit: length units; negative = penetration.
     pub(super) separations: Vec<[f32; 2]>,
@@ -66,7 +66,7 @@ pub(super) struct DirectIsland {
     pub(super) joint_impulses: Vec<Vec3>,
     /// Scratch of a step in intervals: displacement of each member of the island in the step so far: length units, length
     /// units, radians.
-    pub(super) total_displacements: Vec<Vec3>,
+    pub(super) total_displacements: MemberVectors,
 }
 
 reusing_clone! {
@@ -269,7 +269,7 @@ impl DirectIsland {
             let [x, y, ..] = bodies.poses[at];
             max_coordinate =
                 [x, y].iter().fold(max_coordinate, |far: f32, x| if x.abs() > far { x.abs() } else { far });
-            let [x, y, spin, depth] = free_velocity(bodies, at, substeps);
+            let [x, y, spin, depth] = free_velocity(bodies, member.body, substeps);
             (member.velocity, member.depth_velocity) = ([x, y, spin], depth);
             member.velocity_change = [0.0; 3];
             [member.mass, member.inertia] = bodies.inverse_mass_inertia[at].map(mass_of_inverse);
@@ -378,7 +378,7 @@ impl DirectIsland {
     pub(super) fn find_displacements(&mut self, dt: f64, has_corrections: bool) {
         let DirectIsland { system, displacements, .. } = self;
         displacements.clear();
-        displacements.extend(system.members.iter().enumerate().map(|(at, member)| {
+        displacements.extend(system.members.enumerated().map(|(at, member)| {
             let displacement = member.velocity.map(|velocity| velocity * dt);
             if has_corrections {
                 std::array::from_fn(|i| displacement[i] + system.corrections()[at][i])
@@ -390,9 +390,10 @@ impl DirectIsland {
 }
 
 /// Returns the velocity of a body after the forces of `substeps` substeps, without contacts: x and y (length units/s), angular
-/// (radians/s), depth axis (length units/s). `at` is the index of the body.
+/// (radians/s), depth axis (length units/s).
 #[inline(always)]
-pub(super) fn free_velocity(bodies: &BodySet, at: usize, substeps: f64) -> [f64; 4] {
+pub(super) fn free_velocity(bodies: &BodySet, body: BodyIndex, substeps: f64) -> [f64; 4] {
+    let at = body.position();
     let (velocity, velocity_delta) = (bodies.states[at].velocity, bodies.force_delta[at]);
     std::array::from_fn(|axis| f64::from(velocity[axis]) + f64::from(velocity_delta[axis]) * substeps)
 }

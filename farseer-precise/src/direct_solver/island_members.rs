@@ -6,6 +6,7 @@ use super::constraint::{BodyIndices, FIXED};
 use super::island_body::{IslandBody, MemberIndex};
 use super::island_history::merged_history;
 use super::island_io::DirectIsland;
+use super::island_newton::IslandSystem;
 use super::island_stats::IslandIndex;
 use super::lateral_friction::{clear_impulses, is_planar};
 use crate::broad_phase::pairs::Pairs;
@@ -105,20 +106,16 @@ impl DirectSolver {
             if islands.len() == *count {
                 islands.push(DirectIsland::default());
             }
-            let (earlier, island) = islands.split_at_mut(*count);
-            let (island, stats) = (&mut island[0], &mut census.stats[members[0].0]);
-            island.begin(members);
-            island.is_on_trial = selects && stats.is_on_trial(timer.choice);
+            let stats = &mut census.stats[members[0].0];
             list_contact_edges(members, pairs, proxies, edges, sort_keys);
-            let mut max_products = FACTOR_PRODUCTS_PER_BODY;
             if stats.joints > 0 {
                 add_joint_edges(members, jointed_bodies, edges, sort_keys);
-                max_products = JOINTED_FACTOR_PRODUCTS_PER_BODY;
             }
+            let (earlier, island) = islands.split_at_mut(*count);
+            island[0].begin(members);
+            island[0].is_on_trial = selects && stats.is_on_trial(timer.choice);
             let mut merged = merged_history(members, history);
-            let (similar, max) =
-                (earlier.last().map(|other| &other.system.factor), max_products * members.len());
-            if island.system.factor.analyse(members.len(), edges, max, similar) {
+            if island[0].analyse(edges, stats.joints > 0, earlier.last()) {
                 stats.island_index = Some(IslandIndex::new(*count));
                 *count += 1;
             } else {
@@ -213,6 +210,16 @@ impl DirectIsland {
         let members = members.iter().map(|&(_, body)| IslandBody { body, ..IslandBody::default() });
         self.system.members.clear();
         self.system.members.extend(members);
+    }
+
+    /// Analyses the matrix of the island, in which `edges` connect the members. Returns whether its factorisation has little
+    /// enough fill-in. `similar` is another island, whose analysis serves if its graph is equal.
+    fn analyse(&mut self, edges: &[[MemberIndex; 2]], has_joints: bool, similar: Option<&Self>) -> bool {
+        let IslandSystem { members, factor, .. } = &mut self.system;
+        let products_per_body =
+            if has_joints { JOINTED_FACTOR_PRODUCTS_PER_BODY } else { FACTOR_PRODUCTS_PER_BODY };
+        let similar = similar.map(|other| &other.system.factor);
+        factor.analyse(members.len(), edges, products_per_body * members.len(), similar)
     }
 }
 

@@ -27,7 +27,7 @@ use super::block_ldlt::{BlockLdlt, FactorBlocks};
 use super::constraint::{BodyIndices, Constraint, FIXED, Jacobian};
 use super::constraint_list::{add_constraint_impulses, add_impulse_changes, add_velocity_changes};
 use super::contact::ContactRows;
-use super::island_body::{Members, add, max_or_nan};
+use super::island_body::{MemberVectors, Members, add, max_or_nan};
 use super::joint::JointRows;
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
@@ -110,10 +110,10 @@ pub(super) struct IslandSystem {
     compliance: f64,
     /// Negative gradient of the augmented Lagrangian, one vector per member of the island: mass units * length units/s for x
     /// and y, mass units * length units^2/s for the angle. Before and after a solution it is scratch space.
-    pub(super) negative_gradient: Vec<Vec3>,
+    pub(super) negative_gradient: MemberVectors,
     /// Newton direction, one vector per member: length units/s, length units/s, radians/s. Outside of Newton steps it holds
     /// sums of impulses or position corrections of the island's members.
-    pub(super) direction: Vec<Vec3>,
+    pub(super) direction: MemberVectors,
 }
 
 /// Rows and blocks of an island during its solution. They are valid within one update, so that all islands use the same memory by
@@ -124,7 +124,7 @@ pub(super) struct SolutionScratch {
     joints: Vec<JointRows>,
     lateral_frictions: Vec<LateralFriction>,
     blocks: FactorBlocks,
-    negative_gradient: Vec<Vec3>,
+    negative_gradient: MemberVectors,
 }
 
 reusing_clone! { SolutionScratch { contacts, joints, lateral_frictions, blocks, negative_gradient } }

@@ -130,7 +130,7 @@ impl IslandSolver<'_> {
         let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
         system.members.iter().any(|member| {
             let [x0, y0, ..] = bodies.states[member.body.position()].velocity.map(f64::from);
-            let [x, y, ..] = free_velocity(bodies, member.body.position(), reader.substeps);
+            let [x, y, ..] = free_velocity(bodies, member.body, reader.substeps);
             let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
             speed([member.velocity[0], member.velocity[1]]) > most + reader.velocity_tolerance
         })
@@ -140,53 +140,70 @@ impl IslandSolver<'_> {
     /// residual and acceptance of the solution.
     fn solve_contact_island(&mut self, island: &mut DirectIsland, history: IslandHistory) -> SolveStats {
         let unit = self.length_unit();
-        let IslandSolver { bodies, constraints: rows, parameters, step, has_depth, choice, .. } = self;
-        let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
-        let slop = island.load_bodies(bodies, substeps, unit);
-        let velocity_tolerance =
-            unit * if history.was_iterated { MOVING_VELOCITY_ERROR } else { RESTING_VELOCITY_ERROR };
+        let slop = island.load_bodies(self.bodies, f64::from(self.step.substeps), unit);
+        let error = if history.was_iterated { MOVING_VELOCITY_ERROR } else { RESTING_VELOCITY_ERROR };
         island.is_released = false;
-        let reader = RowReader::new(bodies, step, slop, velocity_tolerance);
-        island.apply_warm_start(rows, &reader);
-        if !*has_depth {
-            let [residual, deepest] = island.residual(rows, &reader);
-            if residual <= velocity_tolerance && deepest <= slop {
-                island.keep_solution(rows, step, substeps);
-                island.find_displacements(dt, false);
-                return SolveStats { newton_steps: 0, residual, is_solved: true };
-            }
-            island.undo_residual(rows);
+        let reader = RowReader::new(self.bodies, self.step, slop, unit * error);
+        island.apply_warm_start(self.constraints, &reader);
+        if let Some(residual) = self.keep_contact_solution(island, &reader) {
+            return SolveStats { newton_steps: 0, residual, is_solved: true };
         }
-        island.make_contacts(rows, &reader, *has_depth);
-        let residual = island.system.begin_solve(dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
-        let stats = if residual > velocity_tolerance {
+        island.make_contacts(self.constraints, &reader, self.has_depth);
+        let residual = island.system.begin_solve(reader.dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
+        let stats = if residual > reader.velocity_tolerance {
             island.system.solve(&contact_tolerances(residual, unit))
         } else {
             SolveStats { newton_steps: 0, residual, is_solved: true }
         };
-        let has_budget = island.has_cyclic_budget(*has_depth);
-        island.is_released = *choice != SolverChoice::Direct && !stats.is_solved && !has_budget;
+        let has_budget = island.has_cyclic_budget(self.has_depth);
+        island.is_released = self.is_release_allowed() && !stats.is_solved && !has_budget;
         if island.is_released {
-            island.system.scale_down_impulses(|at| {
-                let [x, y, spin, _] = free_velocity(bodies, at.position(), substeps);
+            island.system.scale_down_impulses(|body| {
+                let [x, y, spin, _] = free_velocity(self.bodies, body, reader.substeps);
                 [x, y, spin]
             });
         } else {
-            let has_built_cycles = island.system.has_contact_cycles() && !history.formed_by_motion;
-            let resolved_fraction =
-                if has_budget || has_built_cycles { CYCLIC_PENETRATION_FRACTION } else { 1.0 };
-            let max_speed = if has_budget {
-                CYCLIC_PENETRATION_SPEED * unit
-            } else {
-                f64::from(parameters.recovery_speed)
-            };
-            let has_corrections =
-                island.system.resolve_penetration(dt, [slop, max_speed * dt], resolved_fraction);
-            island.system.solve_lateral_friction(unit);
-            island.find_displacements(dt, has_corrections);
+            self.correct_contact_positions(island, &reader, has_budget, history);
         }
-        island.store_solution(rows, substeps, step.h);
+        island.store_solution(self.constraints, reader.substeps, self.step.h);
         stats
+    }
+
+    /// In 2D: keeps the stored impulses of an island of contacts if they still satisfy all constraints. Returns the velocity
+    /// residual then, in length units/s; `None` if the island needs a solution.
+    fn keep_contact_solution(&mut self, island: &mut DirectIsland, reader: &RowReader<'_>) -> Option<f64> {
+        if self.has_depth {
+            return None;
+        }
+        let [residual, deepest] = island.residual(self.constraints, reader);
+        if residual <= reader.velocity_tolerance && deepest <= reader.penetration_slop {
+            island.keep_solution(self.constraints, reader.step, reader.substeps);
+            island.find_displacements(reader.dt, false);
+            return Some(residual);
+        }
+        island.undo_residual(self.constraints);
+        None
+    }
+
+    /// Resolves the penetration of an island of contacts and its friction along the depth axis, after the solution of the
+    /// velocities. An island with a budget or with contact cycles built in place gets a fraction of the correction only.
+    fn correct_contact_positions(
+        &self,
+        island: &mut DirectIsland,
+        reader: &RowReader<'_>,
+        has_budget: bool,
+        history: IslandHistory,
+    ) {
+        let (unit, dt) = (self.length_unit(), reader.dt);
+        let has_built_cycles = island.system.has_contact_cycles() && !history.formed_by_motion;
+        let resolved_fraction =
+            if has_budget || has_built_cycles { CYCLIC_PENETRATION_FRACTION } else { 1.0 };
+        let max_correction =
+            if has_budget { CYCLIC_PENETRATION_SPEED * unit * dt } else { self.max_correction() };
+        let limits = [reader.penetration_slop, max_correction];
+        let has_corrections = island.system.resolve_penetration(dt, limits, resolved_fraction);
+        island.system.solve_lateral_friction(unit);
+        island.find_displacements(dt, has_corrections);
     }
 }
 

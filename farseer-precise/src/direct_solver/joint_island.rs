@@ -9,7 +9,7 @@
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_constraint_impulses;
 use super::cost_model::max_newton_steps;
-use super::island_body::{IslandBody, MemberIndex, dot, max_or_nan};
+use super::island_body::{IslandBody, MemberIndex, MemberVectors, dot, max_or_nan};
 use super::island_io::{DirectIsland, RestingBody, RowReader};
 use super::island_newton::{IslandSystem, SolveStats, Tolerances};
 use super::island_solver::IslandSolver;
@@ -75,7 +75,7 @@ impl<'a> IslandSolver<'a> {
 
     /// Returns whether an island may go to the iterative solver within this update: the user has not chosen the direct solver
     /// for all islands.
-    fn is_release_allowed(&self) -> bool {
+    pub(super) fn is_release_allowed(&self) -> bool {
         self.choice != SolverChoice::Direct
     }
 
@@ -421,7 +421,7 @@ impl IslandSystem {
                 // The arm, from arm x n and arm x t.
                 let [across_n, _, across_t] = arms[side];
                 let arm = [across_n * ny - across_t * nx, -across_n * nx - across_t * ny];
-                let of_member = &mut negative_gradient[member.position()];
+                let of_member = &mut negative_gradient[member];
                 of_member[0] += arm[0] * impulse[0] + arm[1] * impulse[1];
                 of_member[1] = of_member[1].max(arm[0] * arm[0] + arm[1] * arm[1]);
             }
@@ -525,7 +525,7 @@ fn work(impulses: Vec3, velocities: Vec3) -> f64 {
 
 /// Adds the row impulses of all constraints, as impulses on bodies, to `impulse_sums`. There is one sum per member of the
 /// island: x, y (mass units * length units/s) and angular (mass units * length units^2/s).
-fn add_all_impulses<C: Constraint>(constraints: &[C], impulse_sums: &mut [Vec3]) {
+fn add_all_impulses<C: Constraint>(constraints: &[C], impulse_sums: &mut MemberVectors) {
     for rows in constraints {
         add_constraint_impulses(&rows.jacobian, rows.bodies, rows.impulses, impulse_sums);
     }
@@ -537,7 +537,7 @@ fn add_all_impulses<C: Constraint>(constraints: &[C], impulse_sums: &mut [Vec3])
 fn add_warm_start_work<C: Constraint>(
     constraints: &[C],
     velocities: impl Fn(MemberIndex) -> Vec3,
-    changes: &[Vec3],
+    changes: &MemberVectors,
     [mut work, mut doubled_energy]: [f64; 2],
 ) -> [f64; 2] {
     for rows in constraints {

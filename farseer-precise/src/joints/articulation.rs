@@ -1,9 +1,10 @@
 //! An articulation of the joints in the plane: its bodies, its joints and, if it is a tree, its links.
 
-use super::articulated_body::{ArticulatedLink, Links, LockedDofs};
+use super::articulated_body::{ArticulatedLink, Links};
 use super::forest::{ArticulationPlan, TreeEntry};
 use super::indices::JointIndex;
 use super::joint_constraint::JointList;
+use super::locked_dofs::LockedDofs;
 use super::revolute_tree::{RevoluteLink, revolute_links};
 use crate::bodies::BodySet;
 use crate::index::{BodyIndex, DenseIndex};

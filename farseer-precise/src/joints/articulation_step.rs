@@ -21,12 +21,13 @@
 use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
 use super::articulated_body::{
-    ArticulatedLink, Links, LockedDofs, Vec2, add_scaled, cross, dot, for_each_down, perp, propagate_down,
-    propagate_momentum_up, propagate_up, rotate,
+    ArticulatedLink, Links, for_each_down, propagate_down, propagate_momentum_up, propagate_up,
 };
 use super::energy_balance::{BalancedLink, EnergyBalance, InitialEnergy, LinkEndState, max_rounding_error};
 use super::joint_constraint::JointList;
 use super::link_state::begin_links;
+use super::locked_dofs::LockedDofs;
+use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use crate::index::{BodyIndex, DenseIndex};
 use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::{

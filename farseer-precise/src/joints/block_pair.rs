@@ -8,9 +8,9 @@ use wide::{f32x4, f64x4};
 
 use super::super::bodies::{BodySet, MotionState};
 use super::super::constraint_graph::set_lane;
-use super::articulated_body::LockedDofs;
 use super::frame::JointFrame;
 use super::joint_constraint::JointConstraint;
+use super::locked_dofs::LockedDofs;
 use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::math::lanes::{select, sin_cos};
 use crate::math::scalar::sin_cos_of_any;

@@ -11,7 +11,8 @@
 //!
 //! The module reads positions, velocities and forces of the links at the end of a step, and writes the velocities.
 
-use super::articulated_body::{Links, TreeNode, Vec2, add_scaled, cross, dot, perp};
+use super::articulated_body::{Links, TreeNode};
+use super::vec2::{Vec2, add_scaled, cross, dot, perp};
 use crate::parameters::joints::{
     MAX_ENERGY_VELOCITY_SCALE, MAX_INELASTIC_LOSS, MAX_POSITION_ROUNDING, MAX_ROTATION_ROUNDING,
     MAX_STEP_ENERGY_ERROR, MAX_STEP_JOINT_ERROR, MAX_WHIP_JOINT_ERROR,

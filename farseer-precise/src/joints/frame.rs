@@ -6,9 +6,10 @@
 use super::super::direct_solver::constraint::{Jacobian, RowMask};
 use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE};
 use super::super::direct_solver::mat3::Vec3;
-use super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, rotate};
 use super::articulation_step::cos_sin;
 use super::joint_constraint::{JointAnchor, JointConstraint};
+use super::locked_dofs::LockedDofs;
+use super::vec2::{Vec2, add_scaled, dot, rotate};
 
 /// Relative pose of the two bodies of a joint, or of a spring, in world coordinates.
 #[derive(Debug, Clone, Copy)]

@@ -14,12 +14,13 @@
 //! A motor and both limits of a joint share one row. "Equality" means a bilateral row.
 
 use super::super::direct_solver::constraint::{BodyIndices, FIXED, Jacobian};
+use super::super::direct_solver::island_body::MemberVectors;
 use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE, JointRows, MotorTarget};
 use super::super::direct_solver::mat3::Vec3;
-use super::articulated_body::{LockedDofs, add_scaled};
 use super::frame::JointFrame;
 use super::joint_constraint::JointConstraint;
-use crate::index::DenseIndex;
+use super::locked_dofs::LockedDofs;
+use super::vec2::add_scaled;
 
 /// The time interval for which the direct solver builds rows: a step or a fraction of it.
 #[derive(Debug, Clone, Copy)]
@@ -153,19 +154,24 @@ impl JointConstraint {
     fn body_displacements(
         &self,
         body_indices: BodyIndices,
-        island_displacements: &[Vec3],
+        island_displacements: &MemberVectors,
         dt: f64,
     ) -> [Vec3; 2] {
         let prescribed = self.prescribed_velocities(body_indices);
         [0, 1].map(|side: usize| match body_indices.bodies[side] {
             FIXED => prescribed[side].map(|velocity| velocity * dt),
-            at => island_displacements[at.position()],
+            at => island_displacements[at],
         })
     }
 
     /// Sets anchors, angle and axis of the joint to those after the displacements of its bodies in `dt` seconds.
     /// `island_displacements` holds the displacements of the island's bodies: x and y in length units, angle in radians.
-    pub(crate) fn displace(&mut self, body_indices: BodyIndices, island_displacements: &[Vec3], dt: f64) {
+    pub(crate) fn displace(
+        &mut self,
+        body_indices: BodyIndices,
+        island_displacements: &MemberVectors,
+        dt: f64,
+    ) {
         let displacements = self.body_displacements(body_indices, island_displacements, dt);
         let frame = JointFrame::of(self).displaced(displacements);
         for ((end, [x, y, _]), arm) in self.anchors.iter_mut().zip(displacements).zip(frame.arms) {
@@ -182,7 +188,7 @@ impl JointConstraint {
         &self,
         rows: &mut JointRows,
         body_indices: BodyIndices,
-        displacements: &[Vec3],
+        displacements: &MemberVectors,
         (dt, is_jacobian_new): (f64, bool),
     ) {
         let frame = JointFrame::of(self).displaced(self.body_displacements(body_indices, displacements, dt));
@@ -199,7 +205,7 @@ impl JointConstraint {
     pub(crate) fn linearisation_error(
         &self,
         body_indices: BodyIndices,
-        displacements: &[Vec3],
+        displacements: &MemberVectors,
         dt: f64,
     ) -> Vec3 {
         let displacements = self.body_displacements(body_indices, displacements, dt);

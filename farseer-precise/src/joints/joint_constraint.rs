@@ -5,8 +5,9 @@
 
 use super::super::bodies::{BodySet, signed_angle};
 use super::super::direct_solver::joint::ANGLE;
-use super::articulated_body::{LockedDofs, Vec2, add_scaled, cross, dot, rotate};
 use super::indices::{CandidateIndex, JointIndex};
+use super::locked_dofs::LockedDofs;
+use super::vec2::{Vec2, add_scaled, cross, dot, rotate};
 use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 
 /// The active joints of a simulator, as constraints of a step.

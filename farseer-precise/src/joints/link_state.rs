@@ -1,7 +1,9 @@
 //! State of the links of an articulation when a step begins.
 
-use super::articulated_body::{ArticulatedLink, Links, LockedDofs, dot};
+use super::articulated_body::{ArticulatedLink, Links};
 use super::joint_constraint::{JointAnchor, JointConstraint, JointList};
+use super::locked_dofs::LockedDofs;
+use super::vec2::dot;
 use crate::bodies::BodySet;
 use crate::index::DenseIndex;
 

@@ -13,6 +13,7 @@
 //! forces of joints.
 
 pub mod articulated_body;
+pub mod articulated_inertia;
 pub mod articulation;
 pub mod articulation_step;
 pub mod block_pair;
@@ -25,6 +26,7 @@ pub mod indices;
 pub mod island_rows;
 pub mod joint_constraint;
 pub mod link_state;
+pub mod locked_dofs;
 pub mod revolute_tree;
 pub mod soft_block;
 pub mod soft_law;
@@ -33,6 +35,7 @@ pub mod soft_spring;
 pub mod soft_step;
 pub mod spatial_joints;
 pub mod springs;
+pub mod vec2;
 
 use super::bodies::BodySet;
 use super::constraint_graph::ContactConstraintSimd;
@@ -40,12 +43,13 @@ use super::direct_solver::joint::JointRows;
 use super::scaled_parameters::StepContext;
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
 use crate::reusing_clone;
-use articulated_body::{LinkIndex, LockedDofs};
+use articulated_body::LinkIndex;
 use articulation::Articulation;
 use forest::{EdgeList, NO_TREE_INDEX, SpanningForest};
 use indices::{CandidateIndex, JointIndex};
 pub(crate) use joint_constraint::JointCandidate;
 use joint_constraint::{JointConstraint, JointList};
+use locked_dofs::LockedDofs;
 use soft_step::SoftJoints;
 use spatial_joints::{SpatialJointGroup, ZGroup, spatial_groups};
 use springs::SpringRows;

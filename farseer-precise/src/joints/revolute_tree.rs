@@ -14,10 +14,8 @@ use wide::f32x4;
 
 use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
-use super::articulated_body::{
-    ArticulatedInertia, ArticulatedLink, ArticulatedMomentum, LinkIndex, Links, LockedDofs, TreeNode, Vec2,
-    add_scaled, cross, dot, for_each_down, for_each_up, perp, rotate,
-};
+use super::articulated_body::{ArticulatedLink, LinkIndex, Links, TreeNode, for_each_down, for_each_up};
+use super::articulated_inertia::{ArticulatedInertia, ArticulatedMomentum};
 use super::articulation_step::{
     SubstepPlan, clamped_remainder, cos_sin, max_spins, momentum_conserving_stiffness, nonlinear_rotation,
     predict_spin_change, stable_stiffness,
@@ -25,6 +23,8 @@ use super::articulation_step::{
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
 use super::indices::JointIndex;
 use super::joint_constraint::JointList;
+use super::locked_dofs::LockedDofs;
+use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use crate::index::{BodyIndex, DenseIndex};
 
 /// A link: a body in a tree of revolute joints. Parents come before their children in the list of links; a root is its own

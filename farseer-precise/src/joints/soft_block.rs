@@ -12,7 +12,6 @@ use super::super::bodies::{BodySet, MotionState};
 use super::super::direct_solver::constraint::RowMask;
 use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE};
 use super::super::direct_solver::mat3::Vec3;
-use super::articulated_body::LockedDofs;
 use super::block_pair::{
     BodyPairLanes, JointLanes, RowDirection, RowLanes, set_lane_rounded, to_f32, to_f64,
 };
@@ -20,6 +19,7 @@ use super::block_row::{MotorLimitLanes, motor_limit_row};
 use super::frame::JointFrame;
 use super::indices::JointIndex;
 use super::joint_constraint::{JointConstraint, JointList};
+use super::locked_dofs::LockedDofs;
 use super::soft_law::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes, wide_masks};
 use crate::index::{BodyIndex, IndexedVec};
 use crate::math::lanes::{greater, select, smaller};

@@ -16,10 +16,11 @@
 use super::super::bodies::{BodySet, MotionState};
 use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE};
 use super::super::direct_solver::mat3::Vec3;
-use super::articulated_body::{LockedDofs, dot};
+use super::locked_dofs::LockedDofs;
 use super::soft_law::{clamp_symmetric, min};
 use super::soft_pair::SpringBodyPair;
 use super::springs::SpringConstraint;
+use super::vec2::dot;
 use crate::parameters::direct::STABLE_STIFFNESS;
 
 /// Row of a damped spring with the impulse l = -s u - h k x: velocity u at the end of a substep of h seconds, stretch x at its

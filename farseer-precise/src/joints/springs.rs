@@ -23,10 +23,10 @@
 use super::super::bodies::BodySet;
 use super::super::direct_solver::constraint::{BodyIndices, FIXED};
 use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
-use super::articulated_body::LockedDofs;
 use super::frame::JointFrame;
 use super::indices::{CandidateIndex, SpringIndex};
 use super::joint_constraint::{JointAnchor, JointCandidate};
+use super::locked_dofs::LockedDofs;
 use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::reusing_clone;
 

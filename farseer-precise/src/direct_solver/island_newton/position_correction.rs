@@ -1,7 +1,7 @@
 //! Position correction of an island: displacements that close joints and resolve penetration, from the matrix of the Newton step.
 
 use super::super::constraint_list::add_constraint_impulses;
-use super::super::island_body::max_or_nan;
+use super::super::island_body::{MemberVectors, max_or_nan};
 use super::super::joint::JointRows;
 use super::super::mat3::Vec3;
 use super::IslandSystem;
@@ -141,7 +141,7 @@ impl IslandSystem {
 
     /// Returns the position correction of each member of the island, after [`resolve_penetration`](Self::resolve_penetration)
     /// or [`correct_positions`](Self::correct_positions): length units, length units, radians.
-    pub(in super::super) fn corrections(&self) -> &[Vec3] {
+    pub(in super::super) fn corrections(&self) -> &MemberVectors {
         &self.direction
     }
 }

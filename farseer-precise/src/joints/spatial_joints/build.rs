@@ -1,9 +1,9 @@
 //! Builds the groups of joints in three axes, and the sparsity pattern of their rows.
 
 use super::super::super::bodies::BodySet;
-use super::super::articulated_body::LockedDofs;
 use super::super::indices::JointIndex;
 use super::super::joint_constraint::{JointConstraint, JointList};
+use super::super::locked_dofs::LockedDofs;
 use super::constraint_row::{JointState, NodeIndex, RowKind, SpatialJointRow};
 use super::group_solver::{OffDiagonal, SpatialJointGroup};
 use super::sparse_ldlt::SparseLdlt;

@@ -3,10 +3,11 @@
 //! The value of a row is a position error, a distance, an angle, or the coordinate that motor and limits act on. Velocities and
 //! Jacobians have four components: x, y, angular about z, and z, along the depth axis.
 
-use super::super::articulated_body::{LockedDofs, Vec2, add_scaled, dot, perp, rotate};
 use super::super::articulation_step::cos_sin;
 use super::super::indices::JointIndex;
 use super::super::joint_constraint::{JointConstraint, JointList, Limits, Motor};
+use super::super::locked_dofs::LockedDofs;
+use super::super::vec2::{Vec2, add_scaled, dot, perp, rotate};
 use crate::index::{DenseIndex, IndexedVec, index_type};
 use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, LOOP_COMPLIANCE, MAX_POSITION_CORRECTION};
 

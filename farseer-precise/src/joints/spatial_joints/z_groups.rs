@@ -5,8 +5,8 @@
 //! velocities.
 
 use super::super::super::bodies::BodySet;
-use super::super::articulated_body::LockedDofs;
 use super::super::joint_constraint::JointList;
+use super::super::locked_dofs::LockedDofs;
 use crate::index::{BodyIndex, DenseIndex};
 use crate::island::union_find::UnionFind;
 use crate::mass::mass_of_inverse;

@@ -1,0 +1,28 @@
+//! Kinds of joints: the degrees of freedom that they lock.
+
+/// Degrees of freedom that a joint locks between a body and its parent in the tree, or how the root of a tree is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LockedDofs {
+    /// Locks nothing: the body is the root of a free tree.
+    #[default]
+    Free,
+    /// Locks all motion of a root: the world, or a static, kinematic or sleeping body. The velocity of the root is given.
+    Fixed,
+    /// Locks the relative translation of two anchors: a revolute joint.
+    Point,
+    /// Locks the relative translation of two anchors and the relative angle: a weld joint.
+    Weld,
+    /// Locks the relative angle of the bodies alone: an angle joint.
+    Angle,
+    /// Locks the distance between two anchors: a pin or slider joint.
+    Distance,
+    /// Locks the translation across a line fixed to the first body, and the relative angle: a prismatic joint.
+    Line,
+}
+
+impl LockedDofs {
+    /// Returns whether this is a joint with a parent, not the state of a root.
+    pub(super) fn is_joint(self) -> bool {
+        !matches!(self, LockedDofs::Free | LockedDofs::Fixed)
+    }
+}
