@@ -16,8 +16,8 @@ use super::island_newton::{IslandSystem, SolveStats};
 use super::island_solver::IslandSolver;
 use crate::index::DenseIndex;
 use crate::joints::JointSystem;
-use crate::joints::articulation_step::{SubstepPlan, momentum_conserving_stiffness};
 use crate::joints::island_rows::StepInterval;
+use crate::joints::substep_plan::{SubstepPlan, momentum_conserving_stiffness};
 use crate::mass::mass_of_inverse;
 use crate::parameters::direct::{
     ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,

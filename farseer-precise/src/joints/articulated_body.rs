@@ -273,56 +273,66 @@ impl ArticulatedLink {
     #[inline(always)]
     pub(super) fn propagate_momentum_up(&mut self, parent: &mut ArticulatedLink) {
         let parent_momentum = &mut parent.scratch.momentum;
-        let ArticulatedInertia { mass, coupling, rotational } = self.scratch.inertia;
-        let (ArticulatedMomentum { linear, angular }, lever) = (self.scratch.momentum, self.scratch.lever);
-        let [x, y, spin] = self.target_velocity;
+        let lever = self.scratch.lever;
         match self.locked {
             LockedDofs::Free | LockedDofs::Fixed => {}
             LockedDofs::Point => {
-                let load = add_scaled(linear, coupling, -angular * self.scratch.inverse_rotational);
-                self.scratch.reduced_momentum = load;
-                parent_momentum.add_at(
-                    add_scaled(
-                        self.scratch.reduced_momentum,
-                        self.scratch.reduced_mass.mul_vec([x, y]),
-                        -1.0,
-                    ),
-                    0.0,
-                    lever,
-                );
+                self.eliminate_rotational_momentum();
+                let [x, y, _] = self.target_velocity;
+                let target_momentum = self.scratch.reduced_mass.mul_vec([x, y]);
+                let linear = add_scaled(self.scratch.reduced_momentum, target_momentum, -1.0);
+                parent_momentum.add_at(linear, 0.0, lever);
             }
             LockedDofs::Distance => {
-                self.scratch.reduced_momentum =
-                    add_scaled(linear, coupling, -angular * self.scratch.inverse_rotational);
-                let (n, t) = (self.axis, perp(self.axis));
-                let [effective_mass, axial_impulse, coupling_ratio] = &mut self.scratch.along_axis;
-                let load = dot(n, self.scratch.reduced_momentum)
-                    - *coupling_ratio * dot(t, self.scratch.reduced_momentum);
-                *axial_impulse = load - *effective_mass * x;
-                parent_momentum.add_at([n[0] * *axial_impulse, n[1] * *axial_impulse], 0.0, lever);
+                self.eliminate_rotational_momentum();
+                parent_momentum.add_at(self.momentum_along_axis(), 0.0, lever);
             }
             LockedDofs::Weld => {
-                let impulse = add_scaled(add_scaled(linear, mass.mul_vec([x, y]), -1.0), coupling, -spin);
-                parent_momentum.add_at(impulse, angular - dot(coupling, [x, y]) - rotational * spin, lever);
+                let ArticulatedMomentum { linear, angular } = self.scratch.momentum;
+                let held = self.scratch.inertia.remaining_momentum((linear, angular), self.target_velocity);
+                parent_momentum.add_at(held.linear, held.angular, lever);
             }
             LockedDofs::Line => {
-                let held = self.scratch.inertia.eliminate_slide(self.axis);
-                let slide = dot(self.axis, linear) / dot(self.axis, mass.mul_vec(self.axis));
-                let impulse = add_scaled(linear, mass.mul_vec(self.axis), -slide);
-                let impulse =
-                    add_scaled(add_scaled(impulse, held.mass.mul_vec([x, y]), -1.0), held.coupling, -spin);
-                let angular = angular - dot(coupling, self.axis) * slide;
-                parent_momentum.add_at(
-                    impulse,
-                    angular - dot(held.coupling, [x, y]) - held.rotational * spin,
-                    lever,
-                );
+                let held = self.momentum_without_slide();
+                parent_momentum.add_at(held.linear, held.angular, lever);
             }
             LockedDofs::Angle => {
                 let (inertia, angular) = self.scratch.inertia.eliminate_translation(&self.scratch.momentum);
-                parent_momentum.angular += angular - inertia * spin;
+                parent_momentum.angular += angular - inertia * self.target_velocity[2];
             }
         }
+    }
+
+    /// Eliminates the rotation about the joint from the momentum: computes `reduced_momentum` in `scratch`.
+    #[inline(always)]
+    fn eliminate_rotational_momentum(&mut self) {
+        let ArticulatedMomentum { linear, angular } = self.scratch.momentum;
+        self.scratch.reduced_momentum =
+            add_scaled(linear, self.scratch.inertia.coupling, -angular * self.scratch.inverse_rotational);
+    }
+
+    /// Returns the momentum that a distance joint transmits along its axis: x and y in mass units * length units/s. Stores its
+    /// size in `scratch`.
+    #[inline(always)]
+    fn momentum_along_axis(&mut self) -> Vec2 {
+        let (n, t) = (self.axis, perp(self.axis));
+        let [effective_mass, axial_impulse, coupling_ratio] = &mut self.scratch.along_axis;
+        let load =
+            dot(n, self.scratch.reduced_momentum) - *coupling_ratio * dot(t, self.scratch.reduced_momentum);
+        *axial_impulse = load - *effective_mass * self.target_velocity[0];
+        [n[0] * *axial_impulse, n[1] * *axial_impulse]
+    }
+
+    /// Returns the momentum that a prismatic joint transmits, with the motion along its axis eliminated.
+    #[inline(always)]
+    fn momentum_without_slide(&self) -> ArticulatedMomentum {
+        let ArticulatedInertia { mass, coupling, .. } = self.scratch.inertia;
+        let ArticulatedMomentum { linear, angular } = self.scratch.momentum;
+        let held = self.scratch.inertia.eliminate_slide(self.axis);
+        let slide = dot(self.axis, linear) / dot(self.axis, mass.mul_vec(self.axis));
+        let linear = add_scaled(linear, mass.mul_vec(self.axis), -slide);
+        let angular = angular - dot(coupling, self.axis) * slide;
+        held.remaining_momentum((linear, angular), self.target_velocity)
     }
 
     /// Eliminates the rotation about the joint, which the joint leaves free: computes `inverse_rotational` and `reduced_mass`
@@ -365,8 +375,6 @@ impl ArticulatedLink {
         let [x, y, spin] = parent.scratch.joint_velocity;
         let at_parent = add_scaled([x, y], perp(self.scratch.lever), spin);
         let at_joint = add_scaled(at_parent, [self.target_velocity[0], self.target_velocity[1]], 1.0);
-        let ArticulatedInertia { mass, coupling, rotational } = self.scratch.inertia;
-        let ArticulatedMomentum { linear, angular } = self.scratch.momentum;
         match self.locked {
             LockedDofs::Free | LockedDofs::Fixed => {}
             LockedDofs::Point => {
@@ -380,25 +388,34 @@ impl ArticulatedLink {
             }
             LockedDofs::Distance => self.propagate_distance_down(at_parent),
             LockedDofs::Weld | LockedDofs::Line => {
-                let spin = spin + self.target_velocity[2];
-                let mut at_joint = at_joint;
-                if self.locked == LockedDofs::Line {
-                    // The impulse along the line is 0.
-                    let free = add_scaled(add_scaled(linear, mass.mul_vec(at_joint), -1.0), coupling, -spin);
-                    let slide = dot(self.axis, free) / dot(self.axis, mass.mul_vec(self.axis));
-                    at_joint = add_scaled(at_joint, self.axis, slide);
-                }
-                let [fx, fy] = add_scaled(add_scaled(mass.mul_vec(at_joint), coupling, spin), linear, -1.0);
-                self.impulse = [fx, fy, dot(coupling, at_joint) + rotational * spin - angular];
-                self.set_joint_velocity(at_joint, spin);
+                self.propagate_locked_angle_down(at_joint, spin + self.target_velocity[2])
             }
             LockedDofs::Angle => {
                 let spin = spin + self.target_velocity[2];
-                let (inertia, angular) = self.scratch.inertia.eliminate_translation(&self.scratch.momentum);
+                let (ArticulatedInertia { mass, coupling, .. }, momentum) =
+                    (self.scratch.inertia, self.scratch.momentum);
+                let (inertia, angular) = self.scratch.inertia.eliminate_translation(&momentum);
                 self.impulse = [0.0, 0.0, inertia * spin - angular];
-                self.set_joint_velocity(mass.solve(add_scaled(linear, coupling, -spin)), spin);
+                self.set_joint_velocity(mass.solve(add_scaled(momentum.linear, coupling, -spin)), spin);
             }
         }
+    }
+
+    /// Computes velocity and joint impulse of a body with a weld or prismatic joint. `at_joint` is the velocity at the joint
+    /// without a slide, along x and y in length units/s, and `spin` the angular velocity in radians/s.
+    #[inline(always)]
+    fn propagate_locked_angle_down(&mut self, mut at_joint: Vec2, spin: f64) {
+        let ArticulatedInertia { mass, coupling, rotational } = self.scratch.inertia;
+        let ArticulatedMomentum { linear, angular } = self.scratch.momentum;
+        if self.locked == LockedDofs::Line {
+            // The impulse along the line is 0.
+            let free = add_scaled(add_scaled(linear, mass.mul_vec(at_joint), -1.0), coupling, -spin);
+            let slide = dot(self.axis, free) / dot(self.axis, mass.mul_vec(self.axis));
+            at_joint = add_scaled(at_joint, self.axis, slide);
+        }
+        let [fx, fy] = add_scaled(add_scaled(mass.mul_vec(at_joint), coupling, spin), linear, -1.0);
+        self.impulse = [fx, fy, dot(coupling, at_joint) + rotational * spin - angular];
+        self.set_joint_velocity(at_joint, spin);
     }
 
     /// Computes velocity and joint impulse of a body with a distance joint. `at_parent` is the velocity of the parent at the

@@ -116,6 +116,21 @@ impl ArticulatedInertia {
         }
     }
 
+    /// Returns the momentum that remains of `linear` and `angular` beyond that of the velocity `target` relative to the parent: x
+    /// and y in length units/s, angular in radians/s.
+    #[inline(always)]
+    pub(super) fn remaining_momentum(
+        &self,
+        (linear, angular): (Vec2, f64),
+        [x, y, spin]: [f64; 3],
+    ) -> ArticulatedMomentum {
+        let linear = add_scaled(linear, self.mass.mul_vec([x, y]), -1.0);
+        ArticulatedMomentum {
+            linear: add_scaled(linear, self.coupling, -spin),
+            angular: angular - dot(self.coupling, [x, y]) - self.rotational * spin,
+        }
+    }
+
     /// Returns the rotational inertia (mass units * length units^2) and the angular momentum (mass units * length units^2/s)
     /// that remain when the point may translate freely (Schur complement).
     #[inline(always)]

@@ -12,6 +12,7 @@
 //! The module reads positions, velocities and forces of the links at the end of a step, and writes the velocities.
 
 use super::articulated_body::{Links, TreeNode};
+use super::locked_dofs::LockedDofs;
 use super::vec2::{Vec2, add_scaled, cross, dot, perp};
 use crate::parameters::joints::{
     MAX_ENERGY_VELOCITY_SCALE, MAX_INELASTIC_LOSS, MAX_POSITION_ROUNDING, MAX_ROTATION_ROUNDING,
@@ -21,6 +22,8 @@ use crate::parameters::joints::{
 /// Pose, velocity, mass and forces of one body of an articulation at the end of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LinkEndState {
+    /// Degrees of freedom that the joint with the parent locks, or how a root is held.
+    pub(super) locked: LockedDofs,
     /// Mass of the body. Unit: mass units.
     pub(super) mass: f64,
     /// Moment of inertia about the centre of mass. Unit: mass units * length units^2.
@@ -37,8 +40,8 @@ pub(super) struct LinkEndState {
 
 /// A link of an articulation, whose velocity the energy balance reads and scales.
 pub(super) trait BalancedLink: TreeNode {
-    /// Returns the state of the link's body at the end of the step; `None` for a fixed root.
-    fn end_state(&self) -> Option<LinkEndState>;
+    /// Returns the state of the link's body at the end of the step.
+    fn state(&self) -> LinkEndState;
     /// Sets the velocity of the body: x and y in length units/s, angular in radians/s.
     fn set_velocity(&mut self, velocity: [f64; 3]);
     /// Returns the largest work that the joint with the parent does in a step of `dt` seconds by closing the error of rounded
@@ -49,10 +52,23 @@ pub(super) trait BalancedLink: TreeNode {
     /// Returns whether the error of the joint with the parent exceeded `error` when the step began. Errors of linear rows are
     /// fractions of the joint's arms plus the radius of gyration, dimensionless; errors of angular rows are in radians.
     fn has_joint_error_above(&self, error: f64) -> bool;
+
+    /// Returns the state of the link's body at the end of the step; `None` for a fixed root, which has no body of its own.
+    #[inline(always)]
+    fn end_state(&self) -> Option<LinkEndState> {
+        Some(self.state()).filter(|state| state.locked != LockedDofs::Fixed)
+    }
+
     /// Returns whether this is a fixed root with a velocity.
-    fn is_moving_fixed_root(&self) -> bool;
+    fn is_moving_fixed_root(&self) -> bool {
+        let LinkEndState { locked, velocity, .. } = self.state();
+        locked == LockedDofs::Fixed && velocity != [0.0; 3]
+    }
+
     /// Returns whether this is the root of a tree that is not fixed to the world.
-    fn is_free_root(&self) -> bool;
+    fn is_free_root(&self) -> bool {
+        self.state().locked == LockedDofs::Free
+    }
 }
 
 /// Rigid motion that has the same momentum and angular momentum as an articulation.

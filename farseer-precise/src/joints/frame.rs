@@ -6,9 +6,9 @@
 use super::super::direct_solver::constraint::{Jacobian, RowMask};
 use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE};
 use super::super::direct_solver::mat3::Vec3;
-use super::articulation_step::cos_sin;
 use super::joint_constraint::{JointAnchor, JointConstraint};
 use super::locked_dofs::LockedDofs;
+use super::rotation::cos_sin;
 use super::vec2::{Vec2, add_scaled, dot, rotate};
 
 /// Relative pose of the two bodies of a joint, or of a spring, in world coordinates.

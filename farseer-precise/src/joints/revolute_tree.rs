@@ -10,22 +10,23 @@
 use crate::parameters::joints::{
     IMPLICIT_STIFFNESS_RATIO, JOINT_CORRECTION_SPEED, MAX_WHIP_JOINT_ERROR, STIFFNESS_JUMP_RETRIES,
 };
-use wide::f32x4;
 
 use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
-use super::articulated_body::{ArticulatedLink, LinkIndex, Links, TreeNode, for_each_down, for_each_up};
+use super::articulated_body::{LinkIndex, Links, TreeNode, for_each_down, for_each_up};
 use super::articulated_inertia::{ArticulatedInertia, ArticulatedMomentum};
-use super::articulation_step::{
-    SubstepPlan, clamped_remainder, cos_sin, max_spins, momentum_conserving_stiffness, nonlinear_rotation,
-    predict_spin_change, stable_stiffness,
-};
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
 use super::indices::JointIndex;
 use super::joint_constraint::JointList;
 use super::locked_dofs::LockedDofs;
-use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
-use crate::index::{BodyIndex, DenseIndex};
+use super::substep_plan::{SubstepPlan, max_spins};
+use super::vec2::{Vec2, add_scaled, dot, perp};
+use crate::index::BodyIndex;
+
+mod build;
+mod link;
+
+pub(super) use build::revolute_links;
 
 /// A link: a body in a tree of revolute joints. Parents come before their children in the list of links; a root is its own
 /// parent.
@@ -124,16 +125,9 @@ impl TreeNode for RevoluteLink {
 }
 
 impl BalancedLink for RevoluteLink {
-    fn end_state(&self) -> Option<LinkEndState> {
-        let RevoluteLink { mass, inertia, delta_pose, position, velocity, force_delta, .. } = *self;
-        (self.body != BodyIndex::PLACEHOLDER).then_some(LinkEndState {
-            mass,
-            inertia,
-            delta_pose,
-            position,
-            velocity,
-            force_delta,
-        })
+    fn state(&self) -> LinkEndState {
+        let RevoluteLink { locked, mass, inertia, delta_pose, position, velocity, force_delta, .. } = *self;
+        LinkEndState { locked, mass, inertia, delta_pose, position, velocity, force_delta }
     }
 
     fn set_velocity(&mut self, velocity: [f64; 3]) {
@@ -157,70 +151,6 @@ impl BalancedLink for RevoluteLink {
 
     fn has_joint_error_above(&self, error: f64) -> bool {
         self.initial_error > error * self.reach
-    }
-
-    fn is_moving_fixed_root(&self) -> bool {
-        self.locked == LockedDofs::Fixed && self.velocity != [0.0; 3]
-    }
-
-    fn is_free_root(&self) -> bool {
-        self.locked == LockedDofs::Free
-    }
-}
-
-/// Converts a tree of links to revolute links. Returns an empty list if some joint is not a rigid revolute joint without a
-/// motor.
-pub(super) fn revolute_links(links: &Links<ArticulatedLink>, constraints: &JointList) -> Links<RevoluteLink> {
-    let is_rigid_revolute = |link: &ArticulatedLink| {
-        let constraint = &constraints[link.joint];
-        link.locked == LockedDofs::Point && constraint.softness == 0.0 && constraint.drive.is_none()
-    };
-    let is_root = |node: &ArticulatedLink| !node.locked.is_joint();
-    if !links.iter().all(|node| is_root(node) || is_rigid_revolute(node)) {
-        return Links::default();
-    }
-    let mut revolute_links: Links<RevoluteLink> =
-        links.iter().map(|node| revolute_link(node, constraints)).collect();
-    // The farther a joint is from the body's origin, the larger the stable stiffness is.
-    let mut max_arms_squared: Links<f64> =
-        revolute_links.iter().map(|link| dot(link.anchor, link.anchor)).collect();
-    for link in revolute_links.iter().filter(|hinge| hinge.locked.is_joint()) {
-        let max_arm_squared = &mut max_arms_squared[link.parent];
-        *max_arm_squared = max_arm_squared.max(dot(link.parent_anchor, link.parent_anchor));
-    }
-    for (link, max_arm_squared) in revolute_links.iter_mut().zip(max_arms_squared.iter()) {
-        let is_fixed = link.locked == LockedDofs::Fixed;
-        link.stable_stiffness = if is_fixed {
-            f64::INFINITY
-        } else {
-            stable_stiffness(link.inertia, link.mass, *max_arm_squared)
-        };
-    }
-    revolute_links
-}
-
-/// Returns the revolute link of a link in a tree that has only rigid revolute joints.
-fn revolute_link(link: &ArticulatedLink, constraints: &JointList) -> RevoluteLink {
-    let [anchor, parent_anchor] = if link.locked.is_joint() {
-        let [first, second] = constraints[link.joint].anchors.map(|anchor| anchor.local_anchor);
-        if link.is_first { [first, second] } else { [second, first] }
-    } else {
-        [[0.0; 2]; 2]
-    };
-    let [arm, parent_arm] = [anchor, parent_anchor].map(|anchor| dot(anchor, anchor).sqrt());
-    RevoluteLink {
-        body: link.body,
-        parent: link.parent,
-        joint: link.joint,
-        locked: link.locked,
-        is_first: link.is_first,
-        sign: link.joint_sign(),
-        mass: link.mass,
-        inertia: link.inertia,
-        reach: arm + parent_arm + (link.inertia / link.mass).sqrt(),
-        anchor,
-        parent_anchor,
-        ..RevoluteLink::default()
     }
 }
 
@@ -308,11 +238,11 @@ fn run_substeps(
     length_unit: f64,
 ) -> Option<InitialEnergy> {
     let SubstepPlan { substeps, is_kick_drift, max_prediction_error, predicts_spin, .. } = *plan;
-    let dt = f64::from(step.dt);
-    let h = dt / f64::from(substeps);
+    let h = f64::from(step.dt) / f64::from(substeps);
+    let max_spin_error = max_prediction_error / h;
     let times = (step.dt, substeps as f32, step.substeps as f32);
     let start = if is_kick_drift {
-        solve_substep(links, (h, length_unit), max_prediction_error / h, |link| {
+        solve_substep(links, (h, length_unit), max_spin_error, |link| {
             link.scale_to_substep(bodies, times, false);
             link.apply_forces(1.0, false);
         });
@@ -320,9 +250,7 @@ fn run_substeps(
     } else {
         links.iter_mut().for_each(|link| link.scale_to_substep(bodies, times, true));
         let start = InitialEnergy::of(links);
-        solve_substep(links, (h, length_unit), max_prediction_error / h, |link| {
-            link.apply_forces(0.5, predicts_spin)
-        });
+        solve_substep(links, (h, length_unit), max_spin_error, |link| link.apply_forces(0.5, predicts_spin));
         Some(start)
     };
     for substep in 1..substeps {
@@ -331,9 +259,7 @@ fn run_substeps(
             link.record_joint_spin_change(predicts_spin, share);
             link.integrate_position(parent, h);
         });
-        solve_substep(links, (h, length_unit), max_prediction_error / h, |link| {
-            link.apply_forces(1.0, predicts_spin)
-        });
+        solve_substep(links, (h, length_unit), max_spin_error, |link| link.apply_forces(1.0, predicts_spin));
     }
     if !is_kick_drift {
         for_each_down(links, |link, parent| link.integrate_position(parent, h));
@@ -380,22 +306,7 @@ fn solve_substep(
             link.set_target_velocity(parent, correction);
             link.propagate_up(parent);
         });
-        let (mut is_mispredicted, mut may_have_jump) = (false, false);
-        for_each_down(links, |link, parent| {
-            if let Some(parent) = parent {
-                link.propagate_down(parent);
-                link.set_stiffness(h);
-                parent.geometric_stiffness -= h * dot(link.parent_arm, link.impulse);
-                may_have_jump |= parent.stiffness_jumped();
-            } else {
-                link.solve_root();
-                link.set_stiffness(h);
-            }
-            may_have_jump |= link.stiffness_jumped();
-            is_mispredicted |= (link.joint_velocity[2] - link.predicted_spin).abs() > max_spin_error;
-        });
-        // The stiffness of a parent is complete after its last child.
-        let has_jump = may_have_jump && links.iter().any(RevoluteLink::stiffness_jumped);
+        let [is_mispredicted, has_jump] = propagate_down(links, h, max_spin_error);
         if iteration == STIFFNESS_JUMP_RETRIES || !(has_jump || (iteration == 0 && is_mispredicted)) {
             break;
         }
@@ -409,300 +320,25 @@ fn solve_substep(
     }
 }
 
-impl RevoluteLink {
-    /// Copies pose and velocity of the body to the link, and computes arms, joint error, geometric stiffness and predicted
-    /// change of the angular velocity.
-    ///
-    /// Stiffness and change follow from the joint force of the last step; they are those of an undivided step of `dt` seconds.
-    /// The contributions of the parent's side are added to `parent`. The change is computed if the articulation
-    /// [`is_balanced`](SubstepPlan::is_energy_balanced).
-    #[inline(always)]
-    fn begin_step(
-        &mut self,
-        parent: Option<&mut RevoluteLink>,
-        constraints: &mut JointList,
-        bodies: &BodySet,
-        (dt, is_balanced): (f64, bool),
-    ) {
-        let body = self.body.position();
-        if self.body != BodyIndex::PLACEHOLDER {
-            let [x, y, c, s] = bodies.poses[body].map(f64::from);
-            let [vx, vy, spin, _] = bodies.initial_velocity[body];
-            (self.position, self.rotation) = ([x, y], [c, s]);
-            self.velocity = [vx, vy, spin].map(f64::from);
-        }
-        (self.delta_pose, self.total_impulse, self.geometric_stiffness, self.initial_error) =
-            ([0.0; 3], [0.0; 2], 0.0, 0.0);
-        self.joint_spin_change = 0.0;
-        let Some(parent) = parent else {
-            // Rotating a zero arm could flip the sign of a zero.
-            self.arm = [0.0; 2];
-            return;
-        };
-        let constraint = &mut constraints[self.joint];
-        self.arm = rotate(self.rotation, self.anchor);
-        if parent.locked == LockedDofs::Fixed {
-            let anchor = &mut constraint.anchors[usize::from(self.is_first)];
-            anchor.update(bodies);
-            (parent.position, parent.velocity, self.parent_arm) =
-                (anchor.position, anchor.velocity, anchor.arm);
-        } else {
-            self.parent_arm = rotate(parent.rotation, self.parent_anchor);
-        }
-        let offset = self.anchor_offset(parent);
-        self.initial_error = dot(offset, offset).sqrt();
-        constraint.error = self.initial_error as f32;
-        let first_arm = if self.is_first { self.arm } else { self.parent_arm };
-        constraint.first_arm = first_arm;
-        let force = [constraint.force[0] * self.sign, constraint.force[1] * self.sign];
-        self.geometric_stiffness = dt * dt * dot(self.arm, force);
-        parent.geometric_stiffness -= dt * dt * dot(self.parent_arm, force);
-        if is_balanced {
-            self.joint_spin_change = cross(self.arm, force);
-            parent.joint_spin_change -= cross(self.parent_arm, force);
-        }
-    }
-
-    /// Converts the quantities that refer to an undivided step or a solver substep, so that they refer to the articulation's
-    /// substeps: geometric stiffness, predicted change and forces. Adds the velocity change by forces that act in full at the
-    /// start of the step.
-    ///
-    /// `dt` is the step in seconds; `parts` and `substeps` are the numbers of substeps of the articulation and of the solver.
-    /// The predicted change is converted if the articulation [`is_balanced`](SubstepPlan::is_energy_balanced).
-    #[inline(always)]
-    fn scale_to_substep(
-        &mut self,
-        bodies: &BodySet,
-        (dt, parts, substeps): (f32, f32, f32),
-        is_balanced: bool,
-    ) {
-        self.geometric_stiffness *= 1.0 / f64::from(parts * parts);
-        if is_balanced {
-            self.joint_spin_change *= 1.0 / f64::from(parts);
-        }
-        self.set_added_stiffness(self.excess_stiffness());
-        if self.body != BodyIndex::PLACEHOLDER {
-            let [force_delta, force_position_delta] = [&bodies.force_delta, &bodies.force_position_delta]
-                .map(|of| f32x4::new(of[self.body.position()]));
-            let initial_kick = force_position_delta * f32x4::splat(2.0 / dt);
-            let push = (force_delta * f32x4::splat(substeps) - initial_kick) * f32x4::splat(1.0 / parts);
-            let ([x, y, spin, _], at_once) = (push.to_array().map(f64::from), initial_kick.to_array());
-            self.force_delta = [x, y, spin];
-            (0..3).for_each(|i| self.velocity[i] += f64::from(at_once[i]));
-        }
-    }
-
-    /// Adds the fraction `share` (0..=1) of the velocity change by applied forces in a substep to the velocity (a kick), and
-    /// predicts the angular velocity after the joints have acted.
-    #[inline(always)]
-    fn apply_forces(&mut self, share: f64, predicts_spin: bool) {
-        (0..3).for_each(|i| self.velocity[i] += share * self.force_delta[i]);
-        let joint_spin_change = if predicts_spin {
-            predict_spin_change(self.joint_spin_change, self.geometric_stiffness, self.stable_stiffness)
-        } else {
-            0.0
-        };
-        self.predicted_spin = self.velocity[2] + share * joint_spin_change;
-    }
-
-    /// Sets rotation, inertia and momentum of the single body for a substep of `h` seconds.
-    #[inline(always)]
-    fn prepare_substep(&mut self, h: f64) {
-        self.rotation = nonlinear_rotation(self.predicted_spin * h);
-        self.init_own();
-    }
-
-    /// Computes the target velocity with which the joint holds at the end of a substep: the predicted error of the anchors
-    /// times `rate`.
-    ///
-    /// `rate` is -1 / (seconds of the substep). `max_correction` is the largest error that is corrected in the substep, in
-    /// length units.
-    #[inline(always)]
-    fn set_target_velocity(&mut self, parent: &RevoluteLink, (rate, max_correction): (f64, f64)) {
-        let error = self.anchor_offset(parent);
-        let predicted_anchor = add_scaled(self.position, rotate(self.rotation, self.arm), 1.0);
-        let mut predicted_error = add_scaled(
-            predicted_anchor,
-            add_scaled(parent.position, rotate(parent.rotation, self.parent_arm), 1.0),
-            -1.0,
-        );
-        let size = dot(error, error);
-        if size > max_correction * max_correction {
-            predicted_error =
-                add_scaled(predicted_error, error, -clamped_remainder(size.sqrt(), max_correction));
-        }
-        self.target_velocity = [predicted_error[0] * rate, predicted_error[1] * rate];
-    }
-
-    /// Sets inertia and momentum to those of the single body about its joint with the parent.
-    #[inline(always)]
-    fn init_own(&mut self) {
-        self.articulated_inertia =
-            ArticulatedInertia::of_body(self.mass, self.inertia + self.added_stiffness, self.arm);
-        self.momentum = ArticulatedMomentum::of_body(
-            self.mass,
-            self.inertia + self.momentum_stiffness,
-            self.arm,
-            self.velocity,
-        );
-    }
-
-    /// Adds inertia and momentum of the link's subtree to those of the parent, with the rotation about the joint eliminated.
-    /// Backward pass of the articulated-body algorithm.
-    #[inline(always)]
-    fn propagate_up(&mut self, parent: &mut RevoluteLink) {
-        let lever = add_scaled(self.parent_arm, parent.arm, -1.0);
-        let ArticulatedInertia { mass, coupling, rotational } = self.articulated_inertia;
-        self.inverse_rotational = 1.0 / rotational;
-        let reduced_mass = mass.with_outer_product(coupling, -self.inverse_rotational);
-        let reduced_momentum =
-            add_scaled(self.momentum.linear, coupling, -self.momentum.angular * self.inverse_rotational);
-        (self.articulated_inertia.mass, self.momentum.linear) = (reduced_mass, reduced_momentum);
-        parent.articulated_inertia.add_point_mass(&reduced_mass, lever);
-        parent.momentum.add_at(
-            add_scaled(reduced_momentum, reduced_mass.mul_vec(self.target_velocity), -1.0),
-            0.0,
-            lever,
-        );
-    }
-
-    /// Computes the velocity of a root at its centre of mass from the momentum and inertia of its tree; a fixed root keeps its
-    /// velocity.
-    #[inline(always)]
-    fn solve_root(&mut self) {
-        self.joint_velocity = if self.locked == LockedDofs::Free {
-            self.articulated_inertia.unconstrained_velocity(&self.momentum)
-        } else {
-            self.velocity
-        };
-    }
-
-    /// Computes the velocity of the body at its joint, and the joint impulse, from the parent's velocity. Forward pass of the
-    /// articulated-body algorithm.
-    #[inline(always)]
-    fn propagate_down(&mut self, parent: &RevoluteLink) {
-        let [x, y, spin] = parent.joint_velocity;
-        let lever = add_scaled(self.parent_arm, parent.arm, -1.0);
-        let at_joint = add_scaled(add_scaled([x, y], perp(lever), spin), self.target_velocity, 1.0);
-        self.impulse =
-            add_scaled(self.articulated_inertia.mass.mul_vec(at_joint), self.momentum.linear, -1.0);
-        let spin = (self.momentum.angular - dot(self.articulated_inertia.coupling, at_joint))
-            * self.inverse_rotational;
-        self.joint_velocity = [at_joint[0], at_joint[1], spin];
-    }
-
-    /// Returns the solved velocity of the centre of mass, and the angular velocity: x and y in length units/s, angular in
-    /// radians/s.
-    #[inline(always)]
-    fn origin_velocity(&self) -> [f64; 3] {
-        let [x, y, spin] = self.joint_velocity;
-        let [x, y] = add_scaled([x, y], perp(self.arm), -spin);
-        [x, y, spin]
-    }
-
-    /// Returns the displacement since the step began, after `h` more seconds with the velocity `velocity`: x and y in length
-    /// units, rotation in radians.
-    #[inline(always)]
-    fn delta_pose_after(&self, velocity: [f64; 3], h: f64) -> [f64; 3] {
-        std::array::from_fn(|i| self.delta_pose[i] + velocity[i] * h)
-    }
-
-    /// Sets the velocity of the link to the solved one, and adds the joint impulse to `total_impulse`, the sum of the step.
-    #[inline(always)]
-    fn apply_solution(&mut self) {
-        self.velocity = self.origin_velocity();
-        self.total_impulse = add_scaled(self.total_impulse, self.impulse, 1.0);
-    }
-
-    /// Stores the change of the angular velocity by joints in this substep, which predicts the change in the next one. `share`
-    /// is the fraction of the force kick that the substep had, 0..=1.
-    #[inline(always)]
-    fn record_joint_spin_change(&mut self, predicts_spin: bool, share: f64) {
-        if predicts_spin {
-            self.joint_spin_change = (self.joint_velocity[2] - self.velocity[2]) / share;
-        }
-    }
-
-    /// Moves the body with the solved velocity for `h` seconds, and rotates the arms of its joint with the parent.
-    #[inline(always)]
-    fn integrate_position(&mut self, parent: Option<&mut RevoluteLink>, h: f64) {
-        self.apply_solution();
-        self.delta_pose = self.delta_pose_after(self.velocity, h);
-        let [x, y, spin] = self.velocity.map(|velocity| velocity * h);
-        self.position = add_scaled(self.position, [x, y], 1.0);
-        self.rotation = cos_sin(spin);
-        self.arm = rotate(self.rotation, self.arm);
+/// Forward pass of the articulated-body algorithm: computes the solved velocities, joint impulses and geometric stiffnesses in a
+/// substep of `h` seconds. Returns whether the angular velocity of a body deviates from the prediction by more than
+/// `max_spin_error` (radians/s), and whether a [stiffness has jumped](RevoluteLink::stiffness_jumped).
+#[inline(always)]
+fn propagate_down(links: &mut Links<RevoluteLink>, h: f64, max_spin_error: f64) -> [bool; 2] {
+    let (mut is_mispredicted, mut may_have_jump) = (false, false);
+    for_each_down(links, |link, parent| {
         if let Some(parent) = parent {
-            self.parent_arm = rotate(parent.rotation, self.parent_arm);
+            link.propagate_down(parent);
+            link.set_stiffness(h);
+            parent.geometric_stiffness -= h * dot(link.parent_arm, link.impulse);
+            may_have_jump |= parent.stiffness_jumped();
+        } else {
+            link.solve_root();
+            link.set_stiffness(h);
         }
-    }
-
-    /// Sets the geometric stiffness of the body to `h` * dot(`arm`, `impulse`), without the part of its children. Unit: mass
-    /// units * length units^2.
-    ///
-    /// `h` is the substep in seconds, `impulse` the joint impulse of the substep, and `arm` the vector from the centre of mass
-    /// to the anchor. A child subtracts `h` * dot(`parent_arm`, `impulse`).
-    #[inline(always)]
-    fn set_stiffness(&mut self, h: f64) {
-        self.geometric_stiffness = h * dot(self.arm, self.impulse);
-    }
-
-    /// Stores velocity and displacement of the body in `bodies`, and the force of the joint in `constraints`.
-    ///
-    /// `force` is that on the link's body along x and y, in mass units * length units/s^2.
-    #[inline(always)]
-    fn store(
-        &self,
-        constraints: &mut JointList,
-        bodies: &mut BodySet,
-        (velocity, delta_pose, force): ([f64; 3], [f64; 3], Vec2),
-    ) {
-        if self.body != BodyIndex::PLACEHOLDER {
-            let body = self.body.position();
-            // Joints in the plane leave the velocity along the depth axis as it is.
-            let (stored_velocity, stored_delta_pose) =
-                (&mut bodies.states[body].velocity, &mut bodies.delta_pose[body]);
-            for i in 0..3 {
-                (stored_velocity[i], stored_delta_pose[i]) = (velocity[i] as f32, delta_pose[i] as f32);
-            }
-        }
-        if self.locked.is_joint() {
-            let [x, y] = force.map(|force| force * self.sign);
-            constraints[self.joint].force = [x, y, 0.0];
-        }
-    }
-
-    /// Sets the added stiffness to `stiffness`, and computes the amount of it that carries momentum. Unit: mass units * length
-    /// units^2, >= 0.
-    #[inline(always)]
-    fn set_added_stiffness(&mut self, stiffness: f64) {
-        self.jump_stiffness = stiffness + 2.0 * self.stable_stiffness;
-        (self.added_stiffness, self.momentum_stiffness) =
-            (stiffness, momentum_conserving_stiffness(stiffness, self.stable_stiffness));
-    }
-
-    /// Returns the excess of the geometric stiffness over the stable limit. Unit: mass units * length units^2, >= 0; 0 for a
-    /// fixed root.
-    #[inline(always)]
-    fn excess_stiffness(&self) -> f64 {
-        let excess = self.geometric_stiffness - self.stable_stiffness;
-        if excess > 0.0 { excess } else { 0.0 }
-    }
-
-    /// Returns whether the geometric stiffness exceeds the added stiffness by more than twice the stable limit. This happens
-    /// when a chain snaps taut.
-    #[inline(always)]
-    fn stiffness_jumped(&self) -> bool {
-        self.geometric_stiffness > self.jump_stiffness
-    }
-
-    /// Returns the vector from the parent's anchor to the body's, in world coordinates. Unit: length units.
-    #[inline(always)]
-    fn anchor_offset(&self, parent: &RevoluteLink) -> Vec2 {
-        add_scaled(
-            add_scaled(self.position, self.arm, 1.0),
-            add_scaled(parent.position, self.parent_arm, 1.0),
-            -1.0,
-        )
-    }
+        may_have_jump |= link.stiffness_jumped();
+        is_mispredicted |= (link.joint_velocity[2] - link.predicted_spin).abs() > max_spin_error;
+    });
+    // The stiffness of a parent is complete after its last child.
+    [is_mispredicted, may_have_jump && links.iter().any(RevoluteLink::stiffness_jumped)]
 }

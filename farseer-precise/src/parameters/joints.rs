@@ -122,7 +122,7 @@ pub(crate) const IMPLICIT_STIFFNESS_RATIO: f64 = 5.0;
 /// Fraction of a small added stiffness that carries momentum in a free articulation. Dimensionless, 0..=1. Added stiffness is
 /// the excess of the geometric stiffness over the stable limit. A smaller fraction loses energy of rotation, a larger one gains
 /// energy in whips: see
-/// [`momentum_conserving_stiffness`](crate::joints::articulation_step::momentum_conserving_stiffness). No measured row
+/// [`momentum_conserving_stiffness`](crate::joints::substep_plan::momentum_conserving_stiffness). No measured row
 /// changes with half the value. Unit: dimensionless, at most 1.
 pub(crate) const MOMENTUM_SHARE_OF_STIFFNESS: f64 = 0.9;
 

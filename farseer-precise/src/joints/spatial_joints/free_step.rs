@@ -8,8 +8,9 @@ use super::super::super::bodies::BodySet;
 use super::super::super::scaled_parameters::StepContext;
 use super::super::joint_constraint::JointList;
 use super::super::soft_law::min;
-use super::constraint_row::{RowKind, Velocity4};
 use super::group_solver::SpatialJointGroup;
+use super::joint_state::Velocity4;
+use super::row_kind::RowKind;
 use super::sparse_ldlt::SparseLdlt;
 use crate::index::DenseIndex;
 use crate::parameters::spatial_joints::{

@@ -12,9 +12,9 @@
 use super::super::super::bodies::BodySet;
 use super::super::indices::JointIndex;
 use super::super::joint_constraint::JointList;
-use super::constraint_row::{
-    JointState, NodeIndex, RowKind, SolvePhase, SpatialJointRow, StateIndex, Velocity4, delassus_term,
-};
+use super::constraint_row::{SolvePhase, SpatialJointRow, delassus_term};
+use super::joint_state::{JointState, NodeIndex, StateIndex, Velocity4};
+use super::row_kind::RowKind;
 use super::sparse_ldlt::SparseLdlt;
 use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::minimum_degree::RowIndex;

@@ -11,6 +11,8 @@ pub mod build;
 pub mod constraint_row;
 pub mod free_step;
 pub mod group_solver;
+pub mod joint_state;
+pub mod row_kind;
 pub mod sparse_ldlt;
 pub mod z_groups;
 

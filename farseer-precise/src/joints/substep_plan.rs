@@ -1,0 +1,147 @@
+//! Number of substeps of a free articulation's step, and the limits of what a substep integrates.
+
+use super::super::scaled_parameters::StepContext;
+use super::articulated_body::Links;
+use super::energy_balance::{BalancedLink, EnergyBalance, InitialEnergy};
+use crate::parameters::direct::STABLE_STIFFNESS;
+use crate::parameters::joints::{
+    ARTICULATION_SUBSTEP_PARTS, LARGE_ARTICULATION_BODIES, MAX_BALANCED_ARTICULATION_BODIES,
+    MAX_REPEATED_SUBSTEP_PARTS, MIN_ARTICULATION_PARTS, MOMENTUM_SHARE_HALVED_AT,
+    MOMENTUM_SHARE_OF_STIFFNESS, PREDICTED_ROTATION_ERROR, ROTATION_PER_PART,
+};
+
+/// Number of substeps of a free articulation's step, with the choices of the method that depend on it.
+pub(crate) struct SubstepPlan {
+    /// Number of substeps that the articulation divides the step into, >= 1.
+    pub(crate) substeps: u32,
+    /// Largest number of substeps for a repetition of the step.
+    pub(super) max_substeps: u32,
+    /// Whether forces act in full at the start of each substep (kick-drift) instead of by halves at both ends of the step.
+    ///
+    /// Both methods move bodies to the same positions. The velocities after kick-drift belong to a time half a substep earlier,
+    /// and are not projected on the joints.
+    pub(super) is_kick_drift: bool,
+    /// Whether the [changes of the angular velocities by joints are predicted](predict_spin_change). False where large joint
+    /// errors are being closed.
+    pub(super) predicts_spin: bool,
+    /// Largest deviation of a body's rotation from its prediction in a substep. A greater one repeats the solve. Unit: radians.
+    pub(super) max_prediction_error: f64,
+}
+
+impl SubstepPlan {
+    /// Returns the plan for the step of an articulation with `bodies` dynamic bodies.
+    ///
+    /// `start_spin` and `end_spin` are the greatest absolute angular velocities at the start and at the predicted end of the
+    /// step, in radians/s. `is_stiffer(f)` returns whether a geometric stiffness exceeds f times the limit of an undivided
+    /// step.
+    ///
+    /// The number of substeps grows until no body turns by more than [`ROTATION_PER_PART`] in one. Up to
+    /// [`LARGE_ARTICULATION_BODIES`] bodies it also grows until every stiffness is within the limit.
+    pub(crate) fn of(
+        bodies: u32,
+        step: &StepContext,
+        [start_spin, end_spin]: [f64; 2],
+        is_stiffer: impl Fn(f64) -> bool,
+    ) -> Self {
+        let is_large = bodies > LARGE_ARTICULATION_BODIES;
+        let is_balanced = Self::is_energy_balanced(bodies);
+        let spin = if is_balanced { start_spin.max(end_spin) } else { start_spin };
+        let rotation = spin * f64::from(step.dt);
+        let is_stiff = |parts: u32| is_stiffer(f64::from(parts * parts));
+        let max_substeps = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_PARTS * step.substeps };
+        let mut substeps = if is_balanced { MIN_ARTICULATION_PARTS } else { 1 };
+        while substeps < max_substeps
+            && (f64::from(substeps) * ROTATION_PER_PART < rotation || (!is_large && is_stiff(substeps)))
+        {
+            substeps += (substeps / 2).max(1);
+        }
+        SubstepPlan {
+            substeps: substeps.min(max_substeps),
+            max_substeps: MAX_REPEATED_SUBSTEP_PARTS * step.substeps,
+            is_kick_drift: !is_balanced,
+            predicts_spin: is_balanced,
+            max_prediction_error: if is_balanced { 0.5 } else { 1.0 } * PREDICTED_ROTATION_ERROR,
+        }
+    }
+
+    /// Returns whether an articulation of `bodies` dynamic bodies gets an [energy balance](super::energy_balance).
+    #[inline(always)]
+    pub(crate) fn is_energy_balanced(bodies: u32) -> bool {
+        bodies <= MAX_BALANCED_ARTICULATION_BODIES
+    }
+
+    /// Returns the energy balance of the step of `dt` seconds that followed this plan. Returns `None` if `start`, the energy at
+    /// the start, is `None`, or if a moving root or a moved anchor did work.
+    pub(super) fn energy_balance<N: BalancedLink>(
+        &self,
+        links: &Links<N>,
+        start: Option<InitialEnergy>,
+        dt: f64,
+    ) -> Option<EnergyBalance> {
+        EnergyBalance::of(links, start?, [dt, dt / f64::from(self.substeps)])
+    }
+
+    /// Returns the plan for the repetition of a step with this energy balance: twice the substeps, within `max_substeps`.
+    /// Returns `None` if the energy error is small or the number of substeps cannot grow.
+    pub(super) fn refined(&self, balance: &EnergyBalance) -> Option<Self> {
+        let substeps = (2 * self.substeps).min(self.max_substeps);
+        (balance.exceeds_tolerance() && substeps > self.substeps).then_some(SubstepPlan { substeps, ..*self })
+    }
+}
+
+/// Returns the predicted change of a body's angular velocity by joints in a substep, in radians/s. `change` is that in the
+/// previous substep.
+///
+/// The prediction falls linearly to 0 as the geometric stiffness approaches the stable stiffness, both in mass units * length
+/// units^2. A motion that oscillates within a substep cannot be predicted.
+#[inline(always)]
+pub(super) fn predict_spin_change(change: f64, geometric_stiffness: f64, stable_stiffness: f64) -> f64 {
+    let remainder = 1.0 - geometric_stiffness.abs() / stable_stiffness;
+    if remainder > 0.0 { remainder * change } else { 0.0 }
+}
+
+/// Returns the larger absolute values of the given angular velocities and those of one more body, at the start and at the
+/// predicted end of a step. Unit: radians/s.
+///
+/// `start_spin` is the body's angular velocity and `change` the predicted change of it.
+#[inline(always)]
+pub(super) fn max_spins([max_start, max_end]: [f64; 2], start_spin: f64, change: f64) -> [f64; 2] {
+    [max_start.max(start_spin.abs()), max_end.max((start_spin + change).abs())]
+}
+
+/// Returns the largest geometric stiffness of a body that is stable in a substep: [`STABLE_STIFFNESS`] times the moment of
+/// inertia about the farthest joint. Unit: mass units * length units^2.
+///
+/// `inertia` is the moment of inertia about the centre of mass. `max_arm_squared` is the square of the largest distance from
+/// the centre of mass to a joint, in length units^2.
+#[inline(always)]
+pub(super) fn stable_stiffness(inertia: f64, mass: f64, max_arm_squared: f64) -> f64 {
+    STABLE_STIFFNESS * (inertia + mass * max_arm_squared)
+}
+
+/// Returns the fraction of a position error that is left for later substeps, 0..=1. At most `max_correction` of the error
+/// `size` is corrected now, both in length units or both in radians.
+#[inline(always)]
+pub(super) fn clamped_remainder(size: f64, max_correction: f64) -> f64 {
+    if size > max_correction { 1.0 - max_correction / size } else { 0.0 }
+}
+
+/// Returns the amount of the added stiffness `stiffness` that carries momentum, too; the solve of a substep applies it to the
+/// old angular velocity. Both arguments and the result are in mass units * length units^2.
+///
+/// With moment of inertia I, added stiffness S and angular velocities w before and w' after, a substep solves (I + S) w' = (I +
+/// m) w + impulses. The result is m. The value m = 0 is an implicit step, which loses energy of rotation. The value m = S
+/// conserves energy like a leapfrog with larger inertias while S is constant. A stiffness that is many times the limit and
+/// changes from step to step makes such a leapfrog gain energy.
+///
+/// Measured with balls of 1 to 100,000 mass units on a chain and chains of 9 to 50 links. With m = S a third of them gains
+/// energy. With m = 0 they lose 19, 7.8 and 2.8 % of their greatest kinetic energy in ten seconds at 30, 60 and 120 Hz. With
+/// this formula they lose 6.2, 2.3 and 1.1 %, and none gains energy.
+#[inline(always)]
+pub(crate) fn momentum_conserving_stiffness(stiffness: f64, stable_stiffness: f64) -> f64 {
+    if stiffness == 0.0 {
+        return 0.0;
+    }
+    let ratio = stiffness / (MOMENTUM_SHARE_HALVED_AT * stable_stiffness);
+    MOMENTUM_SHARE_OF_STIFFNESS * stiffness / (1.0 + ratio * ratio)
+}
