@@ -198,14 +198,20 @@ impl ConstraintRows {
         self.relative_velocities_of(|member| members[member])
     }
 
+    /// Counts the active set as the factored one. Returns the change of the stiffness of each row in the matrix: mass units, in
+    /// angular rows mass units * length units^2.
+    #[inline(always)]
+    fn begin_assembly(&mut self) -> Vec3 {
+        let is_in = |set: RowMask, row: usize| f64::from(set >> row & 1);
+        let (active, factored) =
+            (self.active_rows, std::mem::replace(&mut self.factored_rows, self.active_rows));
+        std::array::from_fn(|row| (is_in(active, row) - is_in(factored, row)) * self.stiffness[row])
+    }
+
     /// Changes the matrix `factor` from the factored set to the active set of this constraint: adds stiffness * J^T J for each
     /// row that entered, and subtracts it for each row that left.
     pub(super) fn assemble(&mut self, factor: &mut BlockLdlt) {
-        let is_in = |set: RowMask, row: usize| f64::from(set >> row & 1);
-        let stiffness: Vec3 = std::array::from_fn(|row| {
-            (is_in(self.active_rows, row) - is_in(self.factored_rows, row)) * self.stiffness[row]
-        });
-        self.factored_rows = self.active_rows;
+        let stiffness = self.begin_assembly();
         let Jacobian { normal: [nx, ny], second_row_scale: second, angular_a: arms_a, angular_b: arms_b } =
             &self.jacobian;
         let (along, across) = (stiffness[0] + second * stiffness[1], stiffness[2]);

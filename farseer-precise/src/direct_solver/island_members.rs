@@ -81,26 +81,9 @@ impl DirectSolver {
         proxies: &Proxies,
         (joints, springs): (&JointSystem, &SpringRows),
     ) {
-        let DirectSolver {
-            islands,
-            count,
-            census,
-            keyed_bodies,
-            edges,
-            jointed_bodies,
-            sort_keys,
-            history,
-            timer,
-            ..
-        } = self;
-        sort_by_number_in(sort_keys, keyed_bodies, |&(root, body)| packed_key([root.0, body.0]));
-        if selects {
-            history.iter_mut().for_each(|entry| entry.is_direct = false);
-        }
-        jointed_bodies.clear();
-        if census.has_joints() {
-            list_jointed_bodies((joints, springs), &mut census.union_find, jointed_bodies, sort_keys);
-        }
+        self.begin_plan(selects, (joints, springs));
+        let DirectSolver { islands, count, census, keyed_bodies, history, timer, .. } = self;
+        let DirectSolver { edges, jointed_bodies, sort_keys, .. } = self;
         *count = 0;
         for members in keyed_bodies.chunk_by(|one, other| one.0 == other.0) {
             if islands.len() == *count {
@@ -125,6 +108,20 @@ impl DirectSolver {
             if selects {
                 members.iter().for_each(|&(_, body)| history[body] = merged);
             }
+        }
+    }
+
+    /// Sorts the listed bodies by island, lists the pairs of bodies that joints and springs connect, and with `selects` forgets
+    /// which bodies the direct solver had.
+    fn begin_plan(&mut self, selects: bool, holds: (&JointSystem, &SpringRows)) {
+        let DirectSolver { census, keyed_bodies, jointed_bodies, sort_keys, history, .. } = self;
+        sort_by_number_in(sort_keys, keyed_bodies, |&(root, body)| packed_key([root.0, body.0]));
+        if selects {
+            history.iter_mut().for_each(|entry| entry.is_direct = false);
+        }
+        jointed_bodies.clear();
+        if census.has_joints() {
+            list_jointed_bodies(holds, &mut census.union_find, jointed_bodies, sort_keys);
         }
     }
 

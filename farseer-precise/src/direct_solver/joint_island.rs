@@ -309,21 +309,29 @@ impl DirectIsland {
             if !self.system.correct_positions(limits, resolved_fraction, [is_jacobian_new, closes_joints]) {
                 return error;
             }
-            self.step_along_correction(1.0);
-            let before = std::mem::replace(&mut error, self.compute_position_errors(joints, (dt, true)));
-            // A long chain that is nearly straight may get corrections that turn its links by a radian, far beyond the range of
-            // the linear model.
-            for halving in 1..=CORRECTION_HALVINGS {
-                if error <= before {
-                    break;
-                }
-                self.step_along_correction(-(0.5_f64.powi(halving)));
-                error = self.compute_position_errors(joints, (dt, true));
-            }
+            error = self.apply_correction(joints, dt, error);
             // Penetration is resolved once per step.
             deepest = 0.0;
         }
         f64::INFINITY
+    }
+
+    /// Applies the last position correction, or a fraction of it that does not increase the greatest joint error, `before`.
+    /// Returns the error after it. Both are in length units; `dt` is the length of the step in seconds.
+    ///
+    /// A long chain that is nearly straight may get corrections that turn its links by a radian, far beyond the range of the
+    /// linear model.
+    fn apply_correction(&mut self, joints: &JointSystem, dt: f64, before: f64) -> f64 {
+        self.step_along_correction(1.0);
+        let mut error = self.compute_position_errors(joints, (dt, true));
+        for halving in 1..=CORRECTION_HALVINGS {
+            if error <= before {
+                break;
+            }
+            self.step_along_correction(-(0.5_f64.powi(halving)));
+            error = self.compute_position_errors(joints, (dt, true));
+        }
+        error
     }
 
     /// Adds `fraction` (dimensionless) of the last position correction to the displacements of the island's members; a negative

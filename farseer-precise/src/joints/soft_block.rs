@@ -155,13 +155,7 @@ impl SoftJointBlock {
         let initial_angle = if joint.locked == LockedDofs::Distance { 0.0 } else { joint.angle };
         set_lane_rounded(&mut self.target, lane, joint.range[0] - initial_angle);
         if joint.max_impulse < f64::from(f32::MAX) {
-            let is_linear = matches!(joint.locked, LockedDofs::Point | LockedDofs::Distance);
-            set_lane_rounded(
-                if is_linear { &mut self.max_linear_impulse } else { &mut self.max_angular_impulse },
-                lane,
-                joint.max_impulse,
-            );
-            self.has_impulse_limit = true;
+            self.set_max_impulse(lane, joint);
         }
         if let Some(softness) = RowSoftness::of_compliant_joint(joint, times) {
             self.compliant_lanes.as_mut_array()[lane] = f32::from_bits(!0);
@@ -175,6 +169,16 @@ impl SoftJointBlock {
                 || motor_and_limits.impulse().to_array()[lane] != 0.0;
         }
         is_acting
+    }
+
+    /// Sets the greatest impulse of the joint in a lane: of the linear rows for joints that keep a point or a distance, else of
+    /// the angular row.
+    fn set_max_impulse(&mut self, lane: usize, joint: &JointConstraint) {
+        let is_linear = matches!(joint.locked, LockedDofs::Point | LockedDofs::Distance);
+        let max_impulse =
+            if is_linear { &mut self.max_linear_impulse } else { &mut self.max_angular_impulse };
+        set_lane_rounded(max_impulse, lane, joint.max_impulse);
+        self.has_impulse_limit = true;
     }
 
     /// Computes Jacobian, position errors and effective masses, and limits the warm start. All joints of the block must be in

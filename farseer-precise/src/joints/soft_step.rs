@@ -83,43 +83,59 @@ impl SoftJoints {
         length_unit: f64,
     ) {
         self.clear();
-        let (times, softness) = ([step.dt, step.h].map(f64::from), RowSoftness::soft(step.h.into()));
+        let times = [step.dt, step.h].map(f64::from);
+        self.add_joints(joints, is_iterative, bodies, times);
+        let softness = RowSoftness::soft(step.h.into());
+        self.blocks.iter_mut().for_each(|block| block.prepare(&softness, length_unit as f32));
         let max_initial_speed =
             [f64::from(JOINTED_BODY_SPEED) * length_unit, f64::from(SOFT_ROW_ARM) * length_unit];
-        let SoftJoints {
-            colored_joints, blocks, springs: soft_springs, jointed_bodies, jointed_masks, ..
-        } = self;
-        let mut mark = |ends: &[JointAnchor; 2]| {
-            for body in ends.iter().map(|end| end.body).filter(|&body| body != BodyIndex::PLACEHOLDER) {
-                if std::mem::replace(&mut jointed_masks[body], !0) == 0 {
-                    jointed_bodies.push(body);
-                }
-            }
-        };
+        for hold in springs.unsolved() {
+            self.springs.push(SoftSpring::new(hold, bodies, times[1], max_initial_speed));
+            self.mark_bodies(hold.ends());
+        }
+    }
+
+    /// Puts the joints for which `is_iterative` returns true into blocks. `times` are the seconds of an update and of a substep.
+    fn add_joints(
+        &mut self,
+        joints: &JointList,
+        is_iterative: impl Fn(JointIndex) -> bool,
+        bodies: &BodySet,
+        times: [f64; 2],
+    ) {
         // For each kind, the block of this colour that is not full.
         let mut open = [None; BlockKind::COUNT];
         let mut last = None;
-        for &(at, colour) in colored_joints.iter().filter(|&&(at, _)| is_iterative(at)) {
-            let (hold, is_new) = (&joints[at], last.replace(colour) != Some(colour));
-            if is_new || colour.is_overflow() {
+        for at in 0..self.colored_joints.len() {
+            let (at, color) = self.colored_joints[at];
+            if !is_iterative(at) {
+                continue;
+            }
+            let (hold, is_new) = (&joints[at], last.replace(color) != Some(color));
+            if is_new || color.is_overflow() {
                 open = [None; BlockKind::COUNT];
             }
             let kind = BlockKind::of_joint(hold);
             let block = *open[kind.index()].get_or_insert_with(|| {
-                blocks.push(SoftJointBlock::new(kind));
-                blocks.len() - 1
+                self.blocks.push(SoftJointBlock::new(kind));
+                self.blocks.len() - 1
             });
-            if blocks[block].add_joint(at, hold, bodies, times) {
-                mark(&hold.anchors);
-            }
-            if blocks[block].is_full() {
+            let is_acting = self.blocks[block].add_joint(at, hold, bodies, times);
+            if self.blocks[block].is_full() {
                 open[kind.index()] = None;
             }
+            if is_acting {
+                self.mark_bodies(&hold.anchors);
+            }
         }
-        blocks.iter_mut().for_each(|block| block.prepare(&softness, length_unit as f32));
-        for hold in springs.unsolved() {
-            soft_springs.push(SoftSpring::new(hold, bodies, times[1], max_initial_speed));
-            mark(hold.ends());
+    }
+
+    /// Adds the dynamic bodies of a joint or spring to `jointed_bodies`, if they are not in it.
+    fn mark_bodies(&mut self, ends: &[JointAnchor; 2]) {
+        for body in ends.iter().map(|end| end.body).filter(|&body| body != BodyIndex::PLACEHOLDER) {
+            if std::mem::replace(&mut self.jointed_masks[body], !0) == 0 {
+                self.jointed_bodies.push(body);
+            }
         }
     }
 

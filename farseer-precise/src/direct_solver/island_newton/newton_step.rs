@@ -48,14 +48,18 @@ impl IslandSystem {
         for (member, direction) in self.members.iter_mut().zip(&self.direction) {
             add(&mut member.velocity_change, direction.map(|velocity| fraction * velocity));
         }
-        let is_exact = is_same;
-        if relaxes_friction && !is_exact {
-            for contact in &mut self.contacts {
-                contact.friction_limit = contact.relax_friction_limit(FRICTION_LIMIT_RELAXATION);
-                contact.apply_projection();
-            }
+        if relaxes_friction && !is_same {
+            self.relax_friction_limits();
         }
-        is_exact || fraction * greatest < min_change
+        is_same || fraction * greatest < min_change
+    }
+
+    /// Moves the friction limits towards Coulomb's law, and projects the impulses onto them.
+    fn relax_friction_limits(&mut self) {
+        for contact in &mut self.contacts {
+            contact.friction_limit = contact.relax_friction_limit(FRICTION_LIMIT_RELAXATION);
+            contact.apply_projection();
+        }
     }
 
     /// Moves the velocity errors of all rows by `fraction` of the last Newton direction (dimensionless), and projects the

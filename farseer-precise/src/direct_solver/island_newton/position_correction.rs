@@ -60,6 +60,12 @@ impl IslandSystem {
         if self.contacts.iter().any(|contact| contact.active_rows != 0) {
             self.limit_corrections(max_correction);
         }
+        self.correct_separations();
+        true
+    }
+
+    /// Changes the separations of all contacts by the position corrections.
+    fn correct_separations(&mut self) {
         for contact in &mut self.contacts {
             let changes = contact.relative_velocities_in(&self.direction);
             for (row, change) in changes.into_iter().enumerate().take(2) {
@@ -68,7 +74,6 @@ impl IslandSystem {
                 }
             }
         }
-        true
     }
 
     /// Advances the separations of all contacts by `dt` seconds of the velocities. Returns the penetration of the deepest

@@ -80,10 +80,7 @@ impl SpatialJointGroup {
         let fraction = 1.0 / f64::from(self.substep_parts);
         let h = f64::from(step.h) * fraction;
         for _ in 0..step.substeps * self.substep_parts {
-            for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
-                let push = bodies.force_delta[body.position()];
-                (0..4).for_each(|i| velocity[i] += f64::from(push[i]) * fraction);
-            }
+            self.apply_forces(bodies, fraction);
             let energy = if self.is_passive { self.doubled_kinetic_energy() } else { 0.0 };
             if !self.solve_position_velocities(joints, h, is_last_attempt) {
                 if !is_last_attempt {
@@ -91,10 +88,7 @@ impl SpatialJointGroup {
                 }
                 self.solve_velocities_only(joints, h);
             }
-            for (way, velocity) in self.displacements.iter_mut().zip(self.velocities.iter()) {
-                (0..4).for_each(|i| way[i] += velocity[i] * h);
-            }
-            self.advance_joints(h);
+            self.move_bodies(h);
             self.relax_velocities(joints, h);
             let is_lawful = |energy_after: f64| energy_after <= (1.0 + ROPE_MAX_ENERGY_GAIN) * energy;
             // A NaN compares as a failure.
@@ -106,6 +100,22 @@ impl SpatialJointGroup {
             }
         }
         true
+    }
+
+    /// Adds a fraction (0..=1) of the velocity changes by forces in a substep to the velocities.
+    fn apply_forces(&mut self, bodies: &BodySet, fraction: f64) {
+        for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
+            let push = bodies.force_delta[body.position()];
+            (0..4).for_each(|i| velocity[i] += f64::from(push[i]) * fraction);
+        }
+    }
+
+    /// Moves the bodies and the anchors of the joints for `h` seconds with the velocities.
+    fn move_bodies(&mut self, h: f64) {
+        for (way, velocity) in self.displacements.iter_mut().zip(self.velocities.iter()) {
+            (0..4).for_each(|i| way[i] += velocity[i] * h);
+        }
+        self.advance_joints(h);
     }
 
     /// Returns twice the kinetic energy of the group, mass units * length units^2/s^2.

@@ -317,11 +317,20 @@ impl SpatialJointGroup {
     /// too.
     fn solve(&mut self, joints: &JointList, h: f64, (phase, accepts_residual): (SolvePhase, bool)) -> bool {
         self.rows.iter_mut().for_each(|row| row.set_target(h, phase));
-        let Some(mut sparse) = self.ldlt.take() else {
+        let Some(sparse) = self.ldlt.take() else {
             self.gauss_seidel(joints, h);
             let velocities = self.velocities.slice(..self.bodies.len());
             return velocities.iter().flatten().all(|velocity| velocity.is_finite());
         };
+        let [first, last] = self.solve_active_set(joints, h, sparse);
+        let is_found = last * h <= GROUP_ERROR_CONVERGED * self.length_unit;
+        if is_found || (!accepts_residual && !self.has_loops) { is_found } else { last <= first }
+    }
+
+    /// Solves the rows by the active set, with the factorisation `sparse` in a substep of `h` seconds. If the set does not settle,
+    /// Gauss-Seidel sweeps follow. Returns the largest velocity errors before and after: radians/s in angular rows, else length
+    /// units/s.
+    fn solve_active_set(&mut self, joints: &JointList, h: f64, mut sparse: SparseLdlt) -> [f64; 2] {
         let least = if self.has_loops { LOOP_MIN_VELOCITY_ITERATIONS } else { TREE_MIN_VELOCITY_ITERATIONS };
         let mut has_clamped = false;
         let (mut first, mut last) = (0.0, 0.0);
@@ -353,8 +362,7 @@ impl SpatialJointGroup {
             self.gauss_seidel(joints, h);
             (last, _) = self.find_velocity_errors(joints, h, true);
         }
-        let is_found = last * h <= GROUP_ERROR_CONVERGED * self.length_unit;
-        if is_found || (!accepts_residual && !self.has_loops) { is_found } else { last <= first }
+        [first, last]
     }
 
     /// Limits the impulses of distance rows that close a loop, for substeps of `h` seconds.

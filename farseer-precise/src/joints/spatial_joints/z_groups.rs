@@ -5,7 +5,7 @@
 //! velocities.
 
 use super::super::super::bodies::BodySet;
-use super::super::joint_constraint::JointList;
+use super::super::joint_constraint::{JointConstraint, JointList};
 use super::super::locked_dofs::LockedDofs;
 use crate::index::{BodyIndex, DenseIndex};
 use crate::island::union_find::UnionFind;
@@ -29,21 +29,13 @@ impl ZGroup {
     /// the number of bodies.
     pub(in super::super) fn find_all(joints: &JointList, body_count: usize) -> Vec<ZGroup> {
         let mut unions = UnionFind::new(body_count);
-        let point_joints = || {
-            joints
-                .iter()
-                .filter(|hold| matches!(hold.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line))
-        };
-        for hold in point_joints() {
-            if let [one, other] = hold.anchors.map(|end| end.body.0)
-                && one != 0
-                && other != 0
-            {
-                unions.unite(one, other);
+        for [one, other] in point_joints(joints).map(|hold| hold.anchors.map(|end| end.body)) {
+            if one != BodyIndex::PLACEHOLDER && other != BodyIndex::PLACEHOLDER {
+                unions.unite(one.0, other.0);
             }
         }
         let mut bodies: Vec<BodyIndex> =
-            point_joints().flat_map(|hold| hold.anchors.map(|end| end.body)).collect();
+            point_joints(joints).flat_map(|hold| hold.anchors.map(|end| end.body)).collect();
         bodies.sort_unstable();
         bodies.dedup();
         // The representative of a component is its smallest index, so that it occurs first.
@@ -55,17 +47,7 @@ impl ZGroup {
                 Err(at) => all.insert(at, (root, ZGroup { bodies: vec![body], carrier: None })),
             }
         }
-        for hold in point_joints() {
-            let [one, other] = hold.anchors;
-            for (anchor, carrier) in [(one, other), (other, one)] {
-                let root = unions.find(anchor.body.0);
-                if carrier.body == BodyIndex::PLACEHOLDER
-                    && let Ok(at) = all.binary_search_by_key(&root, |(of, _)| *of)
-                {
-                    all[at].1.carrier.get_or_insert(carrier.pose_body);
-                }
-            }
-        }
+        find_carriers(joints, &mut unions, &mut all);
         all.into_iter().map(|(_, tied)| tied).collect()
     }
 
@@ -111,6 +93,27 @@ impl ZGroup {
         for &body in &self.bodies {
             bodies.states[body.position()].velocity[3] = velocity;
             bodies.delta_pose[body.position()][3] = way;
+        }
+    }
+}
+
+/// Returns the joints that keep a point, and with it its depth.
+fn point_joints(joints: &JointList) -> impl Iterator<Item = &JointConstraint> {
+    joints
+        .iter()
+        .filter(|hold| matches!(hold.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line))
+}
+
+/// Sets the carrier of each group in `all`, which is sorted by the root of its bodies in `unions`.
+fn find_carriers(joints: &JointList, unions: &mut UnionFind, all: &mut [(u32, ZGroup)]) {
+    for [one, other] in point_joints(joints).map(|hold| hold.anchors) {
+        for (anchor, carrier) in [(one, other), (other, one)] {
+            let root = unions.find(anchor.body.0);
+            if carrier.body == BodyIndex::PLACEHOLDER
+                && let Ok(at) = all.binary_search_by_key(&root, |(of, _)| *of)
+            {
+                all[at].1.carrier.get_or_insert(carrier.pose_body);
+            }
         }
     }
 }
