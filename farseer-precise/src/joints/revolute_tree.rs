@@ -306,7 +306,13 @@ fn solve_substep(
             link.set_target_velocity(parent, correction);
             link.propagate_up(parent);
         });
-        let [is_mispredicted, has_jump] = propagate_down(links, h, max_spin_error);
+        let (mut is_mispredicted, mut may_have_jump) = (false, false);
+        for_each_down(links, |link, parent| {
+            may_have_jump |= link.solve(parent, h);
+            is_mispredicted |= (link.joint_velocity[2] - link.predicted_spin).abs() > max_spin_error;
+        });
+        // The stiffness of a parent is complete after its last child.
+        let has_jump = may_have_jump && links.iter().any(RevoluteLink::stiffness_jumped);
         if iteration == STIFFNESS_JUMP_RETRIES || !(has_jump || (iteration == 0 && is_mispredicted)) {
             break;
         }
@@ -318,27 +324,4 @@ fn solve_substep(
             link.prepare_substep(h);
         }
     }
-}
-
-/// Forward pass of the articulated-body algorithm: computes the solved velocities, joint impulses and geometric stiffnesses in a
-/// substep of `h` seconds. Returns whether the angular velocity of a body deviates from the prediction by more than
-/// `max_spin_error` (radians/s), and whether a [stiffness has jumped](RevoluteLink::stiffness_jumped).
-#[inline(always)]
-fn propagate_down(links: &mut Links<RevoluteLink>, h: f64, max_spin_error: f64) -> [bool; 2] {
-    let (mut is_mispredicted, mut may_have_jump) = (false, false);
-    for_each_down(links, |link, parent| {
-        if let Some(parent) = parent {
-            link.propagate_down(parent);
-            link.set_stiffness(h);
-            parent.geometric_stiffness -= h * dot(link.parent_arm, link.impulse);
-            may_have_jump |= parent.stiffness_jumped();
-        } else {
-            link.solve_root();
-            link.set_stiffness(h);
-        }
-        may_have_jump |= link.stiffness_jumped();
-        is_mispredicted |= (link.joint_velocity[2] - link.predicted_spin).abs() > max_spin_error;
-    });
-    // The stiffness of a parent is complete after its last child.
-    [is_mispredicted, may_have_jump && links.iter().any(RevoluteLink::stiffness_jumped)]
 }

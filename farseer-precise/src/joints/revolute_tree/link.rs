@@ -211,6 +211,23 @@ impl RevoluteLink {
         self.joint_velocity = [at_joint[0], at_joint[1], spin];
     }
 
+    /// Forward pass of a substep of `h` seconds: computes the velocity of the body, the joint impulse, and the geometric stiffness
+    /// of body and parent. Returns whether one of these [has jumped](Self::stiffness_jumped).
+    #[inline(always)]
+    pub(super) fn solve(&mut self, parent: Option<&mut RevoluteLink>, h: f64) -> bool {
+        let mut may_have_jump = false;
+        if let Some(parent) = parent {
+            self.propagate_down(parent);
+            self.set_stiffness(h);
+            parent.geometric_stiffness -= h * dot(self.parent_arm, self.impulse);
+            may_have_jump |= parent.stiffness_jumped();
+        } else {
+            self.solve_root();
+            self.set_stiffness(h);
+        }
+        may_have_jump | self.stiffness_jumped()
+    }
+
     /// Returns the solved velocity of the centre of mass, and the angular velocity: x and y in length units/s, angular in
     /// radians/s.
     #[inline(always)]

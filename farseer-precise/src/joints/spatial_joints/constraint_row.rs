@@ -6,9 +6,9 @@
 use super::super::joint_constraint::{JointConstraint, JointList, Motor};
 use super::super::locked_dofs::LockedDofs;
 use super::super::vec2::{Vec2, add_scaled, dot, perp};
-use super::joint_state::{JointState, NodeIndex, Nodes, StateIndex, Velocity4, anchor_offset};
+use super::joint_state::{JointState, NodeIndex, Nodes, StateIndex, States, Velocity4, anchor_offset};
 use super::row_kind::RowKind;
-use crate::index::{DenseIndex, IndexedVec};
+use crate::index::DenseIndex;
 use crate::parameters::spatial_joints::{LOOP_BAUMGARTE_FACTOR, LOOP_COMPLIANCE, MAX_POSITION_CORRECTION};
 
 /// Phase of a substep, which determines the target velocities of the rows.
@@ -191,7 +191,7 @@ impl SpatialJointRow {
         &mut self,
         state: &JointState,
         joints: &JointList,
-        velocities: &Nodes,
+        velocities: Nodes<'_>,
         h: f64,
     ) {
         let [low, high] = self.range;
@@ -219,7 +219,7 @@ impl SpatialJointRow {
         &mut self,
         state: &JointState,
         joints: &JointList,
-        (inverse_masses, body_count): (&Nodes, usize),
+        (inverse_masses, body_count): (Nodes<'_>, usize),
     ) {
         if state.anchors_at_origins && self.kind == RowKind::Distance {
             let [nx, ny, nz] = state.direction;
@@ -272,7 +272,7 @@ impl SpatialJointRow {
     /// Returns the rate of the row's value for the velocities of the group, J v: radians/s in angular rows, else length
     /// units/s.
     #[inline(always)]
-    fn relative_velocity(&self, velocities: &Nodes) -> f64 {
+    fn relative_velocity(&self, velocities: Nodes<'_>) -> f64 {
         let of = |side: usize| {
             let (push, velocity) = (self.jacobian[side], velocities[self.nodes[side]]);
             (0..4).map(|i| push[i] * velocity[i]).sum::<f64>()
@@ -283,7 +283,7 @@ impl SpatialJointRow {
     /// Returns the value of the row after `h` seconds with the velocities of the group's bodies: radians in angular rows, else
     /// length units.
     #[inline(always)]
-    fn predicted_value(&self, state: &JointState, joints: &JointList, velocities: &Nodes, h: f64) -> f64 {
+    fn predicted_value(&self, state: &JointState, joints: &JointList, velocities: Nodes<'_>, h: f64) -> f64 {
         if state.anchors_at_origins && self.kind == RowKind::Distance {
             state.predicted_origin_distance(velocities, h)
         } else {
@@ -317,8 +317,8 @@ impl SpatialJointRow {
     #[inline(always)]
     pub(super) fn velocity_error(
         &self,
-        (states, joints): (&IndexedVec<StateIndex, JointState>, &JointList),
-        velocities: &Nodes,
+        (states, joints): (States<'_>, &JointList),
+        velocities: Nodes<'_>,
         h: f64,
     ) -> f64 {
         if self.seeks_value {

@@ -26,7 +26,8 @@ impl SpatialJointGroup {
             let state = &self.joints[row.joint];
             let joint = &joints[state.joint];
             let ([x, y, _], z) = (joint.force, f64::from(joint.force_along_depth));
-            let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
+            let inverse: f64 =
+                state.sides.iter().map(|side| side.inverse_mass(self.inverse_masses.borrowed())).sum();
             // Two links pull at each body.
             2.0 * (x * x + y * y + z * z).sqrt() * inverse * h * h / state.distance
         });

@@ -194,12 +194,13 @@ impl SpatialJointGroup {
         accepts_residual: bool,
     ) -> bool {
         self.unconstrained_velocities.clone_from(&self.velocities);
-        let mut has_errors = false;
+        let (mut has_errors, count) = (false, self.bodies.len());
+        let (velocities, inverse_masses) = (self.velocities.borrowed(), self.inverse_masses.borrowed());
         for row in self.rows.iter_mut() {
             let state = &self.joints[row.joint];
             row.impulse = 0.0;
-            row.update_jacobian(state, joints, (&self.inverse_masses, self.bodies.len()));
-            row.choose_limit(state, joints, &self.velocities, h);
+            row.update_jacobian(state, joints, (inverse_masses, count));
+            row.choose_limit(state, joints, velocities, h);
             has_errors |= row.choose_corrected_error() > MERGED_CORRECTION_MAX_ERROR;
         }
         let phase = if has_errors { SolvePhase::HoldPosition } else { SolvePhase::CorrectPosition };
@@ -245,7 +246,7 @@ impl SpatialJointGroup {
 
     /// Moves the anchors of the joints for `h` seconds with the group's velocities.
     pub(super) fn advance_joints(&mut self, h: f64) {
-        let velocities = &self.velocities;
+        let velocities = self.velocities.borrowed();
         self.joints.iter_mut().for_each(|tie| tie.advance(velocities, h));
     }
 
@@ -263,10 +264,11 @@ impl SpatialJointGroup {
         for (undoing, velocity) in self.correction_velocities.iter().zip(self.velocities.iter_mut()) {
             (0..4).for_each(|i| velocity[i] -= undoing[i]);
         }
+        let (inverse_masses, count) = (self.inverse_masses.borrowed(), self.bodies.len());
         for row in self.rows.iter_mut() {
             let state = &self.joints[row.joint];
             row.impulse = row.position_impulse;
-            row.update_jacobian(state, joints, (&self.inverse_masses, self.bodies.len()));
+            row.update_jacobian(state, joints, (inverse_masses, count));
         }
         self.solve(joints, h, (SolvePhase::Relax, true));
         for row in self.rows.iter() {
@@ -374,7 +376,8 @@ impl SpatialJointGroup {
         let of_distance = self.rows.iter().filter(|row| row.kind == RowKind::Distance);
         let inverse_inertia_per_length = of_distance.map(|row| {
             let state = &self.joints[row.joint];
-            let inverse: f64 = state.sides.iter().map(|side| side.inverse_mass(&self.inverse_masses)).sum();
+            let inverse: f64 =
+                state.sides.iter().map(|side| side.inverse_mass(self.inverse_masses.borrowed())).sum();
             inverse / state.distance.max(GROUP_ERROR_FLOOR * self.length_unit)
         });
         let max_impulse = LOOP_MAX_LATERAL_STIFFNESS / (h * inverse_inertia_per_length.fold(0.0, f64::max));
@@ -389,8 +392,9 @@ impl SpatialJointGroup {
     /// Errors of inactive rows are set to 0. A row joins the set only if `may_activate` holds.
     fn find_velocity_errors(&mut self, joints: &JointList, h: f64, may_activate: bool) -> (f64, bool) {
         let (mut worst, mut is_set_changed) = (0.0_f64, false);
+        let (states, velocities) = (self.joints.borrowed(), self.velocities.borrowed());
         for (row, missing) in self.rows.iter_mut().zip(&mut self.velocity_errors) {
-            let error = row.velocity_error((&self.joints, joints), &self.velocities, h);
+            let error = row.velocity_error((states, joints), velocities, h);
             let [low, high] = row.impulse_bounds;
             let is_bound = (row.impulse <= low && error > 0.0) || (row.impulse >= high && error < 0.0);
             let is_active = !is_bound && (may_activate || row.is_active) && row.responds;
@@ -447,10 +451,11 @@ impl SpatialJointGroup {
 
     /// Solves the rows one after the other in [`GROUP_GAUSS_SEIDEL_SWEEPS`] sweeps, in a substep of `h` seconds.
     fn gauss_seidel(&mut self, joints: &JointList, h: f64) {
-        let count = self.bodies.len();
+        let (states, count) = (self.joints.borrowed(), self.bodies.len());
         for _ in 0..GROUP_GAUSS_SEIDEL_SWEEPS {
             for row in self.rows.iter_mut() {
-                let missing = row.velocity_error((&self.joints, joints), &self.velocities, h);
+                let velocities = self.velocities.borrowed();
+                let missing = row.velocity_error((states, joints), velocities, h);
                 let own = row.inverse_effective_mass + row.compliance;
                 if own > 0.0 {
                     let bodies = (self.velocities.slice_mut(..count), self.inverse_masses.slice(..count));

@@ -8,7 +8,7 @@ use super::super::locked_dofs::LockedDofs;
 use super::super::rotation::cos_sin;
 use super::super::vec2::{Vec2, dot, perp, rotate};
 use super::row_kind::RowKind;
-use crate::index::{IndexedVec, index_type};
+use crate::index::{IndexedSlice, index_type};
 
 index_type! {
     /// Index of a node of a group: of a body, or of a side of a joint that is the world, static or kinematic.
@@ -19,8 +19,11 @@ index_type! {
     pub(super) struct StateIndex;
 }
 
+/// The joints of a group.
+pub(super) type States<'a> = IndexedSlice<'a, StateIndex, JointState>;
+
 /// Velocities or inverse masses of the nodes of a group.
-pub(super) type Nodes = IndexedVec<NodeIndex, Velocity4>;
+pub(super) type Nodes<'a> = IndexedSlice<'a, NodeIndex, Velocity4>;
 
 /// Velocity, change of momentum, or row of a Jacobian, of one body: x, y, angular about z, z.
 pub(super) type Velocity4 = [f64; 4];
@@ -56,13 +59,13 @@ impl JointSide {
     /// Returns the velocity of the body on this side of the joint: x, y and z in length units/s, angular in radians/s.
     /// `velocities` are those of the group.
     #[inline(always)]
-    pub(super) fn velocity(&self, velocities: &Nodes) -> Velocity4 {
+    pub(super) fn velocity(&self, velocities: Nodes<'_>) -> Velocity4 {
         velocities[self.node]
     }
 
     /// Returns the inverse mass of the body on this side of the joint, 1/(mass units); 0 for static and kinematic bodies.
     /// `inverses` are those of the group.
-    pub(super) fn inverse_mass(&self, inverses: &Nodes) -> f64 {
+    pub(super) fn inverse_mass(&self, inverses: Nodes<'_>) -> f64 {
         inverses[self.node][0]
     }
 
@@ -137,14 +140,14 @@ impl JointState {
     /// Returns the distance of the anchors after `h` seconds with these velocities, length units. The anchors must be the
     /// centres of mass.
     #[inline(always)]
-    pub(super) fn predicted_origin_distance(&self, velocities: &Nodes, h: f64) -> f64 {
+    pub(super) fn predicted_origin_distance(&self, velocities: Nodes<'_>, h: f64) -> f64 {
         let [a, b] = self.sides.each_ref().map(|side| side.velocity(velocities));
         let [x, y, z] = self.offset;
         norm([x + h * (b[0] - a[0]), y + h * (b[1] - a[1]), z + h * (b[3] - a[3])])
     }
 
     /// Returns the poses of both sides of the joint after `h` seconds with the velocities of the group's bodies.
-    pub(super) fn predicted_anchors(&self, velocities: &Nodes, h: f64) -> [PosedAnchor; 2] {
+    pub(super) fn predicted_anchors(&self, velocities: Nodes<'_>, h: f64) -> [PosedAnchor; 2] {
         self.sides.each_ref().map(|side| side.predicted_anchor(side.velocity(velocities), h))
     }
 
@@ -166,7 +169,7 @@ impl JointState {
 
     /// Moves the joint for `h` seconds with the velocities of the group's bodies.
     #[inline(always)]
-    pub(super) fn advance(&mut self, velocities: &Nodes, h: f64) {
+    pub(super) fn advance(&mut self, velocities: Nodes<'_>, h: f64) {
         if self.link == LockedDofs::Line {
             let [_, _, spin, _] = self.sides[0].velocity(velocities);
             self.axis = rotate(cos_sin(spin * h), self.axis);
