@@ -49,8 +49,8 @@ pub(super) struct RevoluteLink {
     /// A rotation as [cosine, sine]. Dimensionless.
     ///
     /// When the step begins it is the rotation of the body in the world. While a substep is solved it is the [nonlinear
-    /// part](nonlinear_rotation) of the substep's rotation: [cosine, sine minus the angle]. When bodies move it is the whole
-    /// rotation in the substep.
+    /// part](super::rotation::nonlinear_rotation) of the substep's rotation: [cosine, sine minus the angle]. When bodies move it
+    /// is the whole rotation in the substep.
     rotation: Vec2,
     /// Articulated inertia [A c; c^T d] of the link and its subtree about the joint with the parent. After the backward pass
     /// its `mass` is A - c c^T / d: rotation is eliminated.
@@ -94,7 +94,7 @@ pub(super) struct RevoluteLink {
     added_stiffness: f64,
     /// Least geometric stiffness that counts as a [jump](Self::stiffness_jumped). Unit: mass units * length units^2.
     jump_stiffness: f64,
-    /// Amount of `added_stiffness` that [carries momentum](momentum_conserving_stiffness). Unit: mass units * length
+    /// Amount of `added_stiffness` that [carries momentum](super::substep_plan::momentum_conserving_stiffness). Unit: mass units * length
     /// units^2, >= 0.
     momentum_stiffness: f64,
     /// Mass of the body. Unit: mass units.

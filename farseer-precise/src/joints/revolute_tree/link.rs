@@ -18,7 +18,7 @@ impl RevoluteLink {
     ///
     /// Stiffness and change follow from the joint force of the last step; they are those of an undivided step of `dt` seconds.
     /// The contributions of the parent's side are added to `parent`. The change is computed if the articulation
-    /// [`is_balanced`](SubstepPlan::is_energy_balanced).
+    /// [`is_balanced`](super::super::substep_plan::SubstepPlan::is_energy_balanced).
     #[inline(always)]
     pub(super) fn begin_step(
         &mut self,
@@ -88,7 +88,7 @@ impl RevoluteLink {
     /// start of the step.
     ///
     /// `dt` is the step in seconds; `parts` and `substeps` are the numbers of substeps of the articulation and of the solver.
-    /// The predicted change is converted if the articulation [`is_balanced`](SubstepPlan::is_energy_balanced).
+    /// The predicted change is converted if the articulation [`is_balanced`](super::super::substep_plan::SubstepPlan::is_energy_balanced).
     #[inline(always)]
     pub(super) fn scale_to_substep(
         &mut self,
