@@ -75,6 +75,9 @@ impl SparseLdlt {
     }
 
     /// Replaces the matrix by its factors L D L^T. The diagonal then holds D^-1.
+    ///
+    /// Not inlined, as the solution: both loops need all registers.
+    #[inline(never)]
     pub(super) fn factorise(&mut self) {
         let SparseLdlt { symbolic, diagonal, lower, column: kept, product_targets, .. } = self;
         let mut targets = product_targets.iter();
@@ -106,6 +109,7 @@ impl SparseLdlt {
     }
 
     /// Solves the linear system with the right-hand side `values`, and writes the solution to `values`. Needs the factors.
+    #[inline(never)]
     pub(super) fn solve(&mut self, values: &mut [f64]) {
         let SparseLdlt { symbolic, columns, diagonal, lower, solution, .. } = self;
         let SymbolicFactor { positions: places, rows, .. } = &*symbolic;
