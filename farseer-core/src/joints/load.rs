@@ -4,7 +4,8 @@ use super::Joint;
 use crate::math::Vector2;
 use crate::math::vector2::length;
 
-/// Greatest component of a force whose size is certainly a finite `f32`: below half the square root of [`f32::MAX`].
+/// Greatest component of a force, in mass units · length units/s², whose size is certainly a finite `f32`: below half the
+/// square root of [`f32::MAX`].
 const MAX_SQUARABLE: f64 = 9e18;
 
 impl Joint {
