@@ -109,6 +109,9 @@ pub struct Pair {
     pub was_vetoed: bool,
     /// Whether a handler of the game has set friction, restitution or tangent speed of the contact in this update.
     pub has_surface_override: bool,
+    /// Whether a handler of the game has removed each of the two points from the contact constraint. Such a point has effective
+    /// mass 0 until the constraint is built anew.
+    pub are_points_removed: [bool; 2],
     /// Whether A is the ground of a world with a depth axis.
     pub(crate) is_on_ground: bool,
     /// Whether the pair is one of a sensor and a static or kinematic body, so that no impulse can move either side. See
@@ -393,6 +396,7 @@ impl Pairs {
             is_vetoed: false,
             was_vetoed: false,
             has_surface_override: false,
+            are_points_removed: [false; 2],
             is_on_ground: false,
             is_static_sensor: false,
             one_way_state: OneWayState::Closed,

@@ -50,7 +50,9 @@ impl NarrowPhase<'_> {
             (point.normal_mass, point.normal_impulse, point.rest_impulse) = (0.0, 0.0, 0.0);
         }
         self.constraints.set(state.kind, handle, &constraint);
-        self.pairs.state_mut(pair).is_vetoed = true;
+        let state = self.pairs.state_mut(pair);
+        state.is_vetoed = true;
+        state.are_points_removed = [0, 1].map(|at| state.are_points_removed[at] || !is_kept[at]);
         true
     }
 

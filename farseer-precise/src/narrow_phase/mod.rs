@@ -312,6 +312,7 @@ impl<'a> NarrowPhase<'a> {
         }
         self.direct.timer.is_due |=
             self.is_heavy_on_light(pair, manifold.normal) && !self.is_heavy_on_light(pair, previous_normal);
+        self.pairs.state_mut(pair).are_points_removed = [false; 2];
         match state.constraint {
             Some(handle) => self.constraints.set(state.kind, handle, &constraint),
             None => self.add_constraint(pair, &constraint),

@@ -53,6 +53,7 @@ impl NarrowPhase<'_> {
         (manifold.count, manifold.arm_lead_angle) = (count as u32, 0.0);
         *self.pairs.manifold_mut(pair) = manifold;
         self.pairs.recheck(pair);
+        self.pairs.state_mut(pair).are_points_removed = [false; 2];
         let now = self.current_constraint(pair);
         let is_set = self.pairs.state(pair).has_surface_override;
         let mut constraint = ContactConstraint {

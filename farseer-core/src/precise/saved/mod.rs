@@ -262,7 +262,7 @@ struct SavedConstraint {
     /// Rest impulses of both points, which load adaptation has set. Unit: mass units * length units/s.
     #[serde(rename = "held")]
     load_offsets: [f32; 2],
-    /// Whether each point has effective mass 0: a handler has removed it, or it does not exist.
+    /// Whether a handler has removed each point, or the point does not exist.
     #[serde(rename = "are_dropped")]
     are_disabled: [bool; 2],
     /// Separations at both points, negative for penetration. Unit: length units.

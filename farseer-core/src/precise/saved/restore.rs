@@ -105,6 +105,10 @@ impl Precise {
                 self.solver.pairs.state_mut(pair).has_surface_override = true;
                 self.solver.has_restitution |= restitution > 0.0;
             }
+            let count = self.solver.pairs.manifold(pair).count;
+            let exists = [count > 0, count > 1];
+            self.solver.pairs.state_mut(pair).are_points_removed =
+                [0, 1].map(|at| exists[at] && row.are_disabled[at]);
             let aside = row.sleeping_h.map(|h| (h, None)).or(row.direct.map(|(h, exact)| (h, Some(exact))));
             self.solver.narrow_phase().restore_constraint(pair, row.colour, aside, |lane| {
                 if let Some(surface) = surface {

@@ -9,11 +9,9 @@ use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::ids::{IdTable, geom_of};
 use crate::storage::order::{packed_key, sort_by_number};
-use farseer_precise::broad_phase::pairs::CachedManifold;
+use farseer_precise::broad_phase::pairs::{CachedManifold, Pair};
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
-use farseer_precise::constraint_graph::{
-    ConstraintHandle, ConstraintKind, ContactConstraint, ContactConstraintZ,
-};
+use farseer_precise::constraint_graph::{ConstraintHandle, ContactConstraint, ContactConstraintZ};
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::direct_solver::IslandHistory;
 use farseer_precise::index::{BodyIndex, DenseIndex};
@@ -203,25 +201,19 @@ impl Precise {
                 arm_lead_angle,
                 depth,
             },
-            constraint: state
-                .constraint
-                .map(|home| self.save_constraint(state.kind, home, state.has_surface_override)),
+            constraint: state.constraint.map(|handle| self.save_constraint(&state, handle, count)),
         }
     }
 
-    /// Returns the saved form of a contact constraint. `is_set`: whether a handler has overridden its surface properties.
-    fn save_constraint(
-        &self,
-        kind: ConstraintKind,
-        handle: ConstraintHandle,
-        is_set: bool,
-    ) -> SavedConstraint {
+    /// Returns the saved form of the contact constraint of a pair. `count`: number of points of its manifold, 0..=2.
+    fn save_constraint(&self, state: &Pair, handle: ConstraintHandle, count: u32) -> SavedConstraint {
         let ContactConstraint {
             tangent_impulse, points, friction, restitution, tangent_speed, depth, ..
-        } = self.solver.constraints.get(kind, handle);
+        } = self.solver.constraints.get(state.kind, handle);
         let (sleeping, parked) =
             (self.solver.constraints.sleeping_constraint(handle), self.solver.constraints.parked(handle));
-        let surface = is_set.then_some([friction, restitution, tangent_speed]);
+        let is_absent = [count < 1, count < 2];
+        let surface = state.has_surface_override.then_some([friction, restitution, tangent_speed]);
         SavedConstraint {
             colour: parked.map_or(handle.color, |row| row.color),
             slot: if handle.is_overflow() { handle.slot } else { 0 },
@@ -231,7 +223,8 @@ impl Precise {
             depth_impulses: depth_impulses_of(depth),
             impulses: points.map(|point| point.normal_impulse),
             load_offsets: points.map(|point| point.rest_impulse),
-            are_disabled: points.map(|point| point.normal_mass == 0.0),
+            // Not by effective masses: those of the constraint are out of date after an edit of a mass.
+            are_disabled: [0, 1].map(|at| is_absent[at] || state.are_points_removed[at]),
             // The separation at a body with an extreme spin may overflow.
             separations: points.map(|point| nearest_finite(point.separation)),
             sleeping_surface: surface.filter(|_| sleeping.is_some()),
