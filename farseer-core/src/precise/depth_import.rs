@@ -128,9 +128,13 @@ impl Precise {
 
 /// Import of edits at the start of a step.
 impl Precise {
-    /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y.
-    pub(super) fn rests_along_z(&self, id: BodyId) -> bool {
-        self.solver.depth.as_ref().is_none_or(|space| space.is_at_rest(self.body_index(id), id.slot()))
+    /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y. A force along z counts as
+    /// motion if `has_force_of_game` returns true.
+    pub(super) fn rests_along_z(&self, id: BodyId, has_force_of_game: impl Fn() -> bool) -> bool {
+        self.solver.depth.as_ref().is_none_or(|space| {
+            space.is_at_rest(self.body_index(id), id.slot())
+                && (space.acceleration(id.slot()) == 0.0 || !has_force_of_game())
+        })
     }
 
     /// Adds the ground and the static boxes to `BodySet` after all bodies, and sets the velocities and inverse inertias of

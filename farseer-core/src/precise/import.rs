@@ -48,8 +48,8 @@ impl Precise {
         let velocity = if is_movable { [0.0; 4] } else { surface_velocity(body, id, depth) };
         let has_moved = was_moved(&self.solver.bodies, index, body) || is_at_other_z;
         let has_mass_changed = inverses != self.solver.bodies.inverse_mass_inertia[index];
-        let is_at_rest =
-            body.is_at_rest_under(self.solver.bodies.gravity_scales[index]) && self.rests_along_z(id);
+        let is_at_rest = body.is_at_rest_under(self.solver.bodies.gravity_scales[index])
+            && self.rests_along_z(id, || true);
         if has_moved || has_mass_changed || !is_at_rest {
             self.solver.sleep.request_wake(index);
         } else {
@@ -173,7 +173,7 @@ impl Precise {
         let has_new_members = std::mem::take(&mut self.edits.has_membership_changes);
         let mut new_members = std::mem::take(&mut self.edits.new_members);
         let had_one_way = self.solver.proxies.one_way_count > 0;
-        let before = (cfg!(debug_assertions) && has_new_members).then(|| self.save());
+        let before = (cfg!(debug_assertions) && has_new_members).then(|| (self.save(), bodies.clone()));
         if has_new_members {
             // In the middle of an update, objects may be disposed and still be listed. A rebuild drops them.
             let has_disposed = !(objects.bodies.disposed().is_empty() && objects.geoms.disposed().is_empty());
@@ -189,7 +189,7 @@ impl Precise {
         );
         if self.edits.needs_rebuild {
             let saved = self.loaded.take().unwrap_or_else(|| self.save());
-            self.rebuild(objects, &saved, EditPolicy::Apply);
+            self.rebuild(objects, &saved, EditPolicy::Apply(&bodies));
         } else {
             self.apply_listed_edits(&mut bodies, &geoms, &new_members, objects);
             if !had_one_way && self.solver.proxies.one_way_count > 0 {
@@ -203,7 +203,7 @@ impl Precise {
         self.wake_for_changed_joints(objects);
         self.wake_up();
         debug_assert!(
-            before.is_none_or(|before| self.equals_rebuild(objects, &before)),
+            before.is_none_or(|(before, edited)| self.equals_rebuild(objects, &before, &edited)),
             "who comes and goes changes no bit of the others"
         );
     }
@@ -250,10 +250,11 @@ impl Precise {
         }
     }
 
-    /// Returns whether this state equals the result of a rebuild from the saved state `before`. For debug assertions.
-    fn equals_rebuild(&self, objects: &Objects, before: &Saved) -> bool {
+    /// Returns whether this state equals the result of a rebuild from the saved state `before`, after the game has edited the
+    /// bodies `edited`. For debug assertions.
+    fn equals_rebuild(&self, objects: &Objects, before: &Saved, edited: &[BodyId]) -> bool {
         let mut rebuilt = self.clone();
-        rebuilt.rebuild(objects, before, EditPolicy::Apply);
+        rebuilt.rebuild(objects, before, EditPolicy::Apply(edited));
         rebuilt.wake_for_changed_joints(objects);
         rebuilt.wake_up();
         rebuilt.save() == self.save()
@@ -261,7 +262,7 @@ impl Precise {
 
     /// Rebuilds all lists from the simulated bodies and geoms, and restores the state of known bodies and pairs from `saved`.
     /// `edits`: when edits made since that state take effect.
-    pub(super) fn rebuild(&mut self, objects: &Objects, saved: &Saved, edits: EditPolicy) {
+    pub(super) fn rebuild(&mut self, objects: &Objects, saved: &Saved, edits: EditPolicy<'_>) {
         (self.edits.needs_rebuild, self.edits.has_membership_changes) = (false, false);
         self.edits.new_members.clear();
         // Indices of proxies change here, also if a handler has caused the rebuild in the middle of an update.
@@ -282,11 +283,13 @@ impl Precise {
         self.restore(saved, objects, edits);
     }
 
-    /// Returns whether a body has velocity 0 and no pending impulse.
-    pub(super) fn is_at_rest(&self, id: BodyId, objects: &Objects) -> bool {
+    /// Returns whether a body has velocity 0 and no pending impulse. The game's forces along z count as an impulse, those of
+    /// fields do not: [`wake_disturbed`](Self::wake_disturbed) compares them with those that the body fell asleep under.
+    pub(super) fn is_at_rest(&self, id: BodyId, objects: &Objects, edits: EditPolicy<'_>) -> bool {
         let body = objects.bodies.get(id).map(|entry| &entry.body);
+        let is_edited = || matches!(edits, EditPolicy::Apply(edited) if edited.contains(&id));
         body.is_some_and(|body| body.is_at_rest_under(body.effective_gravity_scale()))
-            && self.rests_along_z(id)
+            && self.rests_along_z(id, is_edited)
     }
 
     /// Returns whether the collision filters still allow the pair of these geoms, which existed before.

@@ -128,12 +128,11 @@ impl DepthState {
         self.fix_rotation_if_vertical(bodies, body_index);
     }
 
-    /// Returns whether a body has no velocity and no acceleration along z and, if it is a sphere, no angular velocity about x
-    /// and y.
+    /// Returns whether a body has no velocity along z and, if it is a sphere, no angular velocity about x and y.
     pub fn is_at_rest(&self, number: Option<usize>, slot: usize) -> bool {
-        let DepthBodyState { velocity, acceleration, angular_velocity, .. } = self.body(slot);
+        let DepthBodyState { velocity, angular_velocity, .. } = self.body(slot);
         let is_ball = number.is_some_and(|number| self.is_ball[number]);
-        velocity == 0.0 && acceleration == 0.0 && (angular_velocity == [0.0; 2] || !is_ball)
+        velocity == 0.0 && (angular_velocity == [0.0; 2] || !is_ball)
     }
 }
 

@@ -279,9 +279,9 @@ struct SavedConstraint {
 
 /// When edits that were made since the saved state take effect, if the lists are rebuilt from that state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum EditPolicy {
-    /// Applies all edits with the rebuild.
-    Apply,
+pub(super) enum EditPolicy<'a> {
+    /// Applies all edits with the rebuild. The bodies are those that the game has edited since the saved state.
+    Apply(&'a [BodyId]),
     /// Defers edits of collision filters, surface coefficients, shapes, poses and body types to the next update, and applies all
     /// others with the rebuild. AABBs stay those of the saved state.
     Defer,

@@ -40,14 +40,14 @@ impl From<Saved> for Precise {
 
 impl Precise {
     /// Restores the state of all proxies and pairs that still exist. `edits`: when edits made since the save take effect.
-    pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy) {
+    pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy<'_>) {
         self.solver.has_handler_changes =
             saved.has_handled || saved.pairs.iter().any(|pair| pair.is_vetoed || pair.was_vetoed);
         self.solver.clear_pairs();
         self.restore_solver_history(saved);
         self.restore_delta_poses(saved);
         let (current_proxies, edited_proxies) = self.restore_proxies(saved, edits);
-        self.restore_sleep(saved, objects);
+        self.restore_sleep(saved, objects, edits);
         let remaining = |pair: &SavedPair| {
             let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
             current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
@@ -189,7 +189,7 @@ impl Precise {
 
     /// Restores rest times, sleeping joints, and the sleeping bodies that may go on sleeping. An edited body wakes the other
     /// bodies of its island.
-    fn restore_sleep(&mut self, saved: &Saved, objects: &Objects) {
+    fn restore_sleep(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy<'_>) {
         self.solver.sleep.gravity = saved.gravity;
         // Bodies that wake before the next step need the velocity change by gravity, to find which bodies support others.
         self.solver.gravity_delta = saved.gravity.map(|part| part * saved.dt);
@@ -226,7 +226,7 @@ impl Precise {
                 self.solver.depth.as_ref().is_some_and(|space| space.may_hinge_stay_asleep(number));
             if self.pose_of(number) != pose
                 || self.mass_and_gravity_of(number) != mass_and_gravity
-                || !(self.is_at_rest(body, objects) || may_hinge_stay)
+                || !(self.is_at_rest(body, objects, edits) || may_hinge_stay)
             {
                 self.solver.sleep.request_wake(number);
                 self.restore_edited_velocity(number, body, objects);
@@ -241,7 +241,7 @@ impl Precise {
     /// the proxies whose contacts must be computed anew.
     ///
     /// A proxy whose body has changed its type counts as a new proxy.
-    fn restore_proxies(&mut self, saved: &Saved, edits: EditPolicy) -> (Vec<Option<u32>>, Vec<u32>) {
+    fn restore_proxies(&mut self, saved: &Saved, edits: EditPolicy<'_>) -> (Vec<Option<u32>>, Vec<u32>) {
         let mut is_known = vec![false; self.solver.proxies.position_count()];
         let mut current_proxies = Vec::with_capacity(saved.proxies.len());
         let mut edited = Vec::new();
@@ -267,7 +267,7 @@ impl Precise {
 
     /// Restores travel and fat AABB of a proxy. Returns whether a property that its contacts depend on has changed since the
     /// save.
-    fn restore_proxy(&mut self, proxy_index: u32, saved: &SavedProxy, edits: EditPolicy) -> bool {
+    fn restore_proxy(&mut self, proxy_index: u32, saved: &SavedProxy, edits: EditPolicy<'_>) -> bool {
         let (then, mut now) = (saved.imported, self.imported_state_of(proxy_index as usize));
         if edits == EditPolicy::Defer && then.filter != now.filter {
             let [filter @ .., responds] = then.filter;
@@ -293,7 +293,7 @@ impl Precise {
             self.solver.bodies.clear_delta_pose(self.solver.proxies.body_of(proxy_index));
         }
         // Queries before the next update find the proxy where the last update left it.
-        if edits == EditPolicy::Apply && (has_moved || is_reshaped) {
+        if edits != EditPolicy::Defer && (has_moved || is_reshaped) {
             self.solver.fat_aabbs().teleport(proxy_index);
         }
         if saved.is_refitted || has_moved || is_reshaped || then.filter != now.filter {

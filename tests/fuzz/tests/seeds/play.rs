@@ -116,6 +116,8 @@ fn imports_in_the_middle_of_an_update_equal_rebuilds() {
     holds_for!([7_000_529, 7_000_880, 7_001_080], failed_calls_change_nothing::<Plane>);
     // Fault that this seed found: proxies of a geom that a handler had disposed of stayed.
     holds_for!([7_000_408], failed_calls_change_nothing::<Tied>);
+    // Fault that these seeds found: a rebuild woke the sleeping bodies that a field accelerates along z.
+    holds_for!([5_000_629, 6_000_408], failed_calls_change_nothing::<CalmDepth<Tied>>);
 }
 
 #[test]
