@@ -25,7 +25,7 @@ pub(super) struct ProxyImport<'a> {
     pub(super) bodies: &'a BodySet,
     pub(super) proxies: &'a mut Proxies,
     pub(super) depth: Option<FeatureGate<&'a DepthState>>,
-    /// Whether any geom has a restitution coefficient above 0.
+    /// Whether any geom, or the ground under one, has a restitution coefficient above 0.
     pub(super) has_restitution: &'a mut bool,
     pub(super) objects: &'a Objects,
     pub(super) recent_shapes: RecentShapes<'a>,
@@ -111,7 +111,8 @@ impl<'a> ProxyImport<'a> {
             true => BodyType::Dynamic,
         };
         let [friction, restitution] = surface_coefficients(&geom.geom);
-        *self.has_restitution |= restitution > 0.0;
+        let bounces_on_ground = self.depth.is_some_and(|space| space.shape(id.slot()).bounces_on_ground());
+        *self.has_restitution |= restitution > 0.0 || bounces_on_ground;
         let (shape, fingerprint) = self.add_shape(id, geom, piece);
         let surface_velocity = match body_type {
             BodyType::Fixed => surface_velocity(&self.objects.bodies[geom.body].body, geom.body, self.depth),

@@ -56,6 +56,13 @@ pub struct DepthShape {
     pub vertical: Option<VerticalShape>,
 }
 
+impl DepthShape {
+    /// Returns whether the ground under the geom has a restitution coefficient above 0.
+    pub fn bounces_on_ground(&self) -> bool {
+        self.ground_surface.is_some_and(|[_, restitution]| restitution > 0.0)
+    }
+}
+
 /// Shape extruded along y, centred at the origin of its geom. It never rotates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum VerticalShape {

@@ -237,13 +237,6 @@ impl DepthState {
         }
     }
 
-    /// Returns whether the ground under any proxy has a restitution coefficient above 0.
-    pub(super) fn any_ground_bounces(&self) -> bool {
-        self.extents
-            .iter()
-            .any(|extent| extent.ground_surface.is_some_and(|[_, restitution]| restitution > 0.0))
-    }
-
     /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
     pub(crate) fn supports_on_ground(&self, [a, b]: [u32; 2]) -> bool {
         (a != self.ground_proxy || self.has_ground(b)) && (b != self.ground_proxy || self.has_ground(a))

@@ -179,8 +179,8 @@ impl DepthState {
         self.add_box_proxies(proxies, true)
     }
 
-    /// Adds the proxies of the ground and of static boxes, after those of geoms. Returns whether a static box, or the ground
-    /// under a proxy, has a restitution coefficient above 0. `body_count`: number of bodies, with boxes and the ground.
+    /// Adds the proxies of the ground and of static boxes, after those of geoms. Returns whether a static box has a restitution
+    /// coefficient above 0. `body_count`: number of bodies, with boxes and the ground.
     pub fn add_ground_and_static_proxies(&mut self, proxies: &mut Proxies, body_count: usize) -> bool {
         let still = self.world_boxes.len() - self.moving_boxes.len();
         self.ground_proxy = proxies.position_count() as u32;
@@ -189,7 +189,7 @@ impl DepthState {
         proxies.push(ground);
         let any_box_bounces = self.add_box_proxies(proxies, false);
         self.rebuild_proxies(proxies);
-        any_box_bounces | self.any_ground_bounces()
+        any_box_bounces
     }
 
     /// Adds the proxies of the moving world boxes if `moving`, else those of the static ones. Returns whether one of them has a
