@@ -75,6 +75,10 @@ impl SpatialHash {
             let (y0, y1) = (to_int(aabb.min.y * inverse), to_int(aabb.max.y * inverse).wrapping_add(1));
             let span = |from: i32, to: i32| (i64::from(to) - i64::from(from)).max(0) as u64;
             let covered = span(x0, x1).saturating_mul(span(y0, y1));
+            // Billions of columns without a row, if a box reaches beyond the greatest cell.
+            if covered == 0 {
+                continue;
+            }
             if covered > free_entries {
                 self.oversized.push(id);
                 continue;

@@ -211,6 +211,12 @@ fn all_readable_numbers_of_the_2_5d_engine_are_finite() {
 }
 
 #[test]
+fn an_update_with_a_box_of_billions_of_columns_ends() {
+    // Fault that this seed found: the spatial hash visited all columns of a box that covers no row.
+    holds_for!([6_004_210], numbers_are_finite::<Depth>);
+}
+
+#[test]
 fn stages_in_any_order_leave_all_numbers_finite() {
     holds_for!(0..PLANE, numbers_are_finite::<StagedPlane>);
 }
