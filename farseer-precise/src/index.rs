@@ -16,9 +16,16 @@ pub trait DenseIndex: Copy + Eq + Ord + fmt::Debug {
 
     /// Returns the position in its lists, 0..2^32.
     fn position(self) -> usize;
+
+    /// Returns the index that follows this one.
+    #[inline(always)]
+    fn next(self) -> Self {
+        Self::new(self.position() + 1)
+    }
 }
 
 /// Defines a type of indices: `index_type! { /// Doc. pub struct BodyIndex; }`.
+#[macro_export]
 macro_rules! index_type {
     ($(#[$doc:meta])* $visibility:vis struct $name:ident;) => {
         $(#[$doc])*
@@ -69,7 +76,9 @@ index_type! {
 }
 
 /// A list whose entries are found by an index of type `I`. It dereferences to a slice for everything that needs no single
-/// position: its length, iteration, chunks.
+/// position: its length, iteration, chunks. The serialized form is that of the entries.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(transparent, bound(serialize = "T: serde::Serialize", deserialize = "T: serde::Deserialize<'de>"))]
 pub struct IndexedVec<I, T> {
     /// The entries, by the position of their indices.
     entries: Vec<T>,
@@ -137,10 +146,32 @@ impl<I: DenseIndex, T> IndexedVec<I, T> {
         self.entries.iter().enumerate().map(|(position, entry)| (I::new(position), entry))
     }
 
+    /// Returns the entry at an index, to change. A shorter list grows with default values to hold the entry.
+    pub fn at_or_grow(&mut self, index: I) -> &mut T
+    where
+        T: Clone + Default,
+    {
+        if self.entries.len() <= index.position() {
+            self.entries.resize(index.position() + 1, T::default());
+        }
+        &mut self.entries[index.position()]
+    }
+
+    /// Makes room for `additional` more entries.
+    pub fn reserve(&mut self, additional: usize) {
+        self.entries.reserve(additional);
+    }
+
     /// Removes all entries.
     #[inline]
     pub fn clear(&mut self) {
         self.entries.clear();
+    }
+
+    /// Removes the last entry and returns it; `None` if the list is empty.
+    #[inline]
+    pub fn pop(&mut self) -> Option<T> {
+        self.entries.pop()
     }
 
     /// Exchanges two entries.
@@ -198,6 +229,65 @@ impl<'a, I, T> IntoIterator for &'a mut IndexedVec<I, T> {
     #[inline(always)]
     fn into_iter(self) -> Self::IntoIter {
         self.entries.iter_mut()
+    }
+}
+
+/// Consecutive indices, an iterator over them.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct IndexRange<I> {
+    /// First index.
+    pub start: I,
+    /// Index behind the last one; it does not belong to the range.
+    pub end: I,
+}
+
+impl<I: DenseIndex> IndexRange<I> {
+    /// Returns `count` indices from `start` on.
+    #[inline]
+    pub fn new(start: I, count: usize) -> Self {
+        IndexRange { start, end: I::new(start.position() + count) }
+    }
+
+    /// Returns whether no index is left.
+    #[inline]
+    pub fn has_ended(&self) -> bool {
+        self.start >= self.end
+    }
+}
+
+impl<I: DenseIndex> Iterator for IndexRange<I> {
+    type Item = I;
+
+    #[inline]
+    fn next(&mut self) -> Option<I> {
+        let first = (self.start < self.end).then_some(self.start)?;
+        self.start = first.next();
+        Some(first)
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let count = self.end.position().saturating_sub(self.start.position());
+        (count, Some(count))
+    }
+}
+
+impl<I: DenseIndex> DoubleEndedIterator for IndexRange<I> {
+    #[inline]
+    fn next_back(&mut self) -> Option<I> {
+        if self.has_ended() {
+            return None;
+        }
+        self.end = I::new(self.end.position() - 1);
+        Some(self.end)
+    }
+}
+
+impl<I: DenseIndex> ExactSizeIterator for IndexRange<I> {}
+
+impl<I, T: PartialEq> PartialEq for IndexedVec<I, T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.entries == other.entries
     }
 }
 

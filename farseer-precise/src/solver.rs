@@ -13,6 +13,7 @@ use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
 use crate::direct_solver::DirectSolver;
 use crate::direct_solver::selection::SolverSelection;
+use crate::index::{IndexedVec, PairIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
@@ -75,7 +76,7 @@ pub struct Solver {
     /// Numbers of computed and of recycled manifolds in the narrow phase of this step.
     pub narrow_phase_stats: NarrowPhaseStats,
     /// Scratch: indices of the pairs that the narrow phase updates in this step.
-    pub dirty_pairs: Vec<u32>,
+    pub dirty_pairs: Vec<PairIndex>,
     /// Contacts of polygons that roll over a static face in this step. Filled by the narrow phase, read by the iterative
     /// solver.
     pub rolling_contacts: Vec<RollingContact>,
@@ -86,17 +87,17 @@ pub struct Solver {
     pub fast_bodies: Vec<FastBody>,
     /// Proxies of a sensor and of a fast body that crosses it within the step, the one with the smaller creation number first.
     /// A pair of geoms occurs once. Valid within a step only.
-    pub sensor_passthroughs: Vec<[u32; 2]>,
+    pub sensor_passthroughs: Vec<[ProxyIndex; 2]>,
     /// Scratch: proxies whose fat AABBs continuous collision has enlarged to contain the sweep of a fast body.
-    pub enlarged_proxies: Vec<u32>,
+    pub enlarged_proxies: Vec<ProxyIndex>,
     /// Proxies of static and kinematic bodies whose pairs the broad phase searched in this step.
-    pub searched_static_proxies: Vec<u32>,
+    pub searched_static_proxies: Vec<ProxyIndex>,
     /// Scratch: indices of pairs or proxies. Empty between stages.
     pub pair_scratch: Vec<u32>,
     /// Pairs of proxy indices that the broad phase has newly found. Valid within the broad phase only.
-    pub new_pairs: Vec<[u32; 2]>,
+    pub new_pairs: Vec<[ProxyIndex; 2]>,
     /// Scratch: a flag per proxy, such as "is already a partner of the proxy whose pairs are searched". All false between uses.
-    pub proxy_flags: Vec<bool>,
+    pub proxy_flags: IndexedVec<ProxyIndex, bool>,
     /// Scratch: for each touching pair the sort key made of its creation numbers, and the pair index.
     pub touching_scratch: Vec<(u128, u32)>,
 }
@@ -142,7 +143,7 @@ impl Solver {
             searched_static_proxies: Vec::new(),
             pair_scratch: Vec::new(),
             new_pairs: Vec::new(),
-            proxy_flags: Vec::new(),
+            proxy_flags: IndexedVec::default(),
             touching_scratch: Vec::new(),
         }
     }
@@ -242,7 +243,7 @@ impl Solver {
 
     /// Invalidates the pairs of a proxy: the next step updates their contacts in full, wakes sleeping partners and may select
     /// solvers anew.
-    pub fn invalidate_pairs(&mut self, proxy: u32) {
+    pub fn invalidate_pairs(&mut self, proxy: ProxyIndex) {
         self.direct_solver.timer.may_be_due = true;
         let Solver { pairs, proxies, sleep, .. } = self;
         pairs.for_each_index_of(proxy, |pairs, pair| {

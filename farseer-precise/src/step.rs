@@ -18,7 +18,7 @@ use super::integration::integrate_free_flight;
 use super::narrow_phase::NarrowPhaseStats;
 use super::scaled_parameters::LoadAdaptation;
 use super::scaled_parameters::StepContext;
-use crate::index::DenseIndex;
+use crate::index::{DenseIndex, ProxyIndex};
 use crate::math::plane::Vector;
 use crate::surface::FrictionType;
 
@@ -50,7 +50,7 @@ impl Solver {
         self.searched_static_proxies.clear();
         if self.depth.is_none() {
             let proxies = &self.proxies;
-            let is_static_sensor = |&&proxy: &&u32| !proxies.proxy(proxy).body_type.takes_impulses();
+            let is_static_sensor = |&&proxy: &&ProxyIndex| !proxies.proxy(proxy).body_type.takes_impulses();
             self.searched_static_proxies.extend(refitted.iter().filter(is_static_sensor));
         }
         self.proxies.return_refitted(refitted);
@@ -58,7 +58,7 @@ impl Solver {
     }
 
     /// Finds the new pairs of these proxies, and stores them in `new_pairs`. Returns their number.
-    fn find_new_pairs(&mut self, refitted: &[u32]) -> usize {
+    fn find_new_pairs(&mut self, refitted: &[ProxyIndex]) -> usize {
         let Solver { proxies, pairs, grid, depth, proxy_flags, new_pairs, .. } = self;
         let depth = depth.as_ref().map(FeatureGate::by_ref);
         PairFinder { proxies, pairs, grid, depth }.find(refitted, proxy_flags, new_pairs)

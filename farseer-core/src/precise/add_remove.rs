@@ -21,6 +21,7 @@ use crate::storage::order::sort_by_number;
 use farseer_precise::bodies::{BodySet, spare_capacity};
 use farseer_precise::broad_phase::hash_grid::HashGrid;
 use farseer_precise::broad_phase::proxies::Proxies;
+use farseer_precise::index::{BodyIndex, DenseIndex, IndexRange, ProxyIndex};
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 
@@ -30,7 +31,7 @@ struct MembershipDiff {
     /// Indices of removed dynamic and kinematic bodies into `bodies`, ascending.
     removed_bodies: Vec<usize>,
     /// Indices of the proxies of removed geoms, ascending.
-    removed_proxies: Vec<u32>,
+    removed_proxies: Vec<ProxyIndex>,
     /// Ids of new dynamic and kinematic bodies, in the order of the simulator's list.
     added_bodies: Vec<BodyId>,
     /// For each of `added_bodies` the index to which it returns; `None` if it is appended.
@@ -38,7 +39,7 @@ struct MembershipDiff {
     /// Ids of new geoms, in the order of the simulator's list.
     added_geoms: Vec<GeomId>,
     /// For each of `added_geoms` the index of its first proxy if it returns there; `None` if its proxies are appended.
-    geom_places: Vec<Option<usize>>,
+    geom_places: Vec<Option<ProxyIndex>>,
     /// Ids of the bodies that have changed their type, in the order of their slots: static, movable or disabled.
     retyped_bodies: Vec<BodyId>,
     /// Ids of new disabled bodies.
@@ -112,7 +113,7 @@ impl Precise {
             let removed = self.solver.proxies.proxy(proxy);
             let (geom, body, key) = (geom_of(removed), removed.body as usize, removed.list_key);
             if body < self.solver.bodies.first_static() && is_geom_listed(objects, geom) {
-                self.ids.vacant_proxies.leave(proxy as usize, (geom, geom.slot()), key);
+                self.ids.vacant_proxies.leave(proxy, (geom, geom.slot()), key);
             }
             self.solver.grid.remove(proxy);
             self.solver.proxies.remove(proxy);
@@ -126,7 +127,11 @@ impl Precise {
         }
         for &index in removed_bodies {
             if let Some(id) = self.ids.bodies[index].filter(|&id| is_body_listed(objects, id)) {
-                self.ids.vacant_bodies.leave(index, (id, id.slot()), objects.bodies.list_key(id));
+                self.ids.vacant_bodies.leave(
+                    BodyIndex::new(index),
+                    (id, id.slot()),
+                    objects.bodies.list_key(id),
+                );
             }
             self.remove_body(index);
         }
@@ -156,7 +161,7 @@ impl Precise {
     }
 
     /// Adds the proxies of a geom, from the index `place` on if it returns there, and its body if that is static and not listed yet.
-    fn add_geom(&mut self, id: GeomId, place: Option<usize>, objects: &Objects) {
+    fn add_geom(&mut self, id: GeomId, place: Option<ProxyIndex>, objects: &Objects) {
         let Some(geom) = objects.geoms.get(id) else { return };
         if self.body_index(geom.body).is_none() {
             let index = self.solver.bodies.add_static(&listed_body(&objects.bodies[geom.body].body, false));
@@ -170,9 +175,9 @@ impl Precise {
         for proxy in self.ids.proxies_of_geom(&self.solver.proxies, id) {
             if let Some(space) = self.solver.depth.as_deref_mut() {
                 space.add_proxy(proxy, id.to_bits());
-                space.fix_rotation_of_proxy(proxy as u32, &self.solver.proxies, &mut self.solver.bodies);
+                space.fix_rotation_of_proxy(proxy, &self.solver.proxies, &mut self.solver.bodies);
             }
-            self.solver.fat_aabbs().insert(proxy as u32);
+            self.solver.fat_aabbs().insert(proxy);
             // The new body may form an island for the direct solver.
             self.solver.direct_solver.timer.is_due = true;
         }
@@ -262,15 +267,22 @@ impl MembershipDiff {
     /// Finds the places to which movable bodies and their geoms return.
     fn find_places(&mut self, listed: &Listed<'_>) {
         let Listed { bodies, proxies, ids, objects } = listed;
-        let body_key = |at: usize| body_key_at(listed, at);
+        let body_key = |at: BodyIndex| body_key_at(listed, at.position());
         let body_place = |&id: &BodyId| {
             let key = objects.bodies.list_key(id);
             let present = ids.body_index(id).filter(|&index| index < bodies.first_static());
-            let place = present.or_else(|| ids.vacant_bodies.place_of((id, id.slot()), key, 1))?;
-            fits_between(place..place + 1, key, bodies.last_movable + 1, body_key).then_some(place)
+            let place = present
+                .or_else(|| ids.vacant_bodies.place_of((id, id.slot()), key, 1).map(DenseIndex::position))?;
+            fits_between(
+                IndexRange::new(BodyIndex::new(place), 1),
+                key,
+                BodyIndex::new(bodies.last_movable + 1),
+                body_key,
+            )
+            .then_some(place)
         };
         self.body_places = self.added_bodies.iter().map(body_place).collect();
-        let proxy_key = |at: usize| proxy_key_at(listed, at);
+        let proxy_key = |at: ProxyIndex| proxy_key_at(listed, at);
         let geom_place = |&id: &GeomId| {
             let (geom, key) = (objects.geoms.get(id)?, objects.geoms.list_key(id));
             let count = geom.pieces().len();
@@ -279,7 +291,7 @@ impl MembershipDiff {
             let is_present = pieces.len() == count && pieces.start < proxies.first_fixed;
             let vacant = || ids.vacant_proxies.place_of((id, id.slot()), key, count);
             let place = is_present.then_some(pieces.start).or_else(vacant).filter(|_| is_movable)?;
-            fits_between(place..place + count, key, proxies.movable_end, proxy_key).then_some(place)
+            fits_between(IndexRange::new(place, count), key, proxies.movable_end, proxy_key).then_some(place)
         };
         self.geom_places = self.added_geoms.iter().map(geom_place).collect();
     }
@@ -295,12 +307,12 @@ impl MembershipDiff {
         let stays = |index: usize| self.removed_bodies.binary_search(&index).is_err();
         let body_key = |at: usize| match ids.bodies[at] {
             Some(id) => stays(at).then(|| objects.bodies.list_key(id)),
-            None => ids.vacant_bodies.key_at(at),
+            None => ids.vacant_bodies.key_at(BodyIndex::new(at)),
         };
-        let is_left = |at: usize| self.removed_proxies.binary_search(&(at as u32)).is_err();
-        let proxy_key = |at: usize| proxy_key_at(listed, at).filter(|_| is_left(at));
+        let is_left = |at: ProxyIndex| self.removed_proxies.binary_search(&at).is_err();
+        let proxy_key = |at: ProxyIndex| proxy_key_at(listed, at).filter(|_| is_left(at));
         let last_body = (1..=bodies.last_movable).rev().find_map(body_key);
-        let last_geom = (0..proxies.movable_end).rev().find_map(proxy_key);
+        let last_geom = proxies.movable().rev().find_map(proxy_key);
         let mut new_bodies = self.added_bodies.iter().zip(&self.body_places);
         let first_body =
             new_bodies.find(|(_, place)| place.is_none()).map(|(&id, _)| objects.bodies.list_key(id));
@@ -319,14 +331,14 @@ impl MembershipDiff {
         let pieces = listed.ids.proxies_of_geom(listed.proxies, id);
         let is_in_list = geoms.lifecycle_state(id).is_some_and(|life| life.is_listed);
         if !is_in_list {
-            self.removed_proxies.extend(pieces.map(|at| at as u32));
+            self.removed_proxies.extend(pieces);
             return Some(());
         }
         let geom = geoms.get(id).filter(|_| !geoms.is_disposed(id))?;
-        if !pieces.is_empty() && self.retyped_bodies.binary_search(&geom.body).is_err() {
+        if !pieces.has_ended() && self.retyped_bodies.binary_search(&geom.body).is_err() {
             return None;
         }
-        self.removed_proxies.extend(pieces.map(|at| at as u32));
+        self.removed_proxies.extend(pieces);
         let is_enabled = bodies.get(geom.body).is_some_and(|entry| entry.body.enabled());
         let list = if is_enabled { &mut self.added_geoms } else { &mut self.geoms_of_disabled };
         list.push(id);
@@ -338,15 +350,15 @@ impl MembershipDiff {
         let added_bodies = self.added_bodies.iter().filter_map(|&id| ids.body_index(id));
         let bodies: Vec<usize> = self.removed_bodies.iter().copied().chain(added_bodies).collect();
         let added = self.added_geoms.iter().flat_map(|&id| ids.proxies_of_geom(proxies, id));
-        let removed = self.removed_proxies.iter().map(|&proxy| proxy as usize);
-        let changed: Vec<usize> = removed.chain(added).collect();
+        let removed = self.removed_proxies.iter().copied();
+        let changed: Vec<ProxyIndex> = removed.chain(added).collect();
         sleep.update_runs_at(&bodies, &changed, proxies);
     }
 
     /// Returns whether each dynamic or kinematic body that was added or removed was so with all of its geoms.
     fn is_complete(&self, listed: &Listed<'_>, world_proxies: usize) -> bool {
-        let is_removed = |proxy: u32| self.removed_proxies.binary_search(&proxy).is_ok();
-        let has_removed_body = |proxy: &u32| {
+        let is_removed = |proxy: ProxyIndex| self.removed_proxies.binary_search(&proxy).is_ok();
+        let has_removed_body = |proxy: &ProxyIndex| {
             let body = listed.proxies.body_of(*proxy);
             body >= listed.bodies.first_static() || self.removed_bodies.binary_search(&body).is_ok()
         };
@@ -395,13 +407,13 @@ impl MembershipDiff {
             movable_pieces += if is_movable(geom.body) { count } else { 0 };
         }
         let appended_bodies = self.body_places.iter().filter(|place| place.is_none()).count();
-        let positions = proxies.position_count() - (proxies.first_fixed - proxies.movable_end);
+        let positions = proxies.position_count() - proxies.spare_count();
         let is_full_enough = |live: usize, removed: usize, places: usize| {
             2 * (live - removed) + MIN_EMPTY_POSITIONS_TO_COMPACT + spare_capacity(bodies.poses.len())
                 >= places
         };
         bodies.last_movable + appended_bodies < bodies.first_static()
-            && proxies.movable_end + movable_pieces <= proxies.first_fixed
+            && movable_pieces <= proxies.spare_count()
             && grid.has_capacity(proxies.position_count() + pieces)
             && is_full_enough(bodies.movable_count, self.removed_bodies.len(), bodies.last_movable)
             && is_full_enough(proxies.live_count, self.removed_proxies.len(), positions)
@@ -423,13 +435,13 @@ fn is_geom_listed(objects: &Objects, id: GeomId) -> bool {
 fn body_key_at(listed: &Listed<'_>, at: usize) -> Option<u32> {
     match listed.ids.bodies[at] {
         Some(id) => is_body_listed(listed.objects, id).then(|| listed.objects.bodies.list_key(id)),
-        None => listed.ids.vacant_bodies.key_at(at),
+        None => listed.ids.vacant_bodies.key_at(BodyIndex::new(at)),
     }
 }
 
 /// Returns the key in the order of the simulator's list of the geom whose proxy has this index, or of the geom that has left it; `None`
 /// if there is neither.
-fn proxy_key_at(listed: &Listed<'_>, at: usize) -> Option<u32> {
+fn proxy_key_at(listed: &Listed<'_>, at: ProxyIndex) -> Option<u32> {
     listed.proxies.list_key_of_geom(at).or_else(|| listed.ids.vacant_proxies.key_at(at))
 }
 

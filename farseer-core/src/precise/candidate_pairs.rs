@@ -3,6 +3,7 @@
 use super::Precise;
 use super::ids::geom_of;
 use crate::geom::GeomId;
+use farseer_precise::index::{DenseIndex, PairIndex, ProxyIndex};
 
 impl Precise {
     /// Returns the number of proxies whose fat AABB has changed since the last [`find_pairs`](farseer_precise::Solver::find_pairs).
@@ -36,11 +37,11 @@ impl Precise {
 
     /// Returns the geoms of a pair, the one with the smaller creation number first.
     pub(crate) fn geoms_of(&self, pair: usize) -> (GeomId, GeomId) {
-        self.geoms_of_proxies(self.solver.pairs.proxies_of(pair))
+        self.geoms_of_proxies(self.solver.pairs.proxies_of(PairIndex::new(pair)))
     }
 
     /// Returns the geoms of two proxies, the one with the smaller creation number first.
-    fn geoms_of_proxies(&self, proxies: [u32; 2]) -> (GeomId, GeomId) {
+    fn geoms_of_proxies(&self, proxies: [ProxyIndex; 2]) -> (GeomId, GeomId) {
         let [a, b] = proxies.map(|proxy| self.solver.proxies.proxy(proxy));
         if a.creation_number < b.creation_number {
             (geom_of(a), geom_of(b))

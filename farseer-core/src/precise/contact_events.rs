@@ -12,6 +12,7 @@ use crate::precise::ids::geom_of;
 use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::{BodyType, Proxies};
+use farseer_precise::index::{DenseIndex, PairIndex, ProxyIndex};
 use farseer_precise::narrow_phase::{NarrowPhaseStats, TouchEvent};
 use farseer_precise::surface::SurfaceOverride;
 
@@ -39,13 +40,13 @@ impl Precise {
     /// Returns the arbiter of a pair: the touching geoms with their contacts. `None` if the pair does not touch, and in three
     /// axes.
     pub(crate) fn arbiter_of_pair(&self, pair: usize) -> Option<ArbiterRef<'static>> {
-        let solver = &self.solver;
+        let (solver, pair) = (&self.solver, PairIndex::new(pair));
         solver.pairs.get(pair).filter(|state| state.is_touching && solver.depth.is_none())?;
         let contact = solver.contact_reader().planar_contact(pair);
         let numbers = solver.pairs.proxies_of(pair).map(|proxy| solver.proxies.proxy(proxy).creation_number);
         let contacts = ContactSource::Copied(contacts_of(&contact, numbers), contact.count);
         let friction = contact.friction;
-        Some(ArbiterRef { handle: pair as u32, geoms: self.geoms_of(pair), friction, contacts })
+        Some(ArbiterRef { handle: pair.0, geoms: self.geoms_of(pair.position()), friction, contacts })
     }
 
     /// Removes and returns the touch events since the last call, in the order of creation numbers. Each pair of geoms occurs
@@ -70,28 +71,34 @@ impl Precise {
     }
 
     /// Returns the indices of the pairs between the convex pieces of two geoms.
-    pub(super) fn pairs_between(&self, (one, other): (GeomId, GeomId)) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn pairs_between(
+        &self,
+        (one, other): (GeomId, GeomId),
+    ) -> impl Iterator<Item = PairIndex> + '_ {
         let solver = &self.solver;
         // A chain may have thousands of pieces, and a floor thousands of pairs, so the pieces of the smaller geom are searched.
-        let is_movable = |at: u32| solver.proxies.proxy(at).body_type == BodyType::Dynamic;
+        let is_movable = |at: ProxyIndex| solver.proxies.proxy(at).body_type == BodyType::Dynamic;
         let is_small = self.proxy_of(other, 1).is_none() && self.proxy_of(other, 0).is_some_and(is_movable);
         let (one, other) = if is_small { (one, other) } else { (other, one) };
         let proxies = [self.single_proxy(one), self.single_proxy(other)];
         let (pair, first) = match proxies {
-            [Some(one), Some(other)] => (solver.pairs.find([one, other]), u32::MAX),
-            _ => (None, self.proxy_of(other, 0).unwrap_or(u32::MAX)),
+            [Some(one), Some(other)] => (solver.pairs.find([one, other]), None),
+            _ => (None, self.proxy_of(other, 0)),
         };
-        let is_piece = move |at: &u32| solver.proxies.get(*at).is_some_and(|proxy| geom_of(proxy) == other);
-        let is_with_one = move |pair: &usize| {
+        let is_piece =
+            move |at: &ProxyIndex| solver.proxies.get(*at).is_some_and(|proxy| geom_of(proxy) == other);
+        let is_with_one = move |pair: &PairIndex| {
             let proxies = solver.pairs.proxies_of(*pair);
             proxies.iter().any(|&proxy| geom_of(solver.proxies.proxy(proxy)) == one)
         };
-        let of_pieces = (first..u32::MAX).take_while(is_piece).flat_map(|piece| solver.pairs.pairs_of(piece));
+        let of_pieces = std::iter::successors(first, |piece| Some(piece.next()))
+            .take_while(is_piece)
+            .flat_map(|piece| solver.pairs.pairs_of(piece));
         pair.into_iter().chain(of_pieces.filter(is_with_one))
     }
 
     /// Returns the index of the proxy of a geom that has exactly one; else `None`.
-    fn single_proxy(&self, geom: GeomId) -> Option<u32> {
+    fn single_proxy(&self, geom: GeomId) -> Option<ProxyIndex> {
         self.proxy_of(geom, 0).filter(|_| self.proxy_of(geom, 1).is_none())
     }
 
@@ -116,12 +123,13 @@ impl Precise {
     pub(crate) fn touching_pairs(&mut self, events: &[((GeomId, GeomId), bool)]) -> Vec<(u128, u32)> {
         let mut touching = std::mem::take(&mut self.solver.touching_scratch);
         touching.clear();
-        let with_numbers = |pair: usize| {
-            Some((touching_pair_key(&self.solver.pairs, &self.solver.proxies, pair)?, pair as u32))
+        let with_numbers = |pair: PairIndex| {
+            Some((touching_pair_key(&self.solver.pairs, &self.solver.proxies, pair)?, pair.0))
         };
-        let is_reported = |pair: &usize| self.solver.pairs.state(*pair).is_reported;
-        let count = if self.solver.pairs.reported_count > 0 { self.solver.pairs.count() } else { 0 };
-        touching.extend((0..count).filter(is_reported).filter_map(with_numbers));
+        let is_reported = |pair: &PairIndex| self.solver.pairs.state(*pair).is_reported;
+        if self.solver.pairs.reported_count > 0 {
+            touching.extend(self.solver.pairs.indices().filter(is_reported).filter_map(with_numbers));
+        }
         for &(geoms, _) in events.iter().filter(|(_, begins)| *begins) {
             let unreported = self.pairs_between(geoms).filter(|pair| !is_reported(pair));
             touching.extend(unreported.filter_map(with_numbers));
@@ -139,7 +147,7 @@ impl Precise {
     /// is removed.
     pub(crate) fn disable_contact(&mut self, pair: usize) {
         self.solver.has_handler_changes = true;
-        self.solver.narrow_phase().veto(pair);
+        self.solver.narrow_phase().veto(PairIndex::new(pair));
     }
 
     /// Retains only the contact points of a pair that a handler has left in `contacts`. All other points of the pair exert no
@@ -151,14 +159,16 @@ impl Precise {
             *is_kept = contacts.contains(&contact);
         }
         if is_kept != [true; 2] {
-            self.solver.has_handler_changes |= self.solver.narrow_phase().retain_points(pair, is_kept);
+            self.solver.has_handler_changes |=
+                self.solver.narrow_phase().retain_points(PairIndex::new(pair), is_kept);
         }
     }
 
     /// Overrides friction, restitution and tangent speed of a pair for this step, as a handler has set them. A sleeping pair
     /// wakes if these values differ from those with which it fell asleep.
     pub(crate) fn override_surface(&mut self, pair: usize, surface: SurfaceOverride) {
-        if let Some(restitution) = self.solver.narrow_phase().override_surface(pair, surface) {
+        if let Some(restitution) = self.solver.narrow_phase().override_surface(PairIndex::new(pair), surface)
+        {
             self.solver.has_restitution |= restitution > 0.0;
             self.solver.has_handler_changes = true;
         }
@@ -167,7 +177,7 @@ impl Precise {
 
 /// Returns the sort key of a pair: the creation numbers of both geoms, the smaller one first, packed into one number.
 /// `None` if the pair does not touch or a handler has disabled it.
-fn touching_pair_key(pairs: &Pairs, proxies: &Proxies, pair: usize) -> Option<u128> {
+fn touching_pair_key(pairs: &Pairs, proxies: &Proxies, pair: PairIndex) -> Option<u128> {
     pairs.get(pair).filter(|state| state.is_touching && !state.is_vetoed)?;
     let [a, b] = pairs.proxies_of(pair).map(|proxy| proxies.proxy(proxy).creation_number);
     Some(packed_key(if a < b { [a, b] } else { [b, a] }))

@@ -9,6 +9,7 @@ use crate::geom::GeomId;
 use crate::precise::ids::geom_of;
 use farseer_precise::broad_phase::hash_grid::overlap;
 use farseer_precise::depth::interface::DepthInterval;
+use farseer_precise::index::{DenseIndex, PairIndex, ProxyIndex};
 
 impl Precise {
     /// Returns whether the cached contacts are valid. Between loading a snapshot and the next update they are not.
@@ -44,8 +45,8 @@ impl Precise {
         let touches =
             touching.filter_map(|pair| Some((self.solver.pairs.proxies_of(pair), self.depth_contact(pair)?)));
         // Ties: by pieces. Loading a snapshot reorders pairs, but not pieces.
-        let order = |(pieces, touch): &([u32; 2], DepthContact),
-                     (others, other): &([u32; 2], DepthContact)| {
+        let order = |(pieces, touch): &([ProxyIndex; 2], DepthContact),
+                     (others, other): &([ProxyIndex; 2], DepthContact)| {
             touch.penetration().total_cmp(&other.penetration()).then_with(|| others.cmp(pieces))
         };
         touches.max_by(order).map(|(_, touch)| touch)
@@ -100,10 +101,9 @@ impl Precise {
         let Some(space) = &self.solver.depth else { return };
         let (bounds, depths) = ([low[0], low[1], high[0], high[1]], DepthInterval::new(low[2], high[2]));
         self.solver.grid.for_each_overlap(&[low[0], low[2], high[0], high[2]], |at| {
-            let at = at as usize;
-            let proxy = self.solver.proxies.proxy(at as u32);
-            let is_near = overlap(&bounds, self.solver.proxies.fat_aabb_of(at as u32))
-                && space.interval(at).overlaps(depths);
+            let proxy = self.solver.proxies.proxy(at);
+            let is_near =
+                overlap(&bounds, self.solver.proxies.fat_aabb_of(at)) && space.interval(at).overlaps(depths);
             if is_near && !proxy.is_world {
                 find(geom_of(proxy));
             }
@@ -118,16 +118,16 @@ impl Precise {
     /// Iterates over touching pairs with an event listener. Each item is the index of the pair and its contact manifold.
     pub(crate) fn depth_contacts_with_listener(&self) -> impl Iterator<Item = (usize, DepthContact)> + '_ {
         let solver = &self.solver;
-        let count = if solver.pairs.reported_count > 0 { solver.pairs.count() } else { 0 };
         let is_heard =
-            |pair: &usize| solver.pairs.is_touching(*pair) && solver.pairs.state(*pair).is_reported;
-        (0..count).filter(is_heard).filter_map(|pair| Some((pair, self.depth_contact(pair)?)))
+            |pair: &PairIndex| solver.pairs.is_touching(*pair) && solver.pairs.state(*pair).is_reported;
+        let pairs = solver.pairs.indices().filter(|_| solver.pairs.reported_count > 0).filter(is_heard);
+        pairs.filter_map(|pair| Some((pair.position(), self.depth_contact(pair)?)))
     }
 
     /// Returns the contact manifold of the pair with this index. `None` if the shapes are beyond the contact margin or a
     /// callback vetoed the pair. The manifold is reported for the younger geom, or for the only geom if the target is a world
     /// box or the ground.
-    pub(crate) fn depth_contact(&self, pair: usize) -> Option<DepthContact> {
+    pub(crate) fn depth_contact(&self, pair: PairIndex) -> Option<DepthContact> {
         let solver = &self.solver;
         let state = solver.pairs.get(pair).filter(|state| !state.is_vetoed)?;
         let space = solver.depth.as_ref()?;

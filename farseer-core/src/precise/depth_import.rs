@@ -15,6 +15,7 @@ use farseer_precise::broad_phase::proxies::BodyType;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::interface::{DepthBodyState, DepthShape, HingeFeature, WorldBox, WorldBoxMotion};
 use farseer_precise::depth::world_box_shape::solver_velocity;
+use farseer_precise::index::ProxyIndex;
 
 impl Precise {
     /// Returns whether the engine has a depth axis.
@@ -174,10 +175,10 @@ impl Precise {
     }
 
     /// Returns the proxy index of the ground or of a world box; `None` for a geom or an unknown box.
-    pub(super) fn world_proxy_of(&self, id: GeomId) -> Option<usize> {
+    pub(super) fn world_proxy_of(&self, id: GeomId) -> Option<ProxyIndex> {
         let space = self.solver.depth.as_ref()?;
         match contact_target_of(id) {
-            DepthContactTarget::Ground => Some(space.ground_proxy as usize),
+            DepthContactTarget::Ground => Some(space.ground_proxy),
             DepthContactTarget::WorldBox(id) => space.proxy_of_world_box(id),
             DepthContactTarget::Geom(_) => None,
         }

@@ -12,6 +12,7 @@ use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::interface::DepthShape;
 use farseer_precise::depth::state::DepthState;
 use farseer_precise::fingerprint::Fingerprint;
+use farseer_precise::index::{DenseIndex, ProxyIndex};
 use farseer_precise::math::plane::Vector;
 use farseer_precise::pieces::Piece;
 use farseer_precise::shape::Shape;
@@ -76,7 +77,7 @@ impl<'a> ProxyImport<'a> {
                 continue;
             }
             recent_outlines.share_pieces(geom);
-            self.ids.add_geom(id, self.proxies.position_count());
+            self.ids.add_geom(id, self.proxies.next_index());
             for piece in 0..geom.pieces().len() {
                 if let Some(proxy) = self.proxy(id, piece) {
                     self.proxies.push(proxy);
@@ -86,10 +87,10 @@ impl<'a> ProxyImport<'a> {
     }
 
     /// Adds the proxies of a geom at the free positions from `place` on, or where the lists have room if that is `None`.
-    pub(super) fn add(&mut self, id: GeomId, place: Option<usize>) {
+    pub(super) fn add(&mut self, id: GeomId, place: Option<ProxyIndex>) {
         let Some(geom) = self.objects.geoms.get(id) else { return };
         for piece in 0..geom.pieces().len() {
-            let at = place.map(|first| first + piece);
+            let at = place.map(|first| ProxyIndex::new(first.position() + piece));
             let Some(proxy) = self.proxy(id, piece).and_then(|proxy| self.proxies.add(proxy, at)) else {
                 continue;
             };

@@ -2,30 +2,26 @@
 //!
 //! The solver knows bodies and proxies by their indices. This table translates an index to an id and back.
 
-use std::ops::Range;
-
 use super::vacancies::Vacancies;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
+use farseer_precise::index::{BodyIndex, DenseIndex, IndexRange, ProxyIndex};
 use farseer_precise::reusing_clone;
-
-/// Entry of a table that stands for no body or proxy; all other entries are indices.
-const NOT_LISTED: u32 = u32::MAX;
 
 /// Ids of the bodies by body index, and the indices of bodies and geoms by the slots of their ids.
 #[derive(Debug, Default)]
 pub(super) struct IdTable {
     /// Id of each body, by body index; `None` for the placeholder, boxes of `twohalf` and empty entries.
     pub(super) bodies: Vec<Option<BodyId>>,
-    /// Index into `bodies` of each body, by the slot of its id; [`NOT_LISTED`] if the body is not listed.
-    body_indices: Vec<u32>,
-    /// Index of the first proxy of each geom, by the slot of its id; [`NOT_LISTED`] if the geom has no proxy.
-    first_proxies: Vec<u32>,
+    /// Index into `bodies` of each body, by the slot of its id; `None` if the body is not listed.
+    body_indices: Vec<Option<BodyIndex>>,
+    /// Index of the first proxy of each geom, by the slot of its id; `None` if the geom has no proxy.
+    first_proxies: Vec<Option<ProxyIndex>>,
     /// Indices that movable bodies have left.
-    pub(super) vacant_bodies: Vacancies<BodyId>,
+    pub(super) vacant_bodies: Vacancies<BodyId, BodyIndex>,
     /// Proxy indices that geoms of movable bodies have left.
-    pub(super) vacant_proxies: Vacancies<GeomId>,
+    pub(super) vacant_proxies: Vacancies<GeomId, ProxyIndex>,
 }
 
 reusing_clone! { IdTable { bodies, body_indices, first_proxies, vacant_bodies, vacant_proxies } }
@@ -49,22 +45,26 @@ pub(super) fn geom_of(proxy: &Proxy) -> GeomId {
 }
 
 /// Returns `at` if the proxy with this index is the given convex piece of a geom; else `None`.
-pub(super) fn piece_at(proxies: &Proxies, at: usize, (geom, piece): (GeomId, u32)) -> Option<u32> {
-    let proxy = proxies.get(at as u32)?;
-    (proxy.owner == owner_of(geom) && proxy.piece == piece).then_some(at as u32)
+pub(super) fn piece_at(
+    proxies: &Proxies,
+    at: ProxyIndex,
+    (geom, piece): (GeomId, u32),
+) -> Option<ProxyIndex> {
+    let proxy = proxies.get(at)?;
+    (proxy.owner == owner_of(geom) && proxy.piece == piece).then_some(at)
 }
 
-/// Sets the entry `slot` of a table to `value`. Lengthens the table with [`NOT_LISTED`] as needed.
-fn set_entry(table: &mut Vec<u32>, slot: usize, value: u32) {
+/// Sets the entry `slot` of a table to `index`. Lengthens the table as needed.
+fn set_entry<I: Copy>(table: &mut Vec<Option<I>>, slot: usize, index: I) {
     if table.len() <= slot {
-        table.resize(slot + 1, NOT_LISTED);
+        table.resize(slot + 1, None);
     }
-    table[slot] = value;
+    table[slot] = Some(index);
 }
 
-/// Returns the entry `slot` of a table; `None` if it is [`NOT_LISTED`] or beyond the end of the table.
-fn entry_of(table: &[u32], slot: usize) -> Option<usize> {
-    table.get(slot).copied().filter(|&number| number != NOT_LISTED).map(|number| number as usize)
+/// Returns the entry `slot` of a table; `None` if it has no index or is beyond the end of the table.
+fn entry_of<I: Copy>(table: &[Option<I>], slot: usize) -> Option<I> {
+    table.get(slot).copied().flatten()
 }
 
 impl IdTable {
@@ -81,21 +81,23 @@ impl IdTable {
         if self.bodies.len() <= index {
             self.bodies.resize(index + 1, None);
         }
-        self.vacant_bodies.fill(index);
+        self.vacant_bodies.fill(BodyIndex::new(index));
         self.bodies[index] = Some(id);
-        set_entry(&mut self.body_indices, id.slot(), index as u32);
+        set_entry(&mut self.body_indices, id.slot(), BodyIndex::new(index));
     }
 
     /// Removes the body at `index`. The index stays without a body until the next rebuild.
     pub(super) fn remove_body(&mut self, index: usize) {
         if let Some(id) = self.bodies[index].take() {
-            self.body_indices[id.slot()] = NOT_LISTED;
+            self.body_indices[id.slot()] = None;
         }
     }
 
     /// Returns the body index of a body; `None` if the body is not listed.
     pub(super) fn body_index(&self, body: BodyId) -> Option<usize> {
-        entry_of(&self.body_indices, body.slot()).filter(|&index| self.bodies[index] == Some(body))
+        entry_of(&self.body_indices, body.slot())
+            .map(DenseIndex::position)
+            .filter(|&index| self.bodies[index] == Some(body))
     }
 
     /// Removes all geoms.
@@ -105,28 +107,28 @@ impl IdTable {
     }
 
     /// Lists a geom, whose first proxy has the index `first`.
-    pub(super) fn add_geom(&mut self, geom: GeomId, first: usize) {
-        set_entry(&mut self.first_proxies, geom.slot(), first as u32);
+    pub(super) fn add_geom(&mut self, geom: GeomId, first: ProxyIndex) {
+        set_entry(&mut self.first_proxies, geom.slot(), first);
     }
 
     /// Removes a geom.
     pub(super) fn remove_geom(&mut self, geom: GeomId) {
-        self.first_proxies[geom.slot()] = NOT_LISTED;
+        self.first_proxies[geom.slot()] = None;
     }
 
     /// Returns the index of the first proxy of the geom with this slot; `None` if the slot has no listed geom. The proxy may
     /// belong to a former geom of the slot.
-    pub(super) fn first_proxy(&self, geom: GeomId) -> Option<usize> {
+    pub(super) fn first_proxy(&self, geom: GeomId) -> Option<ProxyIndex> {
         entry_of(&self.first_proxies, geom.slot())
     }
 
     /// Returns the range of the proxy indices of a geom; empty if the geom has no proxy.
-    pub(super) fn proxies_of_geom(&self, proxies: &Proxies, geom: GeomId) -> Range<usize> {
+    pub(super) fn proxies_of_geom(&self, proxies: &Proxies, geom: GeomId) -> IndexRange<ProxyIndex> {
         let first = self.first_proxy(geom).and_then(|first| piece_at(proxies, first, (geom, 0)));
-        let Some(first) = first.map(|first| first as usize) else { return 0..0 };
+        let Some(first) = first else { return IndexRange::default() };
         let owner = owner_of(geom);
-        let count = proxies.positions_from(first as u32).take_while(|proxy| proxy.owner == owner).count();
-        first..first + count
+        let count = proxies.positions_from(first).take_while(|proxy| proxy.owner == owner).count();
+        IndexRange::new(first, count)
     }
 }
 

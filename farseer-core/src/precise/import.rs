@@ -27,6 +27,7 @@ use farseer_precise::broad_phase::pair_finder::is_pair_reported;
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
 use farseer_precise::depth::feature_gate::FeatureGate;
+use farseer_precise::index::ProxyIndex;
 use farseer_precise::narrow_phase::pair_lifetime::initial_one_way_state;
 
 impl Precise {
@@ -123,23 +124,22 @@ impl Precise {
     /// Calls `apply` for each proxy of a geom, and updates the pairs of that proxy by the [`ProxyUpdate`] that `apply` returns.
     fn update_proxies(&mut self, geom: GeomId, mut apply: impl FnMut(&mut Proxy) -> ProxyUpdate) {
         for at in self.ids.proxies_of_geom(&self.solver.proxies, geom) {
-            let was_one_way = self.solver.proxies.proxy(at as u32).one_way.is_some();
-            let update = apply(self.solver.proxies.proxy_mut(at as u32));
-            self.solver.proxies.one_way_count +=
-                usize::from(self.solver.proxies.proxy(at as u32).one_way.is_some());
+            let was_one_way = self.solver.proxies.proxy(at).one_way.is_some();
+            let update = apply(self.solver.proxies.proxy_mut(at));
+            self.solver.proxies.one_way_count += usize::from(self.solver.proxies.proxy(at).one_way.is_some());
             self.solver.proxies.one_way_count -= usize::from(was_one_way);
             if update.moved {
-                self.solver.fat_aabbs().teleport(at as u32);
-                self.solver.proxies.search_pairs_of(at as u32);
+                self.solver.fat_aabbs().teleport(at);
+                self.solver.proxies.search_pairs_of(at);
             }
             if update.contacts || update.moved {
-                self.solver.invalidate_pairs(at as u32);
+                self.solver.invalidate_pairs(at);
             }
             if update.callbacks {
-                update_callbacks(&mut self.solver.pairs, &self.solver.proxies, at as u32);
+                update_callbacks(&mut self.solver.pairs, &self.solver.proxies, at);
             }
             if update.one_way {
-                reset_one_way_states(&mut self.solver.pairs, &self.solver.proxies, at as u32);
+                reset_one_way_states(&mut self.solver.pairs, &self.solver.proxies, at);
             }
         }
     }
@@ -382,16 +382,16 @@ impl Precise {
     }
 
     /// Returns the index of the proxy of a geom's convex piece; `None` if there is none.
-    pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<u32> {
+    pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<ProxyIndex> {
         let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
-        piece_at(&self.solver.proxies, first? + piece as usize, (geom, piece))
+        piece_at(&self.solver.proxies, ProxyIndex(first?.0 + piece), (geom, piece))
     }
 }
 
 /// Sets the travel of a new geom's proxies to 0. They have no pairs yet, and their body may have moved in the same import.
 fn begin_travel(ids: &IdTable, proxies: &mut Proxies, geom: GeomId) {
     let places = ids.proxies_of_geom(proxies, geom);
-    places.for_each(|at| proxies.set_travel(at as u32, 0));
+    places.for_each(|at| proxies.set_travel(at, 0));
 }
 
 /// Returns whether a simulated body, if it is dynamic or kinematic, and all of its geoms are among the `members` that have
@@ -411,7 +411,7 @@ fn set_geomless_extent(bodies: &mut BodySet, proxies: &Proxies, index: usize, bo
 }
 
 /// Sets for each pair of a proxy whether a collision handler is called for the pair.
-fn update_callbacks(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
+fn update_callbacks(pairs: &mut Pairs, proxies: &Proxies, proxy: ProxyIndex) {
     pairs.for_each_index_of(proxy, |pairs, pair| {
         let is_reported = is_pair_reported(proxies, pairs.proxies_of(pair));
         pairs.set_reported(pair, is_reported);
@@ -419,7 +419,7 @@ fn update_callbacks(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
 }
 
 /// Resets the one-way states of all pairs of a proxy, after the one-way direction of the proxy has changed.
-pub(super) fn reset_one_way_states(pairs: &mut Pairs, proxies: &Proxies, proxy: u32) {
+pub(super) fn reset_one_way_states(pairs: &mut Pairs, proxies: &Proxies, proxy: ProxyIndex) {
     pairs.for_each_index_of(proxy, |pairs, pair| {
         pairs.state_mut(pair).one_way_state = initial_one_way_state(proxies, pairs, pair);
     });

@@ -16,7 +16,7 @@ use farseer_precise::bodies::BodySet;
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::Proxies;
 use farseer_precise::direct_solver::island_stats::IslandCensus;
-use farseer_precise::index::{BodyIndex, DenseIndex};
+use farseer_precise::index::{BodyIndex, DenseIndex, PairIndex};
 use farseer_precise::island::falling_asleep::unite_islands;
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::island::union_find::UnionFind;
@@ -222,7 +222,7 @@ fn is_awake(bodies: &BodySet, sleep: &SleepState, body: usize) -> bool {
 /// dynamic one.
 fn rows_by_body(bodies: &BodySet, proxies: &Proxies, pairs: &Pairs, sleep: &SleepState) -> Vec<usize> {
     let mut rows = vec![0; bodies.states.len()];
-    for pair in (0..pairs.awake_count).filter(|&pair| pairs.has_constraint(pair)) {
+    for pair in pairs.awake().filter(|&pair| pairs.has_constraint(pair)) {
         let [(a, _), (b, _)] = pairs.bodies_of(proxies, pair);
         let body = [a, b].into_iter().rfind(|&body| is_awake(bodies, sleep, body));
         body.into_iter().for_each(|body| rows[body] += 1);
@@ -248,7 +248,7 @@ impl ContactErrors<'_> {
     /// (length units/s, >= 0).
     ///
     /// The excess is the approach speed minus the speed that closes the gap in one update.
-    fn of_pair(&self, pair: usize) -> [f32; 2] {
+    fn of_pair(&self, pair: PairIndex) -> [f32; 2] {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
         let [outline_a, outline_b] = [a, b].map(|proxy| self.proxies.vertices.shape_ref(proxy.shape));

@@ -42,7 +42,7 @@ impl Listed<'_> {
 
     /// Returns the proxies of a geom.
     fn proxies_of(&self, id: GeomId) -> impl Iterator<Item = &Proxy> {
-        self.ids.proxies_of_geom(self.proxies, id).map(|at| self.proxies.proxy(at as u32))
+        self.ids.proxies_of_geom(self.proxies, id).map(|at| self.proxies.proxy(at))
     }
 
     /// Returns whether a body has begun or ceased to be simulated without a call that marks it. For debug assertions.

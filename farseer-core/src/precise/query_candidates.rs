@@ -11,6 +11,7 @@ use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::ids::{AlwaysTested, geom_of};
 use crate::shape::Aabb;
+use farseer_precise::index::ProxyIndex;
 use farseer_precise::parameters::broad_phase::{
     PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
 };
@@ -38,7 +39,7 @@ impl Precise {
         let tolerance = QUERY_ROUNDING_RATIO * coordinate_sum;
         let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
         // Each geom after the key by which the list is sorted.
-        let of_proxy = |proxy: u32| {
+        let of_proxy = |proxy: ProxyIndex| {
             let proxy = solver.proxies.proxy(proxy);
             (proxy.list_key, geom_of(proxy))
         };

@@ -44,7 +44,7 @@ impl Precise {
     /// joints or islands in the direct solver.
     fn has_no_work(&self) -> bool {
         let solver = &self.solver;
-        solver.pairs.awake_count == 0
+        solver.pairs.awake_count() == 0
             && solver.proxies.refitted().is_empty()
             && solver.proxies.one_way_count == 0
             && solver.enlarged_proxies.is_empty()

@@ -25,7 +25,7 @@ impl Precise {
     pub(crate) fn find_contacts(&mut self, friction: FrictionType, max_contacts: u32) -> usize {
         if self.solver.begin_contacts(friction, max_contacts) {
             self.wake_all();
-            (0..self.solver.pairs.count()).for_each(|pair| self.solver.pairs.invalidate(pair));
+            self.solver.pairs.indices().for_each(|pair| self.solver.pairs.invalidate(pair));
         }
         self.solver.find_contacts()
     }

@@ -15,6 +15,7 @@ use farseer_precise::depth::feature_gate::IS_DEPTH_ENABLED;
 use farseer_precise::depth::interface::{
     DepthBodyState, DepthShape, FilterNumbers, WorldBox, WorldBoxMotion,
 };
+use farseer_precise::index::{DenseIndex, PairIndex};
 
 #[doc(hidden)]
 impl PhysicsSimulator {
@@ -175,7 +176,7 @@ impl PhysicsSimulator {
     pub fn depth_contacts(&self) -> impl Iterator<Item = DepthContact> + '_ {
         let precise = self.pipeline.precise.as_ref();
         let count = precise.map_or(0, |precise| precise.pair_count());
-        (0..count).filter_map(move |pair| precise?.depth_contact(pair))
+        (0..count).filter_map(move |pair| precise?.depth_contact(PairIndex::new(pair)))
     }
 
     /// Iterates over the contact manifolds of one body. Shapes that are only within the contact margin have one, too.

@@ -7,6 +7,7 @@ use crate::bodies::BodySet;
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::interface::DepthInterval;
 use crate::depth::state::DepthState;
+use crate::index::ProxyIndex;
 use crate::island::sleep::SleepState;
 use crate::math::plane::length;
 use crate::math::scalar::nearest_finite;
@@ -38,13 +39,13 @@ impl Proxies {
     /// of the body.
     pub(crate) fn swept_aabb(
         &self,
-        proxy: u32,
+        proxy: ProxyIndex,
         [dx, dy, turned, _]: [f32; 4],
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> PackedAabb {
         let turning = self.proxy(proxy).shape.max_extent * turned.abs().min(2.0);
-        let [x, y, to_x, to_y] = self.tight_aabb(proxy as usize, bodies, parameters);
+        let [x, y, to_x, to_y] = self.tight_aabb(proxy, bodies, parameters);
         let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
         let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
         [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)].map(nearest_finite)
@@ -95,14 +96,14 @@ impl FatAabbs<'_> {
 
     /// Computes and stores the fat AABB of a proxy, and moves the proxy in the hash grid. The margin is always the one for
     /// proxies that are in pairs ([`Parameters::margin_for_extent`]).
-    pub(crate) fn enlarge(&mut self, proxy: u32) {
+    pub(crate) fn enlarge(&mut self, proxy: ProxyIndex) {
         let extent = self.proxies.proxy(proxy).shape.max_extent;
         self.enlarge_by(proxy, self.parameters.margin_for_extent(extent));
     }
 
     /// Computes and stores the fat AABB of a proxy with `margin`, and moves the proxy in the hash grid.
-    fn enlarge_by(&mut self, proxy: u32, margin: AabbMargin) {
-        let bounds = self.proxies.fat_aabb(proxy as usize, self.bodies, self.parameters, margin, self.dt);
+    fn enlarge_by(&mut self, proxy: ProxyIndex, margin: AabbMargin) {
+        let bounds = self.proxies.fat_aabb(proxy, self.bodies, self.parameters, margin, self.dt);
         self.proxies.set_fat_aabb(proxy, bounds);
         let may_stop = self.proxies.proxy(proxy).may_stop();
         let Some(depth) = &mut self.depth else {
@@ -121,20 +122,20 @@ impl FatAabbs<'_> {
 
     /// Moves a proxy to the new pose of its body at once: computes a new fat AABB, and raises the travel so that all pairs of
     /// the proxy become due for an update.
-    pub fn teleport(&mut self, proxy: u32) {
+    pub fn teleport(&mut self, proxy: ProxyIndex) {
         let travel = self.proxies.travel_of(proxy).wrapping_add(TELEPORT_TRAVEL);
         self.proxies.set_travel(proxy, travel);
         self.enlarge(proxy);
     }
 
     /// Inserts a new proxy into the broad phase: computes its fat AABB and lists the proxy for the next search of pairs.
-    pub fn insert(&mut self, proxy: u32) {
+    pub fn insert(&mut self, proxy: ProxyIndex) {
         self.proxies.search_pairs_of(proxy);
         self.enlarge(proxy);
     }
 
     /// Inserts a proxy into the broad phase with a saved fat AABB (`bounds`) and fat interval along z (`depths`), length units.
-    pub fn insert_saved(&mut self, proxy: u32, bounds: PackedAabb, depths: DepthInterval) {
+    pub fn insert_saved(&mut self, proxy: ProxyIndex, bounds: PackedAabb, depths: DepthInterval) {
         self.proxies.set_fat_aabb(proxy, bounds);
         let may_stop = self.proxies.proxy(proxy).may_stop();
         let Some(space) = &mut self.depth else {
@@ -148,7 +149,7 @@ impl FatAabbs<'_> {
 
     /// Enlarges the fat AABB of a proxy to its swept AABB, unless it contains the swept AABB already. Returns whether the fat
     /// AABB has changed. `displacement`: x, y (length units), rotation (radians), z (length units).
-    pub(crate) fn enlarge_to_sweep(&mut self, proxy: u32, displacement: [f32; 4]) -> bool {
+    pub(crate) fn enlarge_to_sweep(&mut self, proxy: ProxyIndex, displacement: [f32; 4]) -> bool {
         let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
         if self.contains(proxy, &swept, displacement[3]) {
             return false;
@@ -161,7 +162,7 @@ impl FatAabbs<'_> {
         if let Some(space) = &mut self.depth {
             let margin = self.parameters.speculative_distance;
             let depths = space.swept_interval(proxy, body, displacement[3], margin);
-            let depths = space.interval(proxy as usize).union(depths);
+            let depths = space.interval(proxy).union(depths);
             space.set_interval(proxy, depths);
             self.grid.insert_or_move(proxy, &space.grid_bounds(proxy, &bounds), may_stop);
         } else {
@@ -187,7 +188,7 @@ impl FatAabbs<'_> {
 
     /// Enlarges the fat AABBs of a body to the swept AABBs of its displacement in the step. Appends the proxies with a new fat
     /// AABB to `enlarged`.
-    pub(crate) fn enlarge_body_to_sweep(&mut self, body: usize, enlarged: &mut Vec<u32>) {
+    pub(crate) fn enlarge_body_to_sweep(&mut self, body: usize, enlarged: &mut Vec<ProxyIndex>) {
         let mut next = self.proxies.first_of_body(body);
         while let Some(proxy) = next {
             next = self.proxies.next_of_body(proxy);
@@ -199,19 +200,19 @@ impl FatAabbs<'_> {
 
     /// Returns whether the fat AABB of a proxy contains its swept AABB and, with a depth axis, the fat interval contains its
     /// swept interval. The array is the displacement of its body: x, y (length units), rotation (radians), z (length units).
-    pub(crate) fn contains_sweep(&self, proxy: u32, displacement: [f32; 4]) -> bool {
+    pub(crate) fn contains_sweep(&self, proxy: ProxyIndex, displacement: [f32; 4]) -> bool {
         let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
         self.contains(proxy, &swept, displacement[3])
     }
 
     /// Returns whether the fat AABB of a proxy contains `swept_aabb` and, with a depth axis, the fat interval contains the
     /// swept interval of a displacement `dz` along z, length units.
-    fn contains(&self, proxy: u32, swept_aabb: &PackedAabb, dz: f32) -> bool {
+    fn contains(&self, proxy: ProxyIndex, swept_aabb: &PackedAabb, dz: f32) -> bool {
         let body = self.proxies.proxy(proxy).body;
         aabb_contains(self.proxies.fat_aabb_of(proxy), swept_aabb)
             && self.depth.as_ref().is_none_or(|space| {
                 let depths = space.swept_interval(proxy, body, dz, self.parameters.speculative_distance);
-                space.interval(proxy as usize).contains(depths)
+                space.interval(proxy).contains(depths)
             })
     }
 }

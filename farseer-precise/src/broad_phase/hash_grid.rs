@@ -9,6 +9,7 @@
 //! Source: hierarchical hash grids, C. Ericson, "Real-Time Collision Detection" (2005), section 7.2. The multipliers of the
 //! hash are primes of xxHash32 (Y. Collet).
 
+use crate::index::{IndexedVec, ProxyIndex};
 use crate::parameters::broad_phase::{GRID_LEVELS, GRID_MAX_CELL_INDEX, GRID_MIN_CELL_EXPONENT};
 use wide::f32x4;
 
@@ -19,7 +20,7 @@ use crate::reusing_clone;
 pub(crate) type PackedAabb = [f32; 4];
 
 /// Index that stands for no entry of the grid: it ends the list of a bucket.
-const NO_ENTRY: u32 = u32::MAX;
+const NO_ENTRY: ProxyIndex = ProxyIndex(u32::MAX);
 
 /// Returns whether two AABBs overlap or touch.
 #[inline(always)]
@@ -61,7 +62,7 @@ struct GridCell {
 #[derive(Debug, Clone, Copy)]
 struct GridEntry {
     aabb: NegatedAabb,
-    next: u32,
+    next: ProxyIndex,
 }
 
 impl Default for GridEntry {
@@ -75,7 +76,7 @@ impl Default for GridEntry {
 #[derive(Debug, Clone, Copy)]
 struct BucketLink {
     cell: GridCell,
-    previous: u32,
+    previous: ProxyIndex,
     may_stop: bool,
 }
 
@@ -101,10 +102,10 @@ const MIN_CORNER_SIGN_BITS: f32x4 = f32x4::new([-0.0, -0.0, 0.0, 0.0]);
 /// Hierarchical hash grid: the AABBs of proxies in hashed cells. An entry has the index of its proxy.
 #[derive(Debug, Default)]
 pub struct HashGrid {
-    entries: Vec<GridEntry>,
-    links: Vec<Option<BucketLink>>,
+    entries: IndexedVec<ProxyIndex, GridEntry>,
+    links: IndexedVec<ProxyIndex, Option<BucketLink>>,
     /// Index of the first entry of each bucket, or [`NO_ENTRY`].
-    bucket_heads: Vec<u32>,
+    bucket_heads: Vec<ProxyIndex>,
     levels: Vec<GridLevel>,
     /// Bit mask of the levels that have entries: bit i for level i.
     used_levels: u64,
@@ -197,47 +198,47 @@ impl HashGrid {
     /// Adds the entry `index` with the AABB `bounds`, or moves it to the cell of this AABB if it is in the grid already.
     /// `may_stop`: whether the entry may stop fast bodies, see [`stopper_levels`](Self::stopper_levels); it must not change while
     /// the entry is in the grid.
-    pub(crate) fn insert_or_move(&mut self, index: u32, bounds: &PackedAabb, may_stop: bool) {
+    pub(crate) fn insert_or_move(&mut self, index: ProxyIndex, bounds: &PackedAabb, may_stop: bool) {
         let level = grid_level_of(bounds);
         let middle = |axis: usize| 0.5 * bounds[axis] + 0.5 * bounds[axis + 2];
         let [x, y, ..] = cell_indices(f32x4::new([middle(0), middle(1), 0.0, 0.0]), inverse_cell_size(level));
         let cell = GridCell { level, x, y };
-        self.entries[index as usize].aabb = negate_max(bounds);
-        self.levels[level as usize].include(bounds);
-        if self.links[index as usize].is_some_and(|link| link.cell == cell) {
+        self.entries[index].aabb = negate_max(bounds);
+        self.levels[usize::from(level)].include(bounds);
+        if self.links[index].is_some_and(|link| link.cell == cell) {
             return;
         }
         self.remove(index);
         let bucket = self.bucket(cell);
         let next = std::mem::replace(&mut self.bucket_heads[bucket], index);
-        self.entries[index as usize].next = next;
-        self.links[index as usize] = Some(BucketLink { cell, previous: NO_ENTRY, may_stop });
+        self.entries[index].next = next;
+        self.links[index] = Some(BucketLink { cell, previous: NO_ENTRY, may_stop });
         self.set_previous(next, index);
-        self.levels[level as usize].count += 1;
-        self.levels[level as usize].stopper_count += u32::from(may_stop);
+        self.levels[usize::from(level)].count += 1;
+        self.levels[usize::from(level)].stopper_count += u32::from(may_stop);
         self.used_levels |= 1 << level;
         self.stopper_levels |= u64::from(may_stop) << level;
     }
 
     /// Stores `previous` as the previous entry in the bucket list of entry `index`, if there is such an entry.
-    fn set_previous(&mut self, index: u32, previous: u32) {
-        if let Some(Some(link)) = self.links.get_mut(index as usize) {
+    fn set_previous(&mut self, index: ProxyIndex, previous: ProxyIndex) {
+        if let Some(Some(link)) = self.links.at_mut(index) {
             link.previous = previous;
         }
     }
 
     /// Removes the entry `index` from the grid, if it is in the grid.
-    pub fn remove(&mut self, index: u32) {
-        let Some(BucketLink { cell, previous, may_stop }) = self.links[index as usize].take() else { return };
-        let next = self.entries[index as usize].next;
+    pub fn remove(&mut self, index: ProxyIndex) {
+        let Some(BucketLink { cell, previous, may_stop }) = self.links[index].take() else { return };
+        let next = self.entries[index].next;
         if previous == NO_ENTRY {
             let bucket = self.bucket(cell);
             self.bucket_heads[bucket] = next;
         } else {
-            self.entries[previous as usize].next = next;
+            self.entries[previous].next = next;
         }
         self.set_previous(next, previous);
-        let level = &mut self.levels[cell.level as usize];
+        let level = &mut self.levels[usize::from(cell.level)];
         level.count -= 1;
         level.stopper_count -= u32::from(may_stop);
         if level.count == 0 {
@@ -257,7 +258,7 @@ impl HashGrid {
     /// Calls `found` with the index of each entry whose AABB overlaps the query AABB `bounds`, in no particular order. An index
     /// may come twice, since two cells may have one bucket. An entry with the AABB `bounds` itself is found, too.
     #[inline(always)]
-    pub fn for_each_overlap(&self, bounds: &PackedAabb, found: impl FnMut(u32)) {
+    pub fn for_each_overlap(&self, bounds: &PackedAabb, found: impl FnMut(ProxyIndex)) {
         self.for_each_overlap_in_levels(!0, bounds, found);
     }
 
@@ -267,7 +268,7 @@ impl HashGrid {
         &self,
         levels: u64,
         bounds: &PackedAabb,
-        mut found: impl FnMut(u32),
+        mut found: impl FnMut(ProxyIndex),
     ) {
         let (mut used, limits) = (self.used_levels & levels, query_limits(bounds));
         let corners = f32x4::new(*bounds);
@@ -276,7 +277,7 @@ impl HashGrid {
         while used != 0 {
             let level = used.trailing_zeros() as u8;
             used &= used - 1;
-            let GridLevel { bounds: level_bounds, max_half_extents, .. } = &self.levels[level as usize];
+            let GridLevel { bounds: level_bounds, max_half_extents, .. } = &self.levels[usize::from(level)];
             if !overlaps_query(level_bounds, limits) {
                 continue;
             }
@@ -308,10 +309,10 @@ impl HashGrid {
     /// Calls `found` for each entry in the bucket of a cell that overlaps the query. Entries of other cells in the bucket are
     /// tested too: that costs less than a comparison of cells. `limits`: see [`query_limits`].
     #[inline(always)]
-    fn for_each_in_cell(&self, cell: GridCell, limits: f32x4, found: &mut impl FnMut(u32)) {
+    fn for_each_in_cell(&self, cell: GridCell, limits: f32x4, found: &mut impl FnMut(ProxyIndex)) {
         let mut at = self.bucket_heads[self.bucket(cell)];
         while at != NO_ENTRY {
-            let entry = &self.entries[at as usize];
+            let entry = &self.entries[at];
             if overlaps_query(&entry.aabb, limits) {
                 found(at);
             }
@@ -322,10 +323,10 @@ impl HashGrid {
     /// Calls `found` for each entry of a level that overlaps the query. Used for queries that cover more cells than there are
     /// entries. `limits`: see [`query_limits`].
     #[cold]
-    fn for_each_in_level(&self, level: u8, limits: f32x4, found: &mut impl FnMut(u32)) {
-        for (at, (entry, link)) in self.entries.iter().zip(&self.links).enumerate() {
+    fn for_each_in_level(&self, level: u8, limits: f32x4, found: &mut impl FnMut(ProxyIndex)) {
+        for ((at, entry), link) in self.entries.enumerated().zip(self.links.iter()) {
             if link.is_some_and(|link| link.cell.level == level) && overlaps_query(&entry.aabb, limits) {
-                found(at as u32);
+                found(at);
             }
         }
     }
@@ -338,6 +339,7 @@ mod tests {
     use super::grid_level_of;
     use super::inverse_cell_size;
     use super::overlap;
+    use crate::index::{DenseIndex, ProxyIndex};
 
     /// Returns AABBs with sides from almost 0 to 8e30 length units, near the origin and far from it.
     fn boxes() -> Vec<PackedAabb> {
@@ -358,13 +360,16 @@ mod tests {
     }
 
     fn enter(grid: &mut HashGrid, aabbs: &[PackedAabb]) {
-        aabbs.iter().enumerate().for_each(|(i, bounds)| grid.insert_or_move(i as u32, bounds, i % 7 == 0));
+        aabbs
+            .iter()
+            .enumerate()
+            .for_each(|(i, bounds)| grid.insert_or_move(ProxyIndex(i as u32), bounds, i % 7 == 0));
     }
 
     fn check(grid: &HashGrid, aabbs: &[PackedAabb]) {
         for bounds in aabbs {
             let mut found = Vec::new();
-            grid.for_each_overlap(bounds, |other| found.push(other as usize));
+            grid.for_each_overlap(bounds, |other| found.push(other.position()));
             found.sort_unstable();
             found.dedup();
             let expected: Vec<usize> =
@@ -409,7 +414,7 @@ mod tests {
         };
         assert_eq!(grid.stopper_levels(), levels(7));
         assert_ne!(levels(7), levels(1), "some level has no stopper");
-        (0..aabbs.len() as u32).for_each(|entry| grid.remove(entry));
+        (0..aabbs.len() as u32).for_each(|entry| grid.remove(ProxyIndex(entry)));
         assert_eq!(grid.stopper_levels(), 0);
     }
 

@@ -9,6 +9,7 @@ use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
+use crate::index::{IndexedVec, ProxyIndex};
 use crate::storage::order::sort_by_number;
 
 /// Returns two proxies in the order A, B of a pair; `None` if they cannot be a pair. A has the lesser body type, then the
@@ -17,8 +18,8 @@ use crate::storage::order::sort_by_number;
 pub fn order_pair(
     proxies: &Proxies,
     depth: Option<FeatureGate<&DepthState>>,
-    [one, other]: [u32; 2],
-) -> Option<[u32; 2]> {
+    [one, other]: [ProxyIndex; 2],
+) -> Option<[ProxyIndex; 2]> {
     let [proxy, partner] = [one, other].map(|proxy| proxies.proxy(proxy));
     let key = |proxy: &Proxy| (proxy.body_type, proxy.creation_number, proxy.piece);
     let may_be_pushed = [proxy, partner].iter().any(|proxy| proxy.body_type == BodyType::Dynamic);
@@ -35,7 +36,7 @@ pub fn order_pair(
 pub(crate) fn fat_aabbs_overlap(
     proxies: &Proxies,
     depth: Option<FeatureGate<&DepthState>>,
-    [a, b]: [u32; 2],
+    [a, b]: [ProxyIndex; 2],
 ) -> bool {
     overlap(proxies.fat_aabb_of(a), proxies.fat_aabb_of(b))
         && depth.as_ref().is_none_or(|space| space.intervals_overlap(a, b))
@@ -54,18 +55,23 @@ impl PairFinder<'_> {
     /// Finds the new pairs of these proxies with the hash grid and stores them in `found`, sorted by creation numbers. Returns
     /// their number. `refitted` holds indices of proxies with a new fat AABB; `known` is a workspace with an entry for each
     /// proxy, all false.
-    pub(crate) fn find(&self, refitted: &[u32], known: &mut [bool], found: &mut Vec<[u32; 2]>) -> usize {
+    pub(crate) fn find(
+        &self,
+        refitted: &[ProxyIndex],
+        known: &mut IndexedVec<ProxyIndex, bool>,
+        found: &mut Vec<[ProxyIndex; 2]>,
+    ) -> usize {
         let PairFinder { proxies, pairs, grid, depth } = *self;
         found.clear();
         if refitted.is_empty() {
             return 0;
         }
         for &proxy in refitted {
-            pairs.partners(proxy).for_each(|partner| known[partner as usize] = true);
+            pairs.partners(proxy).for_each(|partner| known[partner] = true);
             let bounds = *proxies.fat_aabb_of(proxy);
-            let mut find = |other: u32| {
+            let mut find = |other: ProxyIndex| {
                 let [one, partner] = [proxy, other].map(|proxy| proxies.proxy(proxy));
-                if !known[other as usize] && one.may_meet(partner) {
+                if !known[other] && one.may_meet(partner) {
                     found.extend(order_pair(proxies, depth, [proxy, other]));
                 }
             };
@@ -80,7 +86,7 @@ impl PairFinder<'_> {
                     space.ground_beneath(proxy, &bounds).into_iter().for_each(find);
                 }
             }
-            pairs.partners(proxy).for_each(|partner| known[partner as usize] = false);
+            pairs.partners(proxy).for_each(|partner| known[partner] = false);
         }
         sort_by_number(found, |&pair| proxies.creation_numbers(pair));
         found.dedup();
@@ -90,7 +96,7 @@ impl PairFinder<'_> {
 
 /// Returns whether the game's handlers are called for a pair in every update in which it touches. Pairs of two static bodies are
 /// reported only when they begin to touch.
-pub fn is_pair_reported(proxies: &Proxies, pair: [u32; 2]) -> bool {
+pub fn is_pair_reported(proxies: &Proxies, pair: [ProxyIndex; 2]) -> bool {
     let both = pair.map(|proxy| proxies.proxy(proxy));
     !both.iter().all(|proxy| proxy.body_type == BodyType::Fixed)
         && both.iter().any(|proxy| proxy.is_reported && !proxy.is_world)

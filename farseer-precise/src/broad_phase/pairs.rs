@@ -7,18 +7,19 @@ use serde::{Deserialize, Serialize};
 
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::{ConstraintHandle, ConstraintKind};
+use crate::index::{DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::math::plane::Vector;
 use crate::reusing_clone;
 
-/// Value in place of the index of a pair: there is no pair. In place of a link it ends a proxy's list of pairs.
-pub(crate) const NO_PAIR: u32 = u32::MAX;
+/// Index in place of that of a pair that has left a list.
+pub(crate) const REMOVED_PAIR: PairIndex = PairIndex(u32::MAX);
 
 /// Data by which the narrow phase decides in each step whether to update a pair. It does so when the summed path lengths
 /// (`travel`) of the pair's proxies have grown by `motion_tolerance` since `motion_at_check`.
 #[derive(Debug, Clone, Copy)]
 pub struct RecheckTrigger {
     /// Indices of the proxies A and B of the pair.
-    pub proxies: [u32; 2],
+    pub proxies: [ProxyIndex; 2],
     /// Sum of the `travel` counters of both proxies at the last update of the pair, in 2^-26 length units,
     /// wrapping.
     pub motion_at_check: u32,
@@ -128,14 +129,41 @@ impl Pair {
     }
 }
 
-/// Links of a pair in the lists of pairs of both proxies: proxy A first, then the other proxy. A link is twice the index of a
-/// pair, plus 0 (side A) or 1 (side B). The proxies are stored in [`RecheckTrigger`], too; the copy serves loops over a list,
-/// which read nothing else.
+/// Link of the list of pairs of a proxy: a pair, and the side on which it has the proxy. The number is twice the index of the
+/// pair, plus 0 (side A) or 1 (side B).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct PairLink(u32);
+
+impl PairLink {
+    /// Value in place of a link: the list ends.
+    const NONE: PairLink = PairLink(u32::MAX);
+
+    /// Returns the link of a pair on a side, 0 (proxy A) or 1 (proxy B).
+    #[inline(always)]
+    fn new(pair: PairIndex, side: usize) -> Self {
+        PairLink(pair.0 * 2 + u32::from(side == 1))
+    }
+
+    /// Returns the pair of the link.
+    #[inline(always)]
+    fn pair(self) -> PairIndex {
+        PairIndex(self.0 >> 1)
+    }
+
+    /// Returns the side on which the pair has the proxy: 0 (proxy A) or 1 (proxy B).
+    #[inline(always)]
+    fn side(self) -> usize {
+        usize::from(self.0 & 1 == 1)
+    }
+}
+
+/// Links of a pair in the lists of pairs of both proxies: proxy A first, then the other proxy. The proxies are stored in
+/// [`RecheckTrigger`], too; the copy serves loops over a list, which read nothing else.
 #[derive(Debug, Clone, Copy)]
 struct PairLinks {
-    proxies: [u32; 2],
-    next: [u32; 2],
-    previous: [u32; 2],
+    proxies: [ProxyIndex; 2],
+    next: [PairLink; 2],
+    previous: [PairLink; 2],
 }
 
 /// All pairs: first the awake ones, then those of sleeping bodies. The index of a pair changes when another pair is removed,
@@ -143,14 +171,14 @@ struct PairLinks {
 #[derive(Debug, Default)]
 pub struct Pairs {
     /// When the contacts of each pair are next updated, by pair index.
-    triggers: Vec<RecheckTrigger>,
+    triggers: IndexedVec<PairIndex, RecheckTrigger>,
     /// The pairs, by pair index.
-    all: Vec<Pair>,
+    all: IndexedVec<PairIndex, Pair>,
     /// The manifold of each pair, by pair index.
-    manifolds: Vec<CachedManifold>,
-    links: Vec<PairLinks>,
+    manifolds: IndexedVec<PairIndex, CachedManifold>,
+    links: IndexedVec<PairIndex, PairLinks>,
     /// Number of awake pairs. They have the indices below it.
-    pub awake_count: usize,
+    awake_count: usize,
     /// Number of pairs that touch, awake and asleep.
     pub touching_count: usize,
     /// Number of pairs that touch the ground of a world with a depth axis.
@@ -159,8 +187,8 @@ pub struct Pairs {
     pub reported_count: usize,
     /// Number of pairs of a sensor and a static or kinematic body.
     pub(crate) static_sensor_count: usize,
-    /// First link (see [`PairLinks`]) of each proxy's list of pairs, or [`NO_PAIR`].
-    heads: Vec<u32>,
+    /// First link  of each proxy's list of pairs, or [`PairLink::NONE`].
+    heads: IndexedVec<ProxyIndex, PairLink>,
 }
 
 reusing_clone! { Pairs { triggers, all, manifolds, links, awake_count, touching_count, touching_ground_count, reported_count, static_sensor_count, heads } }
@@ -176,91 +204,135 @@ impl Pairs {
         (self.touching_count, self.touching_ground_count, self.reported_count, self.static_sensor_count) =
             (0, 0, 0, 0);
         self.heads.clear();
-        self.heads.resize(proxies, NO_PAIR);
+        self.heads.resize(proxies, PairLink::NONE);
     }
 
     /// Enlarges the heads of the lists to `proxies` proxies, which have no pairs at first. The present pairs stay.
     pub fn grow(&mut self, proxies: usize) {
-        self.heads.resize(proxies, NO_PAIR);
+        self.heads.resize(proxies, PairLink::NONE);
     }
 
     /// Returns the state of a pair.
     #[inline(always)]
-    pub fn state(&self, pair: usize) -> &Pair {
+    pub fn state(&self, pair: PairIndex) -> &Pair {
         &self.all[pair]
     }
 
     /// Returns the state of a pair, to change. The fields that are counted have verbs of their own:
     /// [`set_touching`](Self::set_touching), [`set_reported`](Self::set_reported).
     #[inline(always)]
-    pub fn state_mut(&mut self, pair: usize) -> &mut Pair {
+    pub fn state_mut(&mut self, pair: PairIndex) -> &mut Pair {
         &mut self.all[pair]
     }
 
     /// Returns the state of a pair; `None` if no pair has this index.
     #[inline]
-    pub fn get(&self, pair: usize) -> Option<&Pair> {
-        self.all.get(pair)
+    pub fn get(&self, pair: PairIndex) -> Option<&Pair> {
+        self.all.at(pair)
     }
 
     /// Returns whether a pair touches.
     #[inline(always)]
-    pub fn is_touching(&self, pair: usize) -> bool {
+    pub fn is_touching(&self, pair: PairIndex) -> bool {
         self.all[pair].is_touching
     }
 
     /// Returns the indices of the proxies A and B of a pair.
     #[inline(always)]
-    pub fn proxies_of(&self, pair: usize) -> [u32; 2] {
+    pub fn proxies_of(&self, pair: PairIndex) -> [ProxyIndex; 2] {
         self.triggers[pair].proxies
     }
 
     /// Returns the data that decide whether a pair is due for an update.
     #[inline(always)]
-    pub fn trigger(&self, pair: usize) -> &RecheckTrigger {
+    pub fn trigger(&self, pair: PairIndex) -> &RecheckTrigger {
         &self.triggers[pair]
     }
 
-    /// Iterates over the data that decide whether a pair is due for an update, of the awake pairs, ascending.
+    /// Iterates over the awake pairs, ascending, with the data that decide whether a pair is due for an update.
     #[inline(always)]
-    pub(crate) fn awake_triggers(&self) -> impl ExactSizeIterator<Item = &RecheckTrigger> {
-        self.triggers[..self.awake_count].iter()
+    pub(crate) fn awake_triggers(&self) -> impl ExactSizeIterator<Item = (PairIndex, &RecheckTrigger)> {
+        self.triggers.enumerated().take(self.awake_count)
     }
 
     /// Restores the saved motion of a pair: see [`RecheckTrigger`], 2^-26 length units.
-    pub fn restore_motion(&mut self, pair: usize, motion_at_check: u32, motion_tolerance: u32) {
+    pub fn restore_motion(&mut self, pair: PairIndex, motion_at_check: u32, motion_tolerance: u32) {
         let proxies = self.proxies_of(pair);
         self.triggers[pair] = RecheckTrigger { proxies, motion_at_check, motion_tolerance };
     }
 
     /// Sets the motion of a pair at its update, which has taken place now: see [`RecheckTrigger::motion_at_check`].
     #[inline(always)]
-    pub(crate) fn set_motion_at_check(&mut self, pair: usize, motion_at_check: u32) {
+    pub(crate) fn set_motion_at_check(&mut self, pair: PairIndex, motion_at_check: u32) {
         self.triggers[pair].motion_at_check = motion_at_check;
     }
 
     /// Sets the motion that makes a pair due for an update: see [`RecheckTrigger::motion_tolerance`].
     #[inline(always)]
-    pub(crate) fn set_motion_tolerance(&mut self, pair: usize, motion_tolerance: u32) {
+    pub(crate) fn set_motion_tolerance(&mut self, pair: PairIndex, motion_tolerance: u32) {
         self.triggers[pair].motion_tolerance = motion_tolerance;
     }
 
     /// Lets the next narrow phase update a pair, whether it has moved or not.
     #[inline(always)]
-    pub fn recheck(&mut self, pair: usize) {
+    pub fn recheck(&mut self, pair: PairIndex) {
         self.triggers[pair].motion_tolerance = 0;
     }
 
     /// Returns the cached manifold of a pair.
     #[inline(always)]
-    pub fn manifold(&self, pair: usize) -> &CachedManifold {
+    pub fn manifold(&self, pair: PairIndex) -> &CachedManifold {
         &self.manifolds[pair]
     }
 
     /// Returns the cached manifold of a pair, to change.
     #[inline(always)]
-    pub fn manifold_mut(&mut self, pair: usize) -> &mut CachedManifold {
+    pub fn manifold_mut(&mut self, pair: PairIndex) -> &mut CachedManifold {
         &mut self.manifolds[pair]
+    }
+
+    /// Iterates over all pairs, ascending: first the awake ones, then those of sleeping bodies.
+    #[inline]
+    pub fn indices(&self) -> impl DoubleEndedIterator<Item = PairIndex> + ExactSizeIterator + use<> {
+        self.all.indices()
+    }
+
+    /// Iterates over the awake pairs, ascending.
+    #[inline]
+    pub fn awake(&self) -> impl DoubleEndedIterator<Item = PairIndex> + ExactSizeIterator + use<> {
+        (0..self.awake_count).map(PairIndex::new)
+    }
+
+    /// Returns whether a pair is awake.
+    #[inline(always)]
+    pub fn is_awake(&self, pair: PairIndex) -> bool {
+        pair.position() < self.awake_count
+    }
+
+    /// Returns the number of awake pairs. They have the indices below it.
+    #[inline]
+    pub fn awake_count(&self) -> usize {
+        self.awake_count
+    }
+
+    /// Counts the first sleeping pair among the awake ones, and returns its index.
+    #[inline]
+    pub(crate) fn extend_awake(&mut self) -> PairIndex {
+        self.awake_count += 1;
+        PairIndex::new(self.awake_count - 1)
+    }
+
+    /// Counts the last awake pair among the sleeping ones, and returns its index.
+    #[inline]
+    pub(crate) fn shorten_awake(&mut self) -> PairIndex {
+        self.awake_count -= 1;
+        PairIndex::new(self.awake_count)
+    }
+
+    /// Returns the index of the last pair; there has to be one.
+    #[inline]
+    pub(crate) fn last(&self) -> PairIndex {
+        PairIndex::new(self.all.len() - 1)
     }
 
     /// Returns the number of pairs, awake and asleep.
@@ -269,21 +341,21 @@ impl Pairs {
     }
 
     /// Returns the indices of the pairs of a proxy.
-    pub fn pairs_of(&self, proxy: u32) -> impl Iterator<Item = usize> + '_ {
-        let mut link = self.heads[proxy as usize];
+    pub fn pairs_of(&self, proxy: ProxyIndex) -> impl Iterator<Item = PairIndex> + '_ {
+        let mut link = self.heads[proxy];
         std::iter::from_fn(move || {
-            let at = (link != NO_PAIR).then_some((link >> 1) as usize)?;
-            link = self.links[at].next[(link & 1) as usize];
+            let at = (link != PairLink::NONE).then_some(link.pair())?;
+            link = self.links[at].next[link.side()];
             Some(at)
         })
     }
 
     /// Lets the next step update the contacts of those pairs of a proxy that have a constraint.
-    pub(crate) fn recheck_constrained(&mut self, proxy: u32) {
-        let mut link = self.heads[proxy as usize];
-        while link != NO_PAIR {
-            let at = (link >> 1) as usize;
-            link = self.links[at].next[(link & 1) as usize];
+    pub(crate) fn recheck_constrained(&mut self, proxy: ProxyIndex) {
+        let mut link = self.heads[proxy];
+        while link != PairLink::NONE {
+            let at = link.pair();
+            link = self.links[at].next[link.side()];
             if self.all[at].constraint.is_some() {
                 self.triggers[at].motion_tolerance = 0;
             }
@@ -291,17 +363,17 @@ impl Pairs {
     }
 
     /// Calls `change` with the pairs and the index of each pair of a proxy. `change` adds, removes and moves no pair.
-    pub fn for_each_index_of(&mut self, proxy: u32, mut change: impl FnMut(&mut Pairs, usize)) {
-        let mut link = self.heads[proxy as usize];
-        while link != NO_PAIR {
-            let at = (link >> 1) as usize;
+    pub fn for_each_index_of(&mut self, proxy: ProxyIndex, mut change: impl FnMut(&mut Pairs, PairIndex)) {
+        let mut link = self.heads[proxy];
+        while link != PairLink::NONE {
+            let at = link.pair();
             change(self, at);
-            link = self.links[at].next[(link & 1) as usize];
+            link = self.links[at].next[link.side()];
         }
     }
 
     /// Returns body index and body type of A and of B of a pair.
-    pub fn bodies_of(&self, proxies: &Proxies, pair: usize) -> [(usize, BodyType); 2] {
+    pub fn bodies_of(&self, proxies: &Proxies, pair: PairIndex) -> [(usize, BodyType); 2] {
         self.triggers[pair].proxies.map(|proxy| {
             let proxy = proxies.proxy(proxy);
             (proxy.body as usize, proxy.body_type)
@@ -310,19 +382,19 @@ impl Pairs {
 
     /// Returns kind and handle of the contact constraint of a pair; `None` if the pair has none.
     #[inline(always)]
-    pub(crate) fn constraint(&self, pair: usize) -> Option<(ConstraintKind, ConstraintHandle)> {
+    pub(crate) fn constraint(&self, pair: PairIndex) -> Option<(ConstraintKind, ConstraintHandle)> {
         let state = &self.all[pair];
         state.constraint.map(|handle| (state.kind, handle))
     }
 
     /// Returns whether a pair has a contact constraint.
     #[inline(always)]
-    pub fn has_constraint(&self, pair: usize) -> bool {
+    pub fn has_constraint(&self, pair: PairIndex) -> bool {
         self.all[pair].constraint.is_some()
     }
 
     /// Returns the creation numbers of the geoms of a pair, packed: the order of pairs in lists.
-    pub(crate) fn creation_numbers(&self, proxies: &Proxies, pair: usize) -> u128 {
+    pub(crate) fn creation_numbers(&self, proxies: &Proxies, pair: PairIndex) -> u128 {
         proxies.creation_numbers(self.triggers[pair].proxies)
     }
 
@@ -331,43 +403,52 @@ impl Pairs {
         &'a self,
         proxies: &'a Proxies,
         body: usize,
-    ) -> impl Iterator<Item = usize> + use<'a> {
-        let (mut link, mut proxy) = (NO_PAIR, proxies.first_of_body(body));
+    ) -> impl Iterator<Item = PairIndex> + use<'a> {
+        let (mut link, mut proxy) = (PairLink::NONE, proxies.first_of_body(body));
         std::iter::from_fn(move || self.next_pair_of_body(proxies, &mut link, &mut proxy))
     }
 
     /// Returns the next index for [`pairs_of_body`](Self::pairs_of_body), and advances `link` and `proxy`. Not inlined, so that
     /// all callers share the code.
     #[inline(never)]
-    fn next_pair_of_body(&self, proxies: &Proxies, link: &mut u32, proxy: &mut Option<u32>) -> Option<usize> {
-        while *link == NO_PAIR {
+    fn next_pair_of_body(
+        &self,
+        proxies: &Proxies,
+        link: &mut PairLink,
+        proxy: &mut Option<ProxyIndex>,
+    ) -> Option<PairIndex> {
+        while *link == PairLink::NONE {
             let next = (*proxy)?;
-            (*link, *proxy) = (self.heads[next as usize], proxies.next_of_body(next));
+            (*link, *proxy) = (self.heads[next], proxies.next_of_body(next));
         }
-        let at = (*link >> 1) as usize;
-        *link = self.links[at].next[(*link & 1) as usize];
+        let at = link.pair();
+        *link = self.links[at].next[link.side()];
         Some(at)
     }
 
     /// Calls `change` for each pair of a proxy, with the pair's proxies [A, B] and its state.
-    pub(crate) fn for_each_pair_of(&mut self, proxy: u32, mut change: impl FnMut([u32; 2], &mut Pair)) {
-        let mut link = self.heads[proxy as usize];
-        while link != NO_PAIR {
-            let at = (link >> 1) as usize;
+    pub(crate) fn for_each_pair_of(
+        &mut self,
+        proxy: ProxyIndex,
+        mut change: impl FnMut([ProxyIndex; 2], &mut Pair),
+    ) {
+        let mut link = self.heads[proxy];
+        while link != PairLink::NONE {
+            let at = link.pair();
             change(self.links[at].proxies, &mut self.all[at]);
-            link = self.links[at].next[(link & 1) as usize];
+            link = self.links[at].next[link.side()];
         }
     }
 
     /// Returns whether the proxies A and B have a pair. The list of B is searched, since B is dynamic and has few pairs.
-    pub fn contains(&self, [a, b]: [u32; 2]) -> bool {
+    pub fn contains(&self, [a, b]: [ProxyIndex; 2]) -> bool {
         self.pairs_of(b).any(|pair| self.links[pair].proxies == [a, b])
     }
 
     /// Returns the index of the pair of two proxies; `None` if they are no pair. The pairs of both proxies are visited in turn,
     /// so the cost is that of the proxy with fewer pairs.
-    pub fn find(&self, [one, other]: [u32; 2]) -> Option<usize> {
-        let is_between = |pair: &usize| {
+    pub fn find(&self, [one, other]: [ProxyIndex; 2]) -> Option<PairIndex> {
+        let is_between = |pair: &PairIndex| {
             let proxies = self.links[*pair].proxies;
             proxies == [one, other] || proxies == [other, one]
         };
@@ -378,15 +459,15 @@ impl Pairs {
     /// Appends a pair without contacts at the end of all lists, and returns its index.
     pub(crate) fn push(
         &mut self,
-        proxies: [u32; 2],
+        proxies: [ProxyIndex; 2],
         kind: ConstraintKind,
         responds: bool,
         is_reported: bool,
-    ) -> usize {
-        let at = self.all.len();
+    ) -> PairIndex {
+        let at = self.all.next_index();
         self.triggers.push(RecheckTrigger { proxies, motion_at_check: 0, motion_tolerance: 0 });
         self.manifolds.push(CachedManifold::default());
-        self.links.push(PairLinks { proxies, next: [NO_PAIR; 2], previous: [NO_PAIR; 2] });
+        self.links.push(PairLinks { proxies, next: [PairLink::NONE; 2], previous: [PairLink::NONE; 2] });
         self.all.push(Pair {
             kind,
             constraint: None,
@@ -408,7 +489,7 @@ impl Pairs {
     }
 
     /// Sets whether a pair touches, and updates the counts of touching pairs.
-    pub fn set_touching(&mut self, pair: usize, is_touching: bool) {
+    pub fn set_touching(&mut self, pair: PairIndex, is_touching: bool) {
         let was_touching = std::mem::replace(&mut self.all[pair].is_touching, is_touching);
         self.touching_count = self.touching_count + usize::from(is_touching) - usize::from(was_touching);
         if self.all[pair].is_on_ground {
@@ -421,14 +502,14 @@ impl Pairs {
     }
 
     /// Sets whether a pair is one of a sensor and a static or kinematic body, and updates the count of such pairs.
-    pub(crate) fn set_static_sensor(&mut self, pair: usize, is_static_sensor: bool) {
+    pub(crate) fn set_static_sensor(&mut self, pair: PairIndex, is_static_sensor: bool) {
         let was_static_sensor = std::mem::replace(&mut self.all[pair].is_static_sensor, is_static_sensor);
         self.static_sensor_count =
             self.static_sensor_count + usize::from(is_static_sensor) - usize::from(was_static_sensor);
     }
 
     /// Sets whether a handler of the game is called for a pair, and updates the count of such touching pairs.
-    pub fn set_reported(&mut self, pair: usize, is_reported: bool) {
+    pub fn set_reported(&mut self, pair: PairIndex, is_reported: bool) {
         let was_reported = std::mem::replace(&mut self.all[pair].is_reported, is_reported);
         if self.all[pair].is_touching {
             self.reported_count = self.reported_count + usize::from(is_reported) - usize::from(was_reported);
@@ -436,7 +517,7 @@ impl Pairs {
     }
 
     /// Returns the indices of the proxies with which a proxy has a pair.
-    pub(crate) fn partners(&self, proxy: u32) -> impl Iterator<Item = u32> + '_ {
+    pub(crate) fn partners(&self, proxy: ProxyIndex) -> impl Iterator<Item = ProxyIndex> + '_ {
         self.pairs_of(proxy).map(move |pair| {
             let [a, b] = self.links[pair].proxies;
             if a == proxy { b } else { a }
@@ -444,37 +525,37 @@ impl Pairs {
     }
 
     /// Invalidates the cached manifold of a pair, so that the next step computes the manifold again.
-    pub fn invalidate(&mut self, pair: usize) {
+    pub fn invalidate(&mut self, pair: PairIndex) {
         self.triggers[pair].motion_tolerance = 0;
         self.manifolds[pair].rotations = [0.0; 4];
     }
 
     /// Inserts a pair at the head of the list of its proxy A (`side` 0) or B (`side` 1).
-    fn link(&mut self, pair: usize, side: usize) {
-        let head = &mut self.heads[self.triggers[pair].proxies[side] as usize];
-        let link = (pair * 2 + side) as u32;
+    fn link(&mut self, pair: PairIndex, side: usize) {
+        let head = &mut self.heads[self.triggers[pair].proxies[side]];
+        let link = PairLink::new(pair, side);
         let next = std::mem::replace(head, link);
         self.links[pair].next[side] = next;
-        self.links[pair].previous[side] = NO_PAIR;
-        if next != NO_PAIR {
-            self.links[(next >> 1) as usize].previous[(next & 1) as usize] = link;
+        self.links[pair].previous[side] = PairLink::NONE;
+        if next != PairLink::NONE {
+            self.links[next.pair()].previous[next.side()] = link;
         }
     }
 
     /// Removes the last pair, which must have no contact constraint.
     pub(crate) fn pop(&mut self) {
-        let last = self.all.len() - 1;
+        let last = self.last();
         self.set_static_sensor(last, false);
         self.unlink(last);
         self.triggers.pop();
         self.manifolds.pop();
         self.links.pop();
         self.all.pop();
-        self.awake_count = self.awake_count.min(last);
+        self.awake_count = self.awake_count.min(last.position());
     }
 
     /// Exchanges the list positions of two pairs. Contact constraints that store the indices are not changed here.
-    pub(crate) fn swap(&mut self, one: usize, other: usize) {
+    pub(crate) fn swap(&mut self, one: PairIndex, other: PairIndex) {
         self.unlink(one);
         self.unlink(other);
         self.triggers.swap(one, other);
@@ -487,16 +568,16 @@ impl Pairs {
     }
 
     /// Removes a pair from the lists of pairs of its two proxies.
-    fn unlink(&mut self, pair: usize) {
+    fn unlink(&mut self, pair: PairIndex) {
         for side in 0..2 {
             let PairLinks { proxies, next, previous } = self.links[pair];
             match previous[side] {
-                NO_PAIR => self.heads[proxies[side] as usize] = next[side],
-                link => self.links[(link >> 1) as usize].next[(link & 1) as usize] = next[side],
+                PairLink::NONE => self.heads[proxies[side]] = next[side],
+                link => self.links[link.pair()].next[link.side()] = next[side],
             }
-            if next[side] != NO_PAIR {
+            if next[side] != PairLink::NONE {
                 let link = next[side];
-                self.links[(link >> 1) as usize].previous[(link & 1) as usize] = previous[side];
+                self.links[link.pair()].previous[link.side()] = previous[side];
             }
         }
     }

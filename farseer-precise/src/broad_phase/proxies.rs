@@ -6,13 +6,14 @@
 
 mod escape;
 
+use crate::index::{DenseIndex, IndexRange, IndexedVec, ProxyIndex};
 use crate::parameters::broad_phase::COLLISION_MAX_COORDINATE;
 use serde::{Deserialize, Serialize};
 use wide::f32x4;
 
 use crate::bodies::{BodySet, spare_capacity};
 use crate::broad_phase::hash_grid::PackedAabb;
-use crate::math::lanes::gather;
+use crate::math::lanes::columns;
 use crate::math::plane::{Vector, rotate, rotation};
 use crate::math::scalar::nearest_finite;
 use crate::reusing_clone;
@@ -21,7 +22,7 @@ use crate::shape::{Shape, ShapeRef, VertexPool};
 use crate::storage::order::packed_key;
 
 /// Value in place of the index of a proxy: the list of a body's proxies ends.
-const NO_PROXY: u32 = u32::MAX;
+const NO_PROXY: ProxyIndex = ProxyIndex(u32::MAX);
 /// AABB that contains every other one, in length units. It is the fat AABB of a proxy whose fat AABB has not been computed yet.
 const UNBOUNDED_AABB: PackedAabb = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
 /// AABB that overlaps none, in length units. Proxies beyond the largest coordinate have it.
@@ -147,11 +148,11 @@ impl Proxy {
 #[derive(Debug, Default)]
 pub struct Proxies {
     /// The proxies, and empty ones at free and spare positions.
-    all: Vec<Proxy>,
+    all: IndexedVec<ProxyIndex, Proxy>,
     /// Index of the first spare position, which follows the proxies of non-static bodies. Spare positions end at `first_fixed`.
-    pub movable_end: usize,
+    pub movable_end: ProxyIndex,
     /// Index of the first proxy of a static body.
-    pub first_fixed: usize,
+    pub first_fixed: ProxyIndex,
     /// Number of proxies, without free positions.
     pub live_count: usize,
     /// Number of proxies with a one-way geom.
@@ -159,19 +160,19 @@ pub struct Proxies {
     /// Vertices and edge normals of all shapes.
     pub vertices: VertexPool,
     /// AABB of each shape in the frame of its body, without its radius: centre x, y, then half extents x, y, in length units.
-    local_aabbs: Vec<[f32; 4]>,
+    local_aabbs: IndexedVec<ProxyIndex, [f32; 4]>,
     /// For each proxy, the index of its body if the proxy is a box about the origin of the body; else `None`.
-    box_bodies: Vec<Option<u32>>,
+    box_bodies: IndexedVec<ProxyIndex, Option<u32>>,
     /// Fat AABB of each proxy: [min x, min y, max x, max y] in length units, world axes.
-    fat_aabbs: Vec<PackedAabb>,
+    fat_aabbs: IndexedVec<ProxyIndex, PackedAabb>,
     /// Path length of each proxy since it was added: a bound for all of its points, in 2^-26 length units. The counter wraps.
-    travel: Vec<u32>,
+    travel: IndexedVec<ProxyIndex, u32>,
     /// Indices of the proxies with a new fat AABB. The next broad phase searches their pairs.
-    refitted: Vec<u32>,
+    refitted: Vec<ProxyIndex>,
     /// Index of the first proxy of each body, or [`NO_PROXY`].
-    heads: Vec<u32>,
+    heads: Vec<ProxyIndex>,
     /// For each proxy, the index of the next proxy of the same body, or [`NO_PROXY`].
-    next: Vec<u32>,
+    next: IndexedVec<ProxyIndex, ProxyIndex>,
 }
 
 reusing_clone! {
@@ -183,8 +184,8 @@ reusing_clone! {
 impl Proxies {
     /// Returns creation numbers and piece indices of the proxies [A, B] packed into one integer, by which pairs are
     /// sorted by number.
-    pub(crate) fn creation_numbers(&self, proxies: [u32; 2]) -> u128 {
-        let [a, b] = proxies.map(|proxy| &self.all[proxy as usize]);
+    pub(crate) fn creation_numbers(&self, proxies: [ProxyIndex; 2]) -> u128 {
+        let [a, b] = proxies.map(|proxy| &self.all[proxy]);
         packed_key([a.creation_number, a.piece, b.creation_number, b.piece])
     }
 
@@ -194,74 +195,98 @@ impl Proxies {
         self.all.len()
     }
 
+    /// Iterates over the indices of all positions, ascending.
+    #[inline]
+    pub fn indices(&self) -> impl DoubleEndedIterator<Item = ProxyIndex> + ExactSizeIterator + use<> {
+        self.all.indices()
+    }
+
+    /// Iterates over the positions of the proxies of non-static bodies, ascending. Free positions are among them.
+    #[inline]
+    pub fn movable(&self) -> IndexRange<ProxyIndex> {
+        IndexRange { start: ProxyIndex(0), end: self.movable_end }
+    }
+
+    /// Returns the number of spare positions.
+    #[inline]
+    pub fn spare_count(&self) -> usize {
+        self.first_fixed.position() - self.movable_end.position()
+    }
+
+    /// Returns the index of the position that [`push`](Self::push) appends.
+    #[inline]
+    pub fn next_index(&self) -> ProxyIndex {
+        self.all.next_index()
+    }
+
     /// Returns a proxy.
     #[inline(always)]
-    pub fn proxy(&self, proxy: u32) -> &Proxy {
-        &self.all[proxy as usize]
+    pub fn proxy(&self, proxy: ProxyIndex) -> &Proxy {
+        &self.all[proxy]
     }
 
     /// Returns the properties of a proxy, to change. Body, shape and one-way direction stay.
     #[inline(always)]
-    pub fn proxy_mut(&mut self, proxy: u32) -> &mut Proxy {
-        &mut self.all[proxy as usize]
+    pub fn proxy_mut(&mut self, proxy: ProxyIndex) -> &mut Proxy {
+        &mut self.all[proxy]
     }
 
     /// Returns a proxy; `None` if no position has this index.
     #[inline]
-    pub fn get(&self, proxy: u32) -> Option<&Proxy> {
-        self.all.get(proxy as usize)
+    pub fn get(&self, proxy: ProxyIndex) -> Option<&Proxy> {
+        self.all.at(proxy)
     }
 
     /// Iterates over all positions from one on, ascending. Spare and free positions are empty proxies.
     #[inline]
-    pub fn positions_from(&self, first: u32) -> std::slice::Iter<'_, Proxy> {
-        self.all[first as usize..].iter()
+    pub fn positions_from(&self, first: ProxyIndex) -> std::slice::Iter<'_, Proxy> {
+        self.all.slice(first.position()..).iter()
     }
 
     /// Returns the index of the body of a proxy.
     #[inline(always)]
-    pub fn body_of(&self, proxy: u32) -> usize {
-        self.all[proxy as usize].body as usize
+    pub fn body_of(&self, proxy: ProxyIndex) -> usize {
+        self.all[proxy].body as usize
     }
 
     /// Returns the fat AABB of a proxy: [min x, min y, max x, max y] in length units, world axes.
     #[inline(always)]
-    pub fn fat_aabb_of(&self, proxy: u32) -> &PackedAabb {
-        &self.fat_aabbs[proxy as usize]
+    pub fn fat_aabb_of(&self, proxy: ProxyIndex) -> &PackedAabb {
+        &self.fat_aabbs[proxy]
     }
 
     /// Stores the fat AABB of a proxy: [min x, min y, max x, max y] in length units, world axes.
     #[inline(always)]
-    pub(crate) fn set_fat_aabb(&mut self, proxy: u32, bounds: PackedAabb) {
-        self.fat_aabbs[proxy as usize] = bounds;
+    pub(crate) fn set_fat_aabb(&mut self, proxy: ProxyIndex, bounds: PackedAabb) {
+        self.fat_aabbs[proxy] = bounds;
     }
 
     /// Returns the path length of a proxy since it was added, in 2^-26 length units, wrapping.
     #[inline(always)]
-    pub fn travel_of(&self, proxy: u32) -> u32 {
-        self.travel[proxy as usize]
+    pub fn travel_of(&self, proxy: ProxyIndex) -> u32 {
+        self.travel[proxy]
     }
 
     /// Sets the path length of a proxy, in 2^-26 length units.
     #[inline]
-    pub fn set_travel(&mut self, proxy: u32, travel: u32) {
-        self.travel[proxy as usize] = travel;
+    pub fn set_travel(&mut self, proxy: ProxyIndex, travel: u32) {
+        self.travel[proxy] = travel;
     }
 
     /// Returns the proxies whose pairs the next broad phase searches.
     #[inline]
-    pub fn refitted(&self) -> &[u32] {
+    pub fn refitted(&self) -> &[ProxyIndex] {
         &self.refitted
     }
 
     /// Lets the next broad phase search the pairs of a proxy.
     #[inline]
-    pub fn search_pairs_of(&mut self, proxy: u32) {
+    pub fn search_pairs_of(&mut self, proxy: ProxyIndex) {
         self.refitted.push(proxy);
     }
 
     /// Removes the proxies from the next search of pairs for which `is_kept` returns false.
-    pub fn retain_refitted(&mut self, is_kept: impl FnMut(&u32) -> bool) {
+    pub fn retain_refitted(&mut self, is_kept: impl FnMut(&ProxyIndex) -> bool) {
         self.refitted.retain(is_kept);
     }
 
@@ -273,40 +298,40 @@ impl Proxies {
 
     /// Takes the list of the proxies whose pairs are searched. [`return_refitted`](Self::return_refitted) gives its memory back.
     #[inline]
-    pub(crate) fn take_refitted(&mut self) -> Vec<u32> {
+    pub(crate) fn take_refitted(&mut self) -> Vec<ProxyIndex> {
         std::mem::take(&mut self.refitted)
     }
 
     /// Empties the list of the proxies whose pairs have been searched, and keeps its memory.
     #[inline]
-    pub(crate) fn return_refitted(&mut self, mut searched: Vec<u32>) {
+    pub(crate) fn return_refitted(&mut self, mut searched: Vec<ProxyIndex>) {
         searched.clear();
         self.refitted = searched;
     }
 
     /// Returns whether a proxy is a box about the origin of its body.
     #[inline(always)]
-    pub(crate) fn is_centred_box(&self, proxy: u32) -> bool {
-        self.box_bodies[proxy as usize].is_some()
+    pub(crate) fn is_centred_box(&self, proxy: ProxyIndex) -> bool {
+        self.box_bodies[proxy].is_some()
     }
 
     /// Returns the bodies of four proxies; 0 for a proxy that is no box about the origin of its body.
     #[inline(always)]
-    pub(crate) fn box_bodies_of(&self, proxies: [u32; 4]) -> [u32; 4] {
-        proxies.map(|proxy| self.box_bodies[proxy as usize].unwrap_or(0))
+    pub(crate) fn box_bodies_of(&self, proxies: [ProxyIndex; 4]) -> [u32; 4] {
+        proxies.map(|proxy| self.box_bodies[proxy].unwrap_or(0))
     }
 
     /// Returns the half extents x and y of four proxies without their radii, one proxy in each lane, length units.
     #[inline(always)]
-    pub(crate) fn half_extents_of(&self, proxies: &[u32; 4]) -> [f32x4; 2] {
-        let [.., half_x, half_y] = gather(&self.local_aabbs, proxies);
+    pub(crate) fn half_extents_of(&self, proxies: &[ProxyIndex; 4]) -> [f32x4; 2] {
+        let [.., half_x, half_y] = columns(&proxies.map(|proxy| self.local_aabbs[proxy]));
         [half_x, half_y]
     }
 
     /// Returns the shape of a proxy, in the frame of its body.
     #[inline]
-    pub(crate) fn shape_of(&self, proxy: u32) -> ShapeRef<'_> {
-        self.vertices.shape_ref(self.all[proxy as usize].shape)
+    pub(crate) fn shape_of(&self, proxy: ProxyIndex) -> ShapeRef<'_> {
+        self.vertices.shape_ref(self.all[proxy].shape)
     }
 
     /// Removes all proxies.
@@ -335,10 +360,11 @@ impl Proxies {
     /// Appends the spare positions. It is called after the proxies of all non-static bodies were pushed. `count`: number of geoms,
     /// those of static bodies included.
     pub fn add_spare_positions(&mut self, count: usize) {
-        self.movable_end = self.all.len();
-        let spare = spare_capacity(count.max(self.movable_end));
-        self.first_fixed = (self.movable_end + spare).next_multiple_of(4);
-        while self.all.len() < self.first_fixed {
+        self.movable_end = self.all.next_index();
+        let movable = self.all.len();
+        let spare = spare_capacity(count.max(movable));
+        self.first_fixed = ProxyIndex::new((movable + spare).next_multiple_of(4));
+        while self.all.next_index() < self.first_fixed {
             self.push(Proxy::empty());
         }
     }
@@ -357,17 +383,17 @@ impl Proxies {
 
     /// Adds a proxy without a fat AABB at the free position `place`, or behind the others of its type if that is `None`. Returns its
     /// index; `None` if there is no spare position for it.
-    pub fn add(&mut self, proxy: Proxy, place: Option<usize>) -> Option<usize> {
-        let end = if proxy.body_type == BodyType::Fixed { self.all.len() } else { self.movable_end };
+    pub fn add(&mut self, proxy: Proxy, place: Option<ProxyIndex>) -> Option<ProxyIndex> {
+        let end = if proxy.body_type == BodyType::Fixed { self.all.next_index() } else { self.movable_end };
         let at = place.unwrap_or(end);
-        if at == self.all.len() {
+        if at == self.all.next_index() {
             self.push(proxy);
             self.next.push(NO_PROXY);
         } else if at < self.first_fixed {
             let Shape { centre: [x, y], half_extents: [hx, hy], .. } = proxy.shape;
             (self.all[at], self.local_aabbs[at], self.travel[at]) = (proxy, [x, y, hx, hy], 0);
             self.box_bodies[at] = proxy.box_body();
-            (self.movable_end, self.live_count) = (self.movable_end.max(at + 1), self.live_count + 1);
+            (self.movable_end, self.live_count) = (self.movable_end.max(at.next()), self.live_count + 1);
             self.one_way_count += usize::from(proxy.one_way.is_some());
         } else {
             return None;
@@ -376,24 +402,24 @@ impl Proxies {
         if self.heads.len() <= body {
             self.heads.resize(body + 1, NO_PROXY);
         }
-        self.next[at] = std::mem::replace(&mut self.heads[body], at as u32);
+        self.next[at] = std::mem::replace(&mut self.heads[body], at);
         Some(at)
     }
 
     /// Returns the number by which the geom of a proxy is sorted as in the simulator's list; `None` for a free position and for a
     /// world box.
-    pub fn list_key_of_geom(&self, at: usize) -> Option<u32> {
-        self.all.get(at).filter(|proxy| !(proxy.is_empty() || proxy.is_world)).map(|proxy| proxy.list_key)
+    pub fn list_key_of_geom(&self, at: ProxyIndex) -> Option<u32> {
+        self.all.at(at).filter(|proxy| !(proxy.is_empty() || proxy.is_world)).map(|proxy| proxy.list_key)
     }
 
     /// Removes a proxy, which must have no pairs. Its position becomes free.
-    pub fn remove(&mut self, proxy: u32) {
-        let at = proxy as usize;
+    pub fn remove(&mut self, proxy: ProxyIndex) {
+        let at = proxy;
         let body = self.all[at].body as usize;
         let next = std::mem::replace(&mut self.next[at], NO_PROXY);
-        let before = self.proxies_of(body).find(|&before| self.next[before as usize] == proxy);
+        let before = self.proxies_of(body).find(|&before| self.next[before] == proxy);
         match before {
-            Some(before) => self.next[before as usize] = next,
+            Some(before) => self.next[before] = next,
             None => self.heads[body] = next,
         }
         self.one_way_count -= usize::from(self.all[at].one_way.is_some());
@@ -408,31 +434,36 @@ impl Proxies {
         self.heads.resize(bodies, NO_PROXY);
         self.next.clear();
         self.next.reserve(self.all.len());
-        for (at, proxy) in self.all.iter().enumerate() {
+        for (at, proxy) in self.all.enumerated() {
             let head = &mut self.heads[proxy.body as usize];
-            self.next.push(if proxy.is_empty() { NO_PROXY } else { std::mem::replace(head, at as u32) });
+            self.next.push(if proxy.is_empty() { NO_PROXY } else { std::mem::replace(head, at) });
         }
     }
 
     /// Returns the indices of the proxies of a body.
-    pub fn proxies_of(&self, body: usize) -> impl Iterator<Item = u32> + '_ {
+    pub fn proxies_of(&self, body: usize) -> impl Iterator<Item = ProxyIndex> + '_ {
         std::iter::successors(self.first_of_body(body), move |&at| self.next_of_body(at))
     }
 
     /// Returns the index of the first proxy of a body; `None` if the body has no proxies.
-    pub(crate) fn first_of_body(&self, body: usize) -> Option<u32> {
+    pub(crate) fn first_of_body(&self, body: usize) -> Option<ProxyIndex> {
         Some(self.heads[body]).filter(|&at| at != NO_PROXY)
     }
 
     /// Returns the index of the next proxy of the same body; `None` after the last one.
-    pub(crate) fn next_of_body(&self, proxy: u32) -> Option<u32> {
-        Some(self.next[proxy as usize]).filter(|&at| at != NO_PROXY)
+    pub(crate) fn next_of_body(&self, proxy: ProxyIndex) -> Option<ProxyIndex> {
+        Some(self.next[proxy]).filter(|&at| at != NO_PROXY)
     }
 
     /// Returns the AABB of a proxy in the present pose of its body, enlarged by the speculative distance: [min x, min y, max x,
     /// max y] in length units, world axes.
     #[inline]
-    pub(crate) fn tight_aabb(&self, proxy: usize, bodies: &BodySet, parameters: &Parameters) -> PackedAabb {
+    pub(crate) fn tight_aabb(
+        &self,
+        proxy: ProxyIndex,
+        bodies: &BodySet,
+        parameters: &Parameters,
+    ) -> PackedAabb {
         let Proxy { body, shape, .. } = &self.all[proxy];
         let pose = bodies.poses[*body as usize];
         let q = rotation(pose);
@@ -451,7 +482,7 @@ impl Proxies {
     #[inline]
     pub(crate) fn fat_aabb(
         &self,
-        proxy: usize,
+        proxy: ProxyIndex,
         bodies: &BodySet,
         parameters: &Parameters,
         aabb_margin: AabbMargin,

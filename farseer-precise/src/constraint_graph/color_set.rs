@@ -5,6 +5,7 @@
 
 use super::contact_constraint::ContactConstraint;
 use super::contact_constraint_simd::SimdSlot;
+use crate::index::PairIndex;
 use crate::reusing_clone;
 
 /// Number of graph colours, the overflow colour included. A set of colours is a mask of type `u32`.
@@ -84,7 +85,7 @@ impl<R: SimdSlot> ColorSet<R> {
 
     /// Removes the constraint in `slot` of a colour. Calls `moved` with the pair index and new slot of each constraint that has
     /// moved to fill the gap.
-    pub(super) fn remove(&mut self, color: u32, slot: u32, mut moved: impl FnMut(u32, u32)) {
+    pub(super) fn remove(&mut self, color: u32, slot: u32, mut moved: impl FnMut(PairIndex, u32)) {
         let slot = slot as usize;
         if color == OVERFLOW_COLOR {
             self.remove_overflow(slot / 4, moved);
@@ -99,7 +100,7 @@ impl<R: SimdSlot> ColorSet<R> {
 
     /// Removes a block of the overflow colour. The other blocks keep their order; `moved` gets the pair index and new slot of
     /// each block behind the removed one.
-    fn remove_overflow(&mut self, block: usize, mut moved: impl FnMut(u32, u32)) {
+    fn remove_overflow(&mut self, block: usize, mut moved: impl FnMut(PairIndex, u32)) {
         let blocks = &mut self.blocks[OVERFLOW_COLOR as usize];
         blocks.remove(block);
         for (at, row) in blocks.iter_mut().enumerate().skip(block) {
@@ -109,7 +110,7 @@ impl<R: SimdSlot> ColorSet<R> {
 
     /// Removes the constraint in `slot` of a colour and moves the last constraint of the colour there. Returns the pair index
     /// of the constraint that has moved; `None` if the removed one was the last.
-    fn swap_remove(&mut self, color: u32, slot: usize) -> Option<u32> {
+    fn swap_remove(&mut self, color: u32, slot: usize) -> Option<PairIndex> {
         let blocks = &mut self.blocks[color as usize];
         let last = self.constraint_counts[color as usize] - 1;
         let moved = (slot != last).then(|| blocks[last / 4].extract(last % 4));

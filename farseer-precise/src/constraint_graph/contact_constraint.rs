@@ -4,6 +4,7 @@
 //! blocks of [`contact_constraint_simd`](super::contact_constraint_simd). Its rows are one normal row per point and one
 //! friction row for the manifold.
 
+use crate::index::PairIndex;
 use crate::scaled_parameters::LoadAdaptation;
 
 /// Normal row of one contact point of a [`ContactConstraint`].
@@ -34,7 +35,7 @@ pub struct ContactConstraint {
     /// Index of body B, which is never static.
     pub(crate) b: u32,
     /// Index of the pair of proxies.
-    pub(crate) pair: u32,
+    pub(crate) pair: PairIndex,
     /// Unit normal from A to B in world axes, dimensionless.
     pub(crate) normal: [f32; 2],
     /// Reciprocals of the masses of A and B, 1/mass units, >= 0.

@@ -7,6 +7,7 @@
 //! A sphere of radius R rotates about all axes. As body B it has r = -R n, and a friction impulse f t + g (n x t) has the
 //! angular impulse -R (f (n x t) - g t). As body A it has r = R n and the opposite impulse, hence the same angular impulse.
 
+use crate::index::PairIndex;
 use wide::f32x4;
 
 use super::contact_constraint::{ContactConstraint, ContactConstraintZ};
@@ -157,7 +158,7 @@ impl<const P: usize> SimdSlot for ContactConstraint3Simd<P> {
         self.update_derived(at, lane);
     }
 
-    fn pair_indices(&mut self) -> &mut [u32; 4] {
+    fn pair_indices(&mut self) -> &mut [PairIndex; 4] {
         self.planar.pair_indices()
     }
 

@@ -1,6 +1,7 @@
 //! Contact constraints in SIMD blocks: four constraints of the same kind, one per lane. [`ContactConstraint`] is the scalar
 //! form of a lane, and documents the fields.
 
+use crate::index::PairIndex;
 use wide::f32x4;
 
 use super::contact_constraint::{ContactConstraint, ContactConstraintZ, ContactPoint};
@@ -75,7 +76,7 @@ pub(crate) struct ContactConstraintSimd<const P: usize> {
     /// Separations at each point at the beginning of the step, length units.
     pub(crate) initial_separation: [f32x4; P],
     /// Indices of the pairs of proxies.
-    pub(crate) pair: [u32; 4],
+    pub(crate) pair: [PairIndex; 4],
 }
 
 impl<const P: usize> ContactConstraintSimd<P> {
@@ -93,7 +94,7 @@ impl<const P: usize> Default for ContactConstraintSimd<P> {
         ContactConstraintSimd {
             a: [0; 4],
             b: [0; 4],
-            pair: [0; 4],
+            pair: [PairIndex::default(); 4],
             normal_x: f32x4::ZERO,
             normal_y: f32x4::ZERO,
             inverse_mass_a: f32x4::ZERO,
@@ -122,7 +123,7 @@ pub trait SimdSlot: Copy + Default {
     /// Overwrites the constraint in `lane`, 0..=3.
     fn insert(&mut self, lane: usize, constraint: &ContactConstraint);
     /// Returns the pair indices of the four constraints, mutably.
-    fn pair_indices(&mut self) -> &mut [u32; 4];
+    fn pair_indices(&mut self) -> &mut [PairIndex; 4];
     /// Returns the normal rows of the points, mutably, four lanes each.
     fn points_mut(&mut self) -> &mut [ContactPointSimd];
 }
@@ -249,7 +250,7 @@ impl<const P: usize> SimdSlot for ContactConstraintSimd<P> {
         insert_points(&mut self.points, lane, &constraint.points);
     }
 
-    fn pair_indices(&mut self) -> &mut [u32; 4] {
+    fn pair_indices(&mut self) -> &mut [PairIndex; 4] {
         &mut self.pair
     }
 

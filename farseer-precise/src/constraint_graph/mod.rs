@@ -18,6 +18,7 @@ pub mod contact_constraint_3d;
 pub mod contact_constraint_simd;
 pub mod impulse_scaling;
 
+use crate::index::PairIndex;
 use crate::reusing_clone;
 use color_set::OVERFLOW_COLOR;
 pub use color_set::{COLOR_COUNT, ColorSet};
@@ -51,7 +52,7 @@ pub struct ConstraintGraph {
     /// Constraints in three axes; empty in plain 2D.
     pub(crate) depth: ConstraintGraph3,
     /// Pair index and new handle of each constraint that has moved; empty between calls.
-    moved_handles: Vec<(u32, ConstraintHandle)>,
+    moved_handles: Vec<(PairIndex, ConstraintHandle)>,
 }
 
 reusing_clone! { ConstraintGraph { sleeping, direct, has_direct_change, two_points, one_point, two_points_static, one_point_static, depth, moved_handles } }
@@ -249,7 +250,7 @@ impl ConstraintGraph {
     }
 
     /// Removes and returns the list of constraints that have moved: pair index and new handle of each.
-    pub(crate) fn drain_moved(&mut self) -> std::vec::Drain<'_, (u32, ConstraintHandle)> {
+    pub(crate) fn drain_moved(&mut self) -> std::vec::Drain<'_, (PairIndex, ConstraintHandle)> {
         self.moved_handles.drain(..)
     }
 
@@ -371,7 +372,7 @@ impl ConstraintGraph {
     }
 
     /// Overwrites the pair index of a constraint, parked or in a colour.
-    pub(crate) fn set_pair(&mut self, kind: ConstraintKind, handle: ConstraintHandle, pair: u32) {
+    pub(crate) fn set_pair(&mut self, kind: ConstraintKind, handle: ConstraintHandle, pair: PairIndex) {
         let slot = handle.slot as usize;
         let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list_mut(handle) {

@@ -23,6 +23,7 @@ use crate::contact_solver::soft_step::{
 };
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
+use crate::index::{IndexedVec, ProxyIndex};
 use crate::integration::{apply_midpoint_correction, apply_warm_start, integrate_positions, resolve_bounce};
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
@@ -45,7 +46,7 @@ pub(crate) struct IterativeSolver<'a> {
     /// Contacts of polygons that roll over a static face in this step.
     pub(crate) rolling_contacts: &'a mut Vec<RollingContact>,
     /// Workspace with an entry for each proxy, all false.
-    pub(crate) proxy_flags: &'a mut [bool],
+    pub(crate) proxy_flags: &'a mut IndexedVec<ProxyIndex, bool>,
     /// Whether any contact may have restitution.
     pub(crate) has_restitution: bool,
     /// Approach speed below which contacts do not bounce, length units/s, >= 0.

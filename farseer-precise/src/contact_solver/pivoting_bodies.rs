@@ -8,6 +8,7 @@ use crate::contact_solver::pivoting::{PivotState, PivotingPolygon};
 use crate::contact_solver::rolling::{
     RollingContact, RollingSolver, StaticPlane, incident_edge, is_over_face,
 };
+use crate::index::{PairIndex, ProxyIndex};
 use crate::math::plane::{
     Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
@@ -20,7 +21,7 @@ impl RollingSolver<'_> {
     /// a polygon that come later in `rolling` are removed from it.
     pub(crate) fn find_pivoting_bodies(&mut self, rolling: &mut Vec<RollingContact>, step: &StepContext) {
         rolling.retain_mut(|roll| {
-            let polygon = roll.proxies[1] as usize;
+            let polygon = roll.proxies[1];
             if self.proxy_flags[polygon] {
                 return false;
             }
@@ -28,7 +29,7 @@ impl RollingSolver<'_> {
             self.proxy_flags[polygon] = roll.pivot.is_some();
             true
         });
-        rolling.iter().for_each(|roll| self.proxy_flags[roll.proxies[1] as usize] = false);
+        rolling.iter().for_each(|roll| self.proxy_flags[roll.proxies[1]] = false);
     }
 
     /// Returns the state after the step of the polygon of a rolling contact. `None` if the polygon touches anything but static
@@ -36,7 +37,7 @@ impl RollingSolver<'_> {
     fn pivot_through_step(&self, roll: &mut RollingContact, step: &StepContext) -> Option<PivotState> {
         let [at_a, at_b] = roll.proxies;
         let pair = self.pairs.pairs_of(at_b).find(|&at| self.pairs.proxies_of(at) == roll.proxies)?;
-        roll.pair = pair as u32;
+        roll.pair = pair;
         let b = self.proxies.body_of(at_b);
         let state = self.pairs.state(pair);
         let constraint = self.constraints.get(state.kind, state.constraint?);
@@ -87,7 +88,7 @@ impl RollingSolver<'_> {
     /// It applies if all contacts of `b` are contacts of the proxy `at_b` with static shapes that do not reach above `plane`. A
     /// polygon that pivots on the plane then meets no other face of these shapes. The offset of the plane is measured from the
     /// origin of `b`.
-    fn min_coplanar_friction(&self, b: usize, at_b: u32, plane: &StaticPlane) -> Option<f32> {
+    fn min_coplanar_friction(&self, b: usize, at_b: ProxyIndex, plane: &StaticPlane) -> Option<f32> {
         let mut friction = f32::MAX;
         for pair in self.pairs.pairs_of_body(self.proxies, b) {
             let state = self.pairs.state(pair);
@@ -114,7 +115,7 @@ impl RollingSolver<'_> {
     /// Returns the height of the highest point of shape A of a pair above `plane`, length units; negative below it. `f32::MAX`
     /// for a ground of `twohalf` that is not parallel to the plane. The offset of the plane is measured from the origin of body
     /// B.
-    fn height_above_plane(&self, pair: usize, plane: &StaticPlane) -> f32 {
+    fn height_above_plane(&self, pair: PairIndex, plane: &StaticPlane) -> f32 {
         let [at_a, at_b] = self.pairs.proxies_of(pair);
         let [a, b] = [at_a, at_b].map(|proxy| self.bodies.poses[self.proxies.body_of(proxy)]);
         let above = dot(difference(translation(a), translation(b)), plane.normal) - plane.offset;
@@ -129,7 +130,7 @@ impl RollingSolver<'_> {
 
     /// Returns whether static faces in the plane are under both ends of the polygon's edge that faces the plane. The body is
     /// first rotated by `turned` radians and moved by `path` (x, y in length units).
-    fn is_edge_supported(&self, at_b: u32, plane: &StaticPlane, turned: f32, path: Vector) -> bool {
+    fn is_edge_supported(&self, at_b: ProxyIndex, plane: &StaticPlane, turned: f32, path: Vector) -> bool {
         let pose = self.bodies.poses[self.proxies.body_of(at_b)];
         let (sine, cosine) = scalar::sin_cos(turned);
         let q = rotate([cosine, sine], rotation(pose));
@@ -142,7 +143,7 @@ impl RollingSolver<'_> {
 
     /// Returns whether the static face of the pair lies in `plane` and under `point`. The point is relative to the origin of
     /// body B, in world axes, length units.
-    fn supports_point(&self, pair: usize, at_b: u32, plane: &StaticPlane, point: Vector) -> bool {
+    fn supports_point(&self, pair: PairIndex, at_b: ProxyIndex, plane: &StaticPlane, point: Vector) -> bool {
         let (state, [at_a, other]) = (self.pairs.state(pair), self.pairs.proxies_of(pair));
         let is_met = state.constraint.is_some() || self.is_planar;
         let is_static_contact = state.kind.is_static && state.has_response();
@@ -179,7 +180,7 @@ impl RollingSolver<'_> {
             let state = *self.pairs.state(pair);
             let Some(handle) = state.constraint else { continue };
             let mut constraint = self.constraints.get(state.kind, handle);
-            let is_pivot_contact = pair as u32 == roll.pair;
+            let is_pivot_contact = pair == roll.pair;
             let reaction_impulse = if is_pivot_contact { impulse } else { [0.0; 2] };
             let [normal_impulse, tangent_impulse] =
                 [dot(reaction_impulse, constraint.normal), -cross(constraint.normal, reaction_impulse)];

@@ -15,6 +15,7 @@ use crate::broad_phase::pairs::{CachedManifold, Pairs};
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint, ContactPoint};
 use crate::contact_solver::pivoting::PivotState;
+use crate::index::{IndexedVec, PairIndex, ProxyIndex};
 use crate::joints::JointSystem;
 use crate::math::plane::{
     Rot, Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
@@ -29,9 +30,9 @@ use crate::storage::order::sort_by_number;
 #[derive(Debug, Clone, Copy)]
 pub struct RollingContact {
     /// Indices of two proxies: of the static face, then of the polygon.
-    pub(crate) proxies: [u32; 2],
+    pub(crate) proxies: [ProxyIndex; 2],
     /// Index of the pair of both proxies, valid from [`RollingSolver::prepare`] to the end of the step.
-    pub(crate) pair: u32,
+    pub(crate) pair: PairIndex,
     /// Indices of the polygon's vertices at the two contact points.
     pub(crate) vertices: [u32; 2],
     /// Lengths added to the separations of both points for the relaxation, length units. With them the relaxation aims at the
@@ -54,12 +55,12 @@ pub struct RollingContact {
 impl RollingContact {
     /// Returns a rolling contact between `proxies` (static face, polygon). `is_fast`: whether the vertices are determined anew
     /// in every substep. [`RollingSolver::prepare`] sets the other fields.
-    pub(crate) fn new(proxies: [u32; 2], is_fast: bool) -> Self {
+    pub(crate) fn new(proxies: [ProxyIndex; 2], is_fast: bool) -> Self {
         RollingContact {
             needs_vertex_updates: is_fast,
             pivot: None,
             proxies,
-            pair: 0,
+            pair: PairIndex::default(),
             vertices: [0; 2],
             end_velocity_offsets: [0.0; 2],
             end_separations: [0.0; 2],
@@ -99,7 +100,7 @@ pub(crate) struct RollingSolver<'a> {
     /// Whether the bodies move in the plane: in three axes outlines that overlap in the plane may be separated along z.
     pub(crate) is_planar: bool,
     /// Workspace with an entry for each proxy, all false.
-    pub(crate) proxy_flags: &'a mut [bool],
+    pub(crate) proxy_flags: &'a mut IndexedVec<ProxyIndex, bool>,
 }
 
 impl RollingSolver<'_> {
@@ -142,7 +143,7 @@ impl RollingSolver<'_> {
         let is_turned = !is_at(0, ends[0]);
         let corners = if is_turned { [ends[1], ends[0]] } else { ends };
         let are_corners = (0..manifold.count as usize).all(|at| is_at(at, corners[at]));
-        (roll.pair, roll.vertices) = (pair as u32, corners);
+        (roll.pair, roll.vertices) = (pair, corners);
         are_corners.then_some(())
     }
 
@@ -162,7 +163,7 @@ impl RollingSolver<'_> {
         if roll.pivot.is_some() {
             return;
         }
-        let (pair, [at_a, at_b]) = (roll.pair as usize, roll.proxies);
+        let (pair, [at_a, at_b]) = (roll.pair, roll.proxies);
         (roll.end_velocity_offsets, roll.initial_impulses) = ([0.0; 2], [f32::MAX; 2]);
         let Some(handle) = self.pairs.state(pair).constraint else { return };
         let [a, b] = roll.proxies.map(|proxy| self.proxies.body_of(proxy));
@@ -255,7 +256,7 @@ impl RollingSolver<'_> {
     /// early. So a vertex that does not reach the face in this substep gets a separation that excludes it from the relaxation.
     pub(crate) fn set_relax_separations(&mut self, rolling: &mut [RollingContact]) {
         for roll in rolling.iter_mut().filter(|roll| roll.pivot.is_none()) {
-            let state = self.pairs.state(roll.pair as usize);
+            let state = self.pairs.state(roll.pair);
             let Some(handle) = state.constraint else { continue };
             let constraint = self.constraints.get(state.kind, handle);
             let [x, y, turned, _] = self.bodies.states[constraint.b as usize].displacement;

@@ -23,6 +23,7 @@
 //!
 //! `FIXED` means that A is static: its velocity is neither read nor written. `P` is the number of points per constraint.
 
+use crate::index::PairIndex;
 use crate::parameters::contacts::BLOCK_MIN_RELATIVE_DETERMINANT;
 use wide::f32x4;
 
@@ -708,7 +709,7 @@ pub(crate) fn update_circle_contacts(
     poses: &[[f32; 4]],
     circles: &[[f32; 4]],
     reach: f32,
-    mut on_separation: impl FnMut(u32),
+    mut on_separation: impl FnMut(PairIndex),
 ) {
     constraints.for_each(|constraint| {
         let separated = update_circle_lanes(constraint, poses, circles, reach);

@@ -1,4 +1,5 @@
 //! A fast body with its first impact.
+use crate::index::PairIndex;
 
 /// A dynamic body that is fast in this step (it moves by more than the least distance from its middle to its surface), with its
 /// first impact.
@@ -9,7 +10,7 @@ pub struct FastBody {
     /// Time of impact of the body as a fraction of the step, dimensionless, 0..=1; 1 without an impact.
     pub(crate) toi: f32,
     /// Index of the pair of proxies that collide at the time of impact; `None` without an impact.
-    pub(crate) pair: Option<u32>,
+    pub(crate) pair: Option<PairIndex>,
     /// Index of the body that collides at the time of impact: this body, or one that is [joined](super::joined_impacts) to it.
     pub(crate) hit_body: u32,
     /// Whether the body stops because a body of its articulation has an impact.

@@ -22,6 +22,7 @@ use super::bodies::BodySet;
 use super::island::sleep::SleepState;
 use super::joints::JointSystem;
 use crate::broad_phase::proxies::BodyType;
+use crate::index::{PairIndex, ProxyIndex};
 use crate::math::lanes::{columns, smaller};
 use crate::parameters::narrow_phase::{CCD_MAX_COORDINATE, TOI_PENETRATION_RATIO};
 use crate::storage::order::{packed_key, sort_by_number};
@@ -77,7 +78,7 @@ pub(crate) fn find_impacts(
     motion: SweptMotion<'_>,
     joints: &JointSystem,
     fast: &mut Vec<FastBody>,
-    passthroughs: &mut Vec<[u32; 2]>,
+    passthroughs: &mut Vec<[ProxyIndex; 2]>,
 ) {
     find_first_impacts(motion, fast);
     if motion.depth.is_none() {
@@ -90,9 +91,9 @@ pub(crate) fn find_impacts(
 /// Returns the first time of impact with a static body on the path of a carried body, one that moves on with the body that it
 /// hit, as a fraction of the step. `None` without an impact.
 pub(crate) fn toi_of_carried(motion: SweptMotion<'_>, flight: &FastBody) -> Option<f32> {
-    let is_static = |pair_index: usize| {
+    let is_static = |pair_index: PairIndex| {
         let [(_, body_type), _] = motion.pairs.bodies_of(motion.proxies, pair_index);
-        body_type == BodyType::Fixed && flight.pair != Some(pair_index as u32)
+        body_type == BodyType::Fixed && flight.pair != Some(pair_index)
     };
     motion.first_toi(flight.body as usize, is_static).map(|(time, _)| time)
 }
@@ -101,7 +102,7 @@ pub(crate) fn toi_of_carried(motion: SweptMotion<'_>, flight: &FastBody) -> Opti
 fn find_first_impacts(motion: SweptMotion<'_>, fast: &mut [FastBody]) {
     for flight in fast {
         let first = motion.first_toi(flight.body as usize, |_| true);
-        (flight.toi, flight.pair) = first.map_or((1.0, None), |(time, pair)| (time, Some(pair as u32)));
+        (flight.toi, flight.pair) = first.map_or((1.0, None), |(time, pair)| (time, Some(pair)));
     }
 }
 
@@ -136,9 +137,13 @@ pub(crate) fn end_paths(bodies: &mut BodySet, fast: &mut Vec<FastBody>, substeps
 
 /// Appends to `passthroughs` the pairs of proxies of which a fast body enters and leaves a sensor within the step, the proxy
 /// with the smaller creation number first. The game gets a collision and a separation event for each pair of geoms.
-fn record_sensor_passthroughs(motion: SweptMotion<'_>, fast: &[FastBody], passthroughs: &mut Vec<[u32; 2]>) {
+fn record_sensor_passthroughs(
+    motion: SweptMotion<'_>,
+    fast: &[FastBody],
+    passthroughs: &mut Vec<[ProxyIndex; 2]>,
+) {
     let SweptMotion { proxies, pairs, .. } = motion;
-    let number = |proxy: u32| proxies.proxy(proxy).creation_number;
+    let number = |proxy: ProxyIndex| proxies.proxy(proxy).creation_number;
     for &FastBody { body, toi: time, .. } in fast {
         for pair in proxies.proxies_of(body as usize).flat_map(|proxy| pairs.pairs_of(proxy)) {
             let state = pairs.state(pair);

@@ -10,6 +10,7 @@ use crate::continuous_collision::fast_body::FastBody;
 use crate::continuous_collision::time_of_impact::{SweptPair, SweptShape, conservative_advancement};
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
+use crate::index::{IndexedVec, PairIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::plane::{difference, rotate, sum, translation};
 use crate::math::scalar;
@@ -42,7 +43,7 @@ impl<'a> SweptMotion<'a> {
     }
 
     /// Returns the convex shape of a proxy on its path through the step, with `fraction` of its displacement.
-    fn swept_shape(&self, proxy: u32, fraction: f32) -> SweptShape<'a> {
+    fn swept_shape(&self, proxy: ProxyIndex, fraction: f32) -> SweptShape<'a> {
         let Proxy { body, shape, .. } = *self.proxies.proxy(proxy);
         let outline = self.proxies.vertices.shape_ref(shape);
         SweptShape {
@@ -64,7 +65,7 @@ impl<'a> SweptMotion<'a> {
     pub(crate) fn query_sweeps(
         &self,
         fast_bodies: &[FastBody],
-        (is_known, pairs): (&mut [bool], &mut Vec<[u32; 2]>),
+        (is_known, pairs): (&mut IndexedVec<ProxyIndex, bool>, &mut Vec<[ProxyIndex; 2]>),
     ) {
         let stoppers = self.stopper_levels();
         for &FastBody { body, .. } in fast_bodies {
@@ -86,28 +87,28 @@ impl<'a> SweptMotion<'a> {
     /// A proxy whose fat AABB contains the path has all its pairs already.
     fn query_sweep(
         &self,
-        proxy: u32,
+        proxy: ProxyIndex,
         displacement: [f32; 4],
         levels: u64,
-        (is_known, pairs): (&mut [bool], &mut Vec<[u32; 2]>),
+        (is_known, pairs): (&mut IndexedVec<ProxyIndex, bool>, &mut Vec<[ProxyIndex; 2]>),
     ) {
         let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
         if aabb_contains(self.proxies.fat_aabb_of(proxy), &swept) {
             return;
         }
-        self.pairs.partners(proxy).for_each(|partner| is_known[partner as usize] = true);
+        self.pairs.partners(proxy).for_each(|partner| is_known[partner] = true);
         self.grid.for_each_overlap_in_levels(levels, &swept, |other| {
-            if is_known[other as usize] || !self.is_ccd_candidate(proxy, other) {
+            if is_known[other] || !self.is_ccd_candidate(proxy, other) {
                 return;
             }
             let pair = order_pair(self.proxies, self.depth, [proxy, other]);
             pairs.extend(pair.filter(|&pair| self.time_of_impact(pair, 0.0).is_some()));
         });
-        self.pairs.partners(proxy).for_each(|partner| is_known[partner as usize] = false);
+        self.pairs.partners(proxy).for_each(|partner| is_known[partner] = false);
     }
 
     /// Returns whether `other` may stop the fast body of `proxy`, or is a sensor that reports it. Both are indices of proxies.
-    fn is_ccd_candidate(&self, proxy: u32, other: u32) -> bool {
+    fn is_ccd_candidate(&self, proxy: ProxyIndex, other: ProxyIndex) -> bool {
         let [one, other] = [proxy, other].map(|proxy| self.proxies.proxy(proxy));
         let is_bullet = |proxy: &Proxy| self.bodies.are_bullets.get(proxy.body as usize) == Some(&true);
         let may_stop = other.may_stop()
@@ -120,9 +121,13 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns the first time of impact of a body, as a fraction of the step, and the index of its pair. Pairs for which
     /// `accepts` returns false are ignored. `None` without an impact.
-    pub(crate) fn first_toi(&self, body: usize, accepts: impl Fn(usize) -> bool) -> Option<(f32, usize)> {
-        let mut first: Option<(f32, usize)> = None;
-        let creation_numbers = |pair: usize| self.proxies.creation_numbers(self.pairs.proxies_of(pair));
+    pub(crate) fn first_toi(
+        &self,
+        body: usize,
+        accepts: impl Fn(PairIndex) -> bool,
+    ) -> Option<(f32, PairIndex)> {
+        let mut first: Option<(f32, PairIndex)> = None;
+        let creation_numbers = |pair: PairIndex| self.proxies.creation_numbers(self.pairs.proxies_of(pair));
         let pairs = self.pairs.pairs_of_body(self.proxies, body);
         for pair in pairs.filter(|&pair| accepts(pair) && self.is_ccd_pair(pair, body)) {
             let Some(time) = self.toi_of_pair(pair) else { continue };
@@ -138,7 +143,7 @@ impl<'a> SweptMotion<'a> {
     }
 
     /// Returns whether continuous collision stops `body` at the other body of the pair.
-    fn is_ccd_pair(&self, pair: usize, body: usize) -> bool {
+    fn is_ccd_pair(&self, pair: PairIndex, body: usize) -> bool {
         let state = self.pairs.state(pair);
         let [(a, body_type), (b, _)] = self.pairs.bodies_of(self.proxies, pair);
         let other = if a == body { b } else { a };
@@ -186,7 +191,7 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns the time of impact of a pair as a fraction of the step; `None` without an impact. Flush neighbours of a tile
     /// [hide](FlushFilter) the side faces of the tile.
-    fn toi_of_pair(&self, pair: usize) -> Option<f32> {
+    fn toi_of_pair(&self, pair: PairIndex) -> Option<f32> {
         let proxies = self.pairs.proxies_of(pair);
         if self.depth.is_some() {
             return self.time_of_impact(proxies, TOI_PENETRATION_RATIO);
@@ -201,7 +206,7 @@ impl<'a> SweptMotion<'a> {
     /// It is the time at which the shapes have the target penetration. If they overlap at the start of the step, the target is
     /// that overlap plus the target penetration. `penetration` is the target as a fraction of the speculative distance,
     /// dimensionless.
-    pub(crate) fn time_of_impact(&self, proxies: [u32; 2], penetration: f32) -> Option<f32> {
+    pub(crate) fn time_of_impact(&self, proxies: [ProxyIndex; 2], penetration: f32) -> Option<f32> {
         let Some(space) = &self.depth else {
             return self.time_of_impact_2d(proxies, penetration, |fraction, two| {
                 two.separation_and_closing_speed(fraction)
@@ -222,7 +227,7 @@ impl<'a> SweptMotion<'a> {
     /// step) at a fraction of the step.
     fn time_of_impact_2d(
         &self,
-        proxies: [u32; 2],
+        proxies: [ProxyIndex; 2],
         penetration: f32,
         separation_and_closing_speed: impl Fn(f32, &SweptPair<'_>) -> (f32, f32),
     ) -> Option<f32> {
@@ -248,7 +253,7 @@ impl<'a> SweptMotion<'a> {
     /// x, y (length units), rotation (radians), z (length units). Zeros without an impact.
     pub(crate) fn carried_motion(&self, fast: &[FastBody], fast_body: &FastBody) -> [f32; 4] {
         let &FastBody { body, toi, pair: Some(pair), hit_body, .. } = fast_body else { return [0.0; 4] };
-        let proxies = self.pairs.proxies_of(pair as usize).map(|proxy| self.proxies.proxy(proxy));
+        let proxies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let other = if proxies[0].body == hit_body { proxies[1] } else { proxies[0] };
         let pose = self.bodies.poses[body as usize];
         let displacement = self.bodies.delta_pose[body as usize];
@@ -276,7 +281,7 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns whether the shapes of a pair are separated at the end of the step, if the path of `body` ends at `fraction` of
     /// its displacement.
-    pub(crate) fn is_separated_after(&self, pair: usize, body: usize, fraction: f32) -> bool {
+    pub(crate) fn is_separated_after(&self, pair: PairIndex, body: usize, fraction: f32) -> bool {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| {
             let is_stopped = self.proxies.body_of(proxy) == body;
             self.swept_shape(proxy, if is_stopped { fraction } else { 1.0 })

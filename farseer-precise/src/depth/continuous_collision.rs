@@ -14,6 +14,7 @@ use super::{sheared_box, vertical_dispatch};
 use crate::bodies::BodySet;
 use crate::broad_phase::proxies::{Proxies, Proxy};
 use crate::continuous_collision::time_of_impact::{SweptPair, SweptShape};
+use crate::index::ProxyIndex;
 use crate::math::Vector3;
 use crate::math::plane::{length, rotate, rotation, sum};
 use crate::slanted_box::SlantedBox;
@@ -69,7 +70,7 @@ impl DepthState {
     /// units), rotation (radians), z (length units).
     fn swept_solid<'a>(
         &self,
-        at: u32,
+        at: ProxyIndex,
         proxies: &'a Proxies,
         bodies: &BodySet,
         path: [f32; 4],
@@ -89,7 +90,7 @@ impl DepthState {
     /// (radians), z (length units).
     pub(crate) fn distance_and_closing_speed(
         &self,
-        [a, b]: [u32; 2],
+        [a, b]: [ProxyIndex; 2],
         proxies: &Proxies,
         bodies: &BodySet,
         paths: [[f32; 4]; 2],
@@ -114,7 +115,7 @@ impl DepthState {
     /// an upper bound of their closing speed (length units per step). `paths` are the displacements of both bodies in the step.
     fn distance_and_closing_speed_vertical(
         &self,
-        [a, b]: [u32; 2],
+        [a, b]: [ProxyIndex; 2],
         proxies: &Proxies,
         bodies: &BodySet,
         paths: [[f32; 4]; 2],

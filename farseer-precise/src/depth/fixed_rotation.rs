@@ -6,6 +6,7 @@
 use super::state::DepthState;
 use crate::bodies::BodySet;
 use crate::broad_phase::proxies::{Proxies, Proxy};
+use crate::index::ProxyIndex;
 use crate::island::sleep::SleepState;
 
 impl DepthState {
@@ -55,7 +56,7 @@ impl DepthState {
     }
 
     /// Fixes the rotation of a proxy's body if the shape of the proxy is vertical. Called when the proxy is added to `Proxies`.
-    pub fn fix_rotation_of_proxy(&mut self, proxy: u32, proxies: &Proxies, bodies: &mut BodySet) {
+    pub fn fix_rotation_of_proxy(&mut self, proxy: ProxyIndex, proxies: &Proxies, bodies: &mut BodySet) {
         let Proxy { is_world, body, .. } = *proxies.proxy(proxy);
         if self.is_vertical(proxy) && !is_world {
             let number = body as usize;
@@ -67,8 +68,7 @@ impl DepthState {
 
     /// Fixes the rotation of the bodies of all vertical proxies.
     pub fn fix_rotation_of_all(&mut self, proxies: &Proxies, bodies: &mut BodySet) {
-        (0..proxies.position_count())
-            .for_each(|proxy| self.fix_rotation_of_proxy(proxy as u32, proxies, bodies));
+        proxies.indices().for_each(|proxy| self.fix_rotation_of_proxy(proxy, proxies, bodies));
     }
 
     /// Fixes the rotation of an imported body if it has a vertical shape.

@@ -6,6 +6,7 @@ use super::state::{DepthExtent, DepthState, entry, entry_mut};
 use super::vertical_shapes::VerticalSolid;
 use super::world_box_shape::{vertical_of, yaw_extent};
 use crate::broad_phase::proxies::Proxies;
+use crate::index::ProxyIndex;
 
 impl DepthState {
     /// Returns the depth shape of the geom at a slot; the default shape if the slot has none.
@@ -25,17 +26,17 @@ impl DepthState {
         self.vertical_solids.clear();
         self.intervals.clear();
         self.intervals.resize(proxies.position_count(), DepthInterval::default());
-        for proxy in proxies.positions_from(0) {
+        for proxy in proxies.positions_from(ProxyIndex(0)) {
             let extent = self.extent_of(proxy.owner);
             self.extents.push(extent);
         }
     }
 
     /// Adds the depth data of a new proxy at this proxy index: the extent of its geom and an empty interval along z.
-    pub fn add_proxy(&mut self, proxy_index: usize, owner: u64) {
+    pub fn add_proxy(&mut self, proxy_index: ProxyIndex, owner: u64) {
         let extent = self.extent_of(owner);
-        *entry_mut(&mut self.extents, proxy_index) = extent;
-        *entry_mut(&mut self.intervals, proxy_index) = DepthInterval::default();
+        *self.extents.at_or_grow(proxy_index) = extent;
+        *self.intervals.at_or_grow(proxy_index) = DepthInterval::default();
     }
 
     /// Returns the depth extent of a geom, a world box or the ground. A vertical shape is appended to `vertical_solids`.

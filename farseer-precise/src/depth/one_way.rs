@@ -8,6 +8,7 @@ use super::posed_solid::{PosedSolid, SolidKind};
 use super::state::DepthState;
 use crate::bodies::BodySet;
 use crate::broad_phase::proxies::{Proxies, Proxy};
+use crate::index::ProxyIndex;
 use crate::math::plane::{Vector, difference, dot, rotate, rotation, translation};
 
 impl DepthState {
@@ -21,23 +22,23 @@ impl DepthState {
     /// `contact_margin` is in length units.
     pub(crate) fn passes_one_way_box(
         &self,
-        [a, b]: [u32; 2],
+        [a, b]: [ProxyIndex; 2],
         proxies: &Proxies,
         bodies: &BodySet,
         contact_margin: f32,
     ) -> bool {
-        let proxy = |at: u32| proxies.proxy(at);
+        let proxy = |at: ProxyIndex| proxies.proxy(at);
         if !self.is_one_way(proxy(a)) {
             return false;
         }
-        let solid = |at: u32| {
+        let solid = |at: ProxyIndex| {
             let outline = proxies.vertices.shape_ref(proxy(at).shape);
             PosedSolid {
                 last_displacement: [0.0; 3],
                 ..self.posed_solid(at, proxy(at), outline, (bodies, 0.0))
             }
         };
-        let path = |at: u32| {
+        let path = |at: ProxyIndex| {
             bodies.delta_pose.get(proxy(at).body as usize).map_or([0.0; 2], |path| [path[0], path[1]])
         };
         let falls = dot(difference(path(b), path(a)), top_normal(solid(a))) < 0.0;

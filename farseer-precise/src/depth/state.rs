@@ -12,6 +12,7 @@ use super::vertical_shapes::{self, VerticalSolid};
 use crate::bodies::BodySet;
 use crate::broad_phase::hash_grid::PackedAabb;
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use crate::index::{DenseIndex, IndexedVec, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::scalar::nearest_finite;
 use crate::reusing_clone;
@@ -33,7 +34,7 @@ pub struct DepthState {
     /// Body indices of the world boxes, by index into `world_boxes`. Moving boxes have the indices from 1 on.
     pub(super) box_bodies: Vec<u32>,
     /// Proxy indices of the world boxes, by index into `world_boxes`.
-    pub(super) box_proxies: Vec<u32>,
+    pub(super) box_proxies: Vec<ProxyIndex>,
     /// Indices into `world_boxes` of the boxes that move, ascending. Box `i` of this list has body index `i + 1`.
     pub(super) moving_boxes: Vec<u32>,
     /// States of the awake hinged boxes in the current step.
@@ -57,11 +58,11 @@ pub struct DepthState {
     /// Vertical shapes of geoms and world boxes. `DepthExtent::vertical` refers to them.
     pub(super) vertical_solids: Vec<VerticalSolid>,
     /// Extents of proxies along z and data of their depth shapes, by proxy index.
-    pub(super) extents: Vec<DepthExtent>,
+    pub(super) extents: IndexedVec<ProxyIndex, DepthExtent>,
     /// Fat intervals of proxies by proxy index: the extent of their fat AABBs along z.
-    pub(super) intervals: Vec<DepthInterval>,
+    pub(super) intervals: IndexedVec<ProxyIndex, DepthInterval>,
     /// Proxy index of the ground.
-    pub ground_proxy: u32,
+    pub ground_proxy: ProxyIndex,
     /// Ids of the bodies that fell asleep in the last step, as numbers, for the engine above.
     pub newly_asleep: Vec<u64>,
 }
@@ -129,7 +130,7 @@ impl DepthState {
 impl DepthState {
     /// Sets `is_ball` of a body: true if all of its geoms are spheres centred at the origin of the body.
     pub fn update_is_ball(&mut self, body_index: usize, proxies: &Proxies) {
-        let is_centred = |at: u32| self.is_sphere(at) && proxies.proxy(at).shape.centre == [0.0; 2];
+        let is_centred = |at: ProxyIndex| self.is_sphere(at) && proxies.proxy(at).shape.centre == [0.0; 2];
         let mut of_body = proxies.proxies_of(body_index).peekable();
         self.is_ball[body_index] = of_body.peek().is_some() && of_body.all(is_centred);
         self.has_balls |= self.is_ball[body_index];
@@ -138,13 +139,13 @@ impl DepthState {
 
 /// Bounds of proxies for the broad phase, and friction and restitution coefficients of pairs.
 impl DepthState {
-    pub(crate) fn is_sphere(&self, proxy: u32) -> bool {
-        self.extents[proxy as usize].is_sphere
+    pub(crate) fn is_sphere(&self, proxy: ProxyIndex) -> bool {
+        self.extents[proxy].is_sphere
     }
 
     /// Returns whether the shape of a proxy is vertical.
-    pub(crate) fn is_vertical(&self, proxy: u32) -> bool {
-        self.extents[proxy as usize].vertical > 0
+    pub(crate) fn is_vertical(&self, proxy: ProxyIndex) -> bool {
+        self.extents[proxy].vertical > 0
     }
 
     /// Appends a vertical shape to `vertical_solids` and returns its index plus 1.
@@ -157,12 +158,12 @@ impl DepthState {
     /// callbacks. The ground has the coefficients in `ground_surface` of the other proxy.
     pub(crate) fn combined_surface(
         &self,
-        proxies: [u32; 2],
+        proxies: [ProxyIndex; 2],
         [a, b]: [&Proxy; 2],
         mix: FrictionType,
     ) -> [f32; 2] {
         let [friction, restitution] = if proxies[0] == self.ground_proxy {
-            self.extents[proxies[1] as usize].ground_surface.unwrap_or_default()
+            self.extents[proxies[1]].ground_surface.unwrap_or_default()
         } else {
             [a.friction, a.restitution]
         };
@@ -172,35 +173,35 @@ impl DepthState {
     }
 
     /// Returns whether a proxy is in the hash grid. The ground is below all objects and gets its pairs without a search.
-    pub(crate) fn is_in_grid(&self, proxy: u32) -> bool {
+    pub(crate) fn is_in_grid(&self, proxy: ProxyIndex) -> bool {
         proxy != self.ground_proxy
     }
 
     /// Returns the rectangle that the hash grid stores for a proxy, in length units: x from its fat AABB, z from its fat
     /// interval. Objects on a floor are spread over x and z, so a grid over these axes separates them best.
-    pub(crate) fn grid_bounds(&self, proxy: u32, &[left, _, right, _]: &PackedAabb) -> PackedAabb {
-        let DepthInterval { low, high } = self.intervals[proxy as usize];
+    pub(crate) fn grid_bounds(&self, proxy: ProxyIndex, &[left, _, right, _]: &PackedAabb) -> PackedAabb {
+        let DepthInterval { low, high } = self.intervals[proxy];
         [left, low, right, high]
     }
 
     /// Returns the fat interval of a proxy along z, in world coordinates, length units.
-    pub fn interval(&self, proxy: usize) -> DepthInterval {
+    pub fn interval(&self, proxy: ProxyIndex) -> DepthInterval {
         self.intervals[proxy]
     }
 
-    pub(crate) fn set_interval(&mut self, proxy: u32, depths: DepthInterval) {
-        self.intervals[proxy as usize] = depths;
+    pub(crate) fn set_interval(&mut self, proxy: ProxyIndex, depths: DepthInterval) {
+        self.intervals[proxy] = depths;
     }
 
     /// Returns whether the fat intervals of two proxies along z overlap.
-    pub(crate) fn intervals_overlap(&self, a: u32, b: u32) -> bool {
-        self.intervals[a as usize].overlaps(self.intervals[b as usize])
+    pub(crate) fn intervals_overlap(&self, a: ProxyIndex, b: ProxyIndex) -> bool {
+        self.intervals[a].overlaps(self.intervals[b])
     }
 
     /// Returns the proxy index of the ground if the bottom of the AABB reaches the ground (y >= 0) and the ground supports the
     /// proxy; else `None`.
-    pub(crate) fn ground_beneath(&self, proxy: u32, &[.., bottom]: &PackedAabb) -> Option<u32> {
-        (bottom >= 0.0 && self.extents[proxy as usize].ground_surface.is_some()).then_some(self.ground_proxy)
+    pub(crate) fn ground_beneath(&self, proxy: ProxyIndex, &[.., bottom]: &PackedAabb) -> Option<ProxyIndex> {
+        (bottom >= 0.0 && self.extents[proxy].ground_surface.is_some()).then_some(self.ground_proxy)
     }
 
     /// Returns the penetration of a body when its last contact with a static body ended, length units, >= 0.
@@ -238,20 +239,20 @@ impl DepthState {
     }
 
     /// Returns false if one of two proxies is the ground and the ground does not support the other proxy; else true.
-    pub(crate) fn supports_on_ground(&self, [a, b]: [u32; 2]) -> bool {
+    pub(crate) fn supports_on_ground(&self, [a, b]: [ProxyIndex; 2]) -> bool {
         (a != self.ground_proxy || self.has_ground(b)) && (b != self.ground_proxy || self.has_ground(a))
     }
 
     /// Returns whether the ground supports this proxy.
-    pub(crate) fn has_ground(&self, proxy: u32) -> bool {
-        self.extents[proxy as usize].ground_surface.is_some()
+    pub(crate) fn has_ground(&self, proxy: ProxyIndex) -> bool {
+        self.extents[proxy].ground_surface.is_some()
     }
 
     /// Returns the middle of the overlap of two proxies along z, in world coordinates, length units.
-    pub fn overlap_middle_z(&self, proxies: [u32; 2], bodies: [u32; 2]) -> f32 {
+    pub fn overlap_middle_z(&self, proxies: [ProxyIndex; 2], bodies: [u32; 2]) -> f32 {
         let interval = |at: usize| {
             let (z, half_depth) =
-                (self.z_positions[bodies[at] as usize], self.extents[proxies[at] as usize].half_depth);
+                (self.z_positions[bodies[at] as usize], self.extents[proxies[at]].half_depth);
             [nearest_finite(z - half_depth), nearest_finite(z + half_depth)]
         };
         let ([near1, far1], [near2, far2]) = (interval(0), interval(1));
@@ -265,35 +266,33 @@ impl DepthState {
     /// in length units, widens the interval further at both ends. See [`Proxies::fat_aabb`] for x and y.
     pub(crate) fn set_fat_interval(
         &mut self,
-        proxy: u32,
+        proxy: ProxyIndex,
         body: u32,
         displacement: f32,
         widening: AabbMargin,
         extra_margin: f32,
     ) {
         if proxy == self.ground_proxy {
-            self.intervals[proxy as usize] = DepthInterval { low: f32::MIN, high: f32::MAX };
+            self.intervals[proxy] = DepthInterval { low: f32::MIN, high: f32::MAX };
             return;
         }
-        let (z, half) = (self.z_positions[body as usize], self.extents[proxy as usize].half_depth);
+        let (z, half) = (self.z_positions[body as usize], self.extents[proxy].half_depth);
         let margin = widening.margin + extra_margin;
         let ahead = widening.prediction(displacement);
         let (below, above) = if ahead < 0.0 { (ahead, 0.0) } else { (0.0, ahead) };
-        self.intervals[proxy as usize] =
-            DepthInterval::new(z - half - margin + below, z + half + margin + above);
+        self.intervals[proxy] = DepthInterval::new(z - half - margin + below, z + half + margin + above);
     }
 
     /// Returns the interval along z that a proxy covers during a step with this displacement along z, widened by `extra_margin`
     /// at both ends. World coordinates; all values are in length units.
     pub(crate) fn swept_interval(
         &self,
-        proxy: u32,
+        proxy: ProxyIndex,
         body: u32,
         displacement: f32,
         extra_margin: f32,
     ) -> DepthInterval {
-        let (z, half) =
-            (self.z_positions[body as usize], self.extents[proxy as usize].half_depth + extra_margin);
+        let (z, half) = (self.z_positions[body as usize], self.extents[proxy].half_depth + extra_margin);
         let (below, above) = if displacement < 0.0 { (displacement, 0.0) } else { (0.0, displacement) };
         DepthInterval::new(z - half + below, z + half + above)
     }
@@ -309,15 +308,15 @@ impl DepthState {
     ) {
         let before = proxies.refitted().len();
         let movable_end = proxies.movable_end;
-        for at in runs.iter().cloned().flatten().filter(|&at| at < movable_end) {
-            let body = proxies.body_of(at as u32);
+        for at in runs.iter().cloned().flatten().map(ProxyIndex::new).filter(|&at| at < movable_end) {
+            let body = proxies.body_of(at);
             let z = self.z_positions[body];
             let half = self.extents[at].half_depth + tuning.speculative_distance;
             let DepthInterval { low, high } = self.intervals[at];
             if bodies.delta_pose.get(body).is_some_and(|path| path[3] != 0.0)
                 && (z - half < low || z + half > high)
             {
-                proxies.search_pairs_of(at as u32);
+                proxies.search_pairs_of(at);
             }
         }
         if proxies.refitted().len() > before {
@@ -332,13 +331,13 @@ impl DepthState {
     /// phase. `dt` is the step in seconds.
     pub(crate) fn posed_solid<'a>(
         &'a self,
-        proxy_index: u32,
+        proxy_index: ProxyIndex,
         proxy: &Proxy,
         outline: ShapeRef<'a>,
         (bodies, dt): (&BodySet, f32),
     ) -> PosedSolid<'a> {
         let body = proxy.body as usize;
-        let DepthExtent { half_depth, is_sphere, vertical, .. } = self.extents[proxy_index as usize];
+        let DepthExtent { half_depth, is_sphere, vertical, .. } = self.extents[proxy_index];
         let vertical = vertical.checked_sub(1).map(|at| &self.vertical_solids[at as usize]);
         let kind = match (proxy_index == self.ground_proxy, is_sphere) {
             (true, _) => SolidKind::Ground,
@@ -379,7 +378,7 @@ impl DepthState {
 
     /// Returns whether the last manifold of two proxies was that of a vertical shape above or below the other shape. `feature`
     /// is the feature id of the first contact point of that manifold.
-    pub(crate) fn had_vertical_axis(&self, proxies: [u32; 2], feature: u32) -> bool {
+    pub(crate) fn had_vertical_axis(&self, proxies: [ProxyIndex; 2], feature: u32) -> bool {
         vertical_shapes::is_vertical_axis(feature) && proxies.iter().any(|&proxy| self.is_vertical(proxy))
     }
 
@@ -389,16 +388,15 @@ impl DepthState {
     }
 
     /// Returns the radius of a proxy if it is a sphere that rotates about all axes, in length units; 0 for all other shapes.
-    pub(crate) fn rolling_radius(&self, proxy_index: u32, proxy: &Proxy) -> f32 {
-        let rolls = self.extents[proxy_index as usize].is_sphere && self.is_ball[proxy.body as usize];
+    pub(crate) fn rolling_radius(&self, proxy_index: ProxyIndex, proxy: &Proxy) -> f32 {
+        let rolls = self.extents[proxy_index].is_sphere && self.is_ball[proxy.body as usize];
         if rolls { proxy.shape.radius } else { 0.0 }
     }
 
     /// Returns whether two proxies overlap along z when body B is at `offset` (length units) from body A along z. The ground as
     /// A always overlaps.
-    pub(crate) fn overlap_along_z(&self, [a, b]: [u32; 2], offset: f32) -> bool {
-        a == self.ground_proxy
-            || offset.abs() <= self.extents[a as usize].half_depth + self.extents[b as usize].half_depth
+    pub(crate) fn overlap_along_z(&self, [a, b]: [ProxyIndex; 2], offset: f32) -> bool {
+        a == self.ground_proxy || offset.abs() <= self.extents[a].half_depth + self.extents[b].half_depth
     }
 }
 
@@ -407,7 +405,7 @@ impl DepthState {
     /// fast path reads little memory: in a heap of spheres most pairs take it.
     pub(crate) fn dynamic_spheres(
         &self,
-        proxies: [u32; 2],
+        proxies: [ProxyIndex; 2],
         two: [&Proxy; 2],
         (bodies, dt): (&BodySet, f32),
     ) -> Option<[Sphere; 2]> {

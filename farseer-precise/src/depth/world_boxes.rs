@@ -15,6 +15,7 @@ use crate::broad_phase::fat_aabbs::FatAabbs;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::fingerprint::Fingerprint;
+use crate::index::ProxyIndex;
 use crate::island::sleep::SleepState;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
@@ -183,7 +184,7 @@ impl DepthState {
     /// coefficient above 0. `body_count`: number of bodies, with boxes and the ground.
     pub fn add_ground_and_static_proxies(&mut self, proxies: &mut Proxies, body_count: usize) -> bool {
         let still = self.world_boxes.len() - self.moving_boxes.len();
-        self.ground_proxy = proxies.position_count() as u32;
+        self.ground_proxy = proxies.next_index();
         let ground =
             Proxy { list_key: NO_WORLD_BOX, ..world_proxy(ground_numbers(), body_count - still - 1) };
         proxies.push(ground);
@@ -196,7 +197,7 @@ impl DepthState {
     /// restitution coefficient above 0.
     fn add_box_proxies(&mut self, proxies: &mut Proxies, moving: bool) -> bool {
         let mut any_bounces = false;
-        self.box_proxies.resize(self.world_boxes.len(), 0);
+        self.box_proxies.resize(self.world_boxes.len(), ProxyIndex::default());
         for (place, (world_box, &body_index)) in self.world_boxes.iter().zip(&self.box_bodies).enumerate() {
             let WorldBox { shape, filter, surface, surface_velocity: [vx, vy, vz], motion, .. } = world_box;
             if motion.is_some() != moving {
@@ -214,7 +215,7 @@ impl DepthState {
             let shape = proxies.vertices.add_box([x, y]).expanded(lean);
             let SurfaceCoefficients { friction, restitution } = *surface;
             any_bounces |= restitution > 0.0;
-            self.box_proxies[place] = proxies.position_count() as u32;
+            self.box_proxies[place] = proxies.next_index();
             proxies.push(Proxy {
                 list_key: place as u32,
                 body_type: mobility,
@@ -232,9 +233,9 @@ impl DepthState {
     }
 
     /// Returns the proxy index of the world box with this id; `None` for an unknown id.
-    pub fn proxy_of_world_box(&self, id: u32) -> Option<usize> {
+    pub fn proxy_of_world_box(&self, id: u32) -> Option<ProxyIndex> {
         let (place, _) = self.world_box_by_id(id)?;
-        self.box_proxies.get(place).map(|&proxy| proxy as usize)
+        self.box_proxies.get(place).copied()
     }
 
     /// Returns the number of proxies of the ground and of world boxes.
@@ -290,9 +291,9 @@ impl DepthState {
                     world_box.shape.centre = hinge.box_centre(world_box.shape.turn, world_box.shape.centre.y);
                     motion.yaw_rate = bodies.states[body_index].velocity[2];
                 }
-                let proxy = self.box_proxies[place as usize] as usize;
+                let proxy = self.box_proxies[place as usize];
                 let vertical = vertical_of(world_box);
-                proxies.proxy_mut(proxy as u32).fingerprint = Fingerprint::of_world_box(world_box);
+                proxies.proxy_mut(proxy).fingerprint = Fingerprint::of_world_box(world_box);
                 if let Some(known) = self.extents[proxy].vertical.checked_sub(1) {
                     self.vertical_solids[known as usize] = vertical;
                 }

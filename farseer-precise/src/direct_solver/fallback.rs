@@ -35,7 +35,7 @@ impl DirectSolver {
         learning: &LoadAdaptation,
         h: f32,
     ) {
-        for pair in 0..pairs.awake_count {
+        for pair in pairs.awake() {
             let Some((_, handle)) = pairs.constraint(pair) else { continue };
             let body = pairs.bodies_of(proxies, pair)[1].0;
             let (is_direct, was_direct) = (self.is_direct(body), handle.is_in_direct_solver());

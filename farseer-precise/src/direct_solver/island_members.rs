@@ -12,7 +12,7 @@ use super::lateral_friction::{clear_impulses, is_planar};
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint};
-use crate::index::{BodyIndex, DenseIndex, PairIndex};
+use crate::index::{BodyIndex, DenseIndex};
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
@@ -130,20 +130,19 @@ impl DirectSolver {
     pub(crate) fn list_contacts(&mut self, pairs: &Pairs, proxies: &Proxies, rows: &mut ConstraintGraph) {
         let DirectSolver { islands, census, keyed_pairs, sort_keys, .. } = self;
         keyed_pairs.clear();
-        let all = (0..pairs.awake_count)
+        let all = pairs
+            .awake()
             .filter(|&pair| pairs.constraint(pair).is_some_and(|(_, handle)| handle.is_in_direct_solver()));
         keyed_pairs.extend(all.map(|pair| {
             let [_, (body, _)] = pairs.bodies_of(proxies, pair);
             let island = census.stats_of(BodyIndex::new(body)).island_index;
-            (island.unwrap_or_default(), PairIndex::new(pair))
+            (island.unwrap_or_default(), pair)
         }));
         // Island by island, and within an island by creation numbers.
-        sort_by_number_in(sort_keys, keyed_pairs, |&(_, pair)| {
-            pairs.creation_numbers(proxies, pair.position())
-        });
+        sort_by_number_in(sort_keys, keyed_pairs, |&(_, pair)| pairs.creation_numbers(proxies, pair));
         sort_by_number_in(sort_keys, keyed_pairs, |&(island, _)| island.0.into());
         for &(island, pair) in keyed_pairs.iter() {
-            let Some((_, handle)) = pairs.constraint(pair.position()) else { continue };
+            let Some((_, handle)) = pairs.constraint(pair) else { continue };
             let DirectIsland { system, contact_handles, contact_bodies, .. } = &mut islands[island];
             let contact = &mut rows.direct_constraint_mut(handle).constraint;
             if !is_planar(contact) {

@@ -73,7 +73,7 @@ impl SolverSelection<'_> {
     /// [`classify_load`](Self::classify_load).
     pub(super) fn has_unsolved_load(&self) -> bool {
         self.has_large_mass_ratio()
-            && (0..self.pairs.awake_count).any(|pair| {
+            && self.pairs.awake().any(|pair| {
                 let differs = || {
                     let inverse_masses = self
                         .pairs

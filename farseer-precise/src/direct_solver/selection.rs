@@ -11,7 +11,7 @@ use crate::bodies::BodySet;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint, ContactPoint};
-use crate::index::{BodyIndex, DenseIndex};
+use crate::index::{BodyIndex, DenseIndex, PairIndex};
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
@@ -78,12 +78,12 @@ impl SolverSelection<'_> {
     /// Returns whether friction [slips](super::island_stats::IslandStats::slips) in the iterative solver at a calm body that was
     /// due for a friction check in this update, in an island built in place.
     pub(crate) fn has_slipping_contact(&self) -> bool {
-        (0..self.pairs.awake_count).any(|pair| self.is_slipping(pair))
+        self.pairs.awake().any(|pair| self.is_slipping(pair))
     }
 
     /// Returns whether the contact with index `pair` slips in the iterative solver. The result is false unless its body B is
     /// calm, was due for a friction check in this update, and belongs to an island built in place.
-    fn is_slipping(&self, pair: usize) -> bool {
+    fn is_slipping(&self, pair: PairIndex) -> bool {
         let body = self.pairs.bodies_of(self.proxies, pair)[1].0;
         let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } =
             self.history[BodyIndex::new(body)];
@@ -130,7 +130,7 @@ impl SolverSelection<'_> {
     /// [`count_islands`](Self::count_islands).
     fn count_contacts(&self, census: &mut IslandCensus, velocity: &dyn Fn(BodyIndex) -> [f32; 4]) {
         let heavy_ratio = self.heavy_mass_ratio();
-        for pair in 0..self.pairs.awake_count {
+        for pair in self.pairs.awake() {
             let Some((kind, handle)) = self.pairs.constraint(pair) else { continue };
             let [(one, mobility), (body, _)] = self.pairs.bodies_of(self.proxies, pair);
             let stats = census.stats_of(BodyIndex::new(body));
@@ -170,7 +170,7 @@ impl SolverSelection<'_> {
 
     /// Unites in `union_find` the dynamic bodies that contacts connect, and in 2D also those that joints and springs connect.
     fn unite_bodies(&self, union_find: &mut UnionFind) {
-        for pair in (0..self.pairs.awake_count).filter(|&pair| self.pairs.has_constraint(pair)) {
+        for pair in self.pairs.awake().filter(|&pair| self.pairs.has_constraint(pair)) {
             if let [(a, BodyType::Dynamic), (b, BodyType::Dynamic)] = self.pairs.bodies_of(self.proxies, pair)
             {
                 union_find.unite(a as u32, b as u32);

@@ -22,7 +22,7 @@ pub fn unite_islands(
     links: impl Iterator<Item = [usize; 2]>,
 ) {
     islands.reset(bodies.states.len());
-    for pair in (0..pairs.awake_count).filter(|&pair| pairs.has_constraint(pair)) {
+    for pair in pairs.awake().filter(|&pair| pairs.has_constraint(pair)) {
         let [(a, of_a), (b, of_b)] = pairs.bodies_of(proxies, pair);
         if of_a.takes_impulses() && of_b.takes_impulses() {
             islands.unite(a as u32, b as u32);
@@ -150,7 +150,7 @@ impl RestDetector<'_> {
 
     /// Calls `limit` with each body whose island a contact keeps awake, and the greatest rest time of that island, seconds.
     fn limit_by_contacts(&self, limit: &mut impl FnMut(usize, f32)) {
-        for pair in 0..self.pairs.awake_count {
+        for pair in self.pairs.awake() {
             let state = self.pairs.state(pair);
             let Some(constraint) = state.constraint else { continue };
             let [(a, body_type), (b, _)] = self.pairs.bodies_of(self.proxies, pair);

@@ -17,6 +17,7 @@
 //! - a joint of it is edited;
 //! - gravity changes.
 
+use crate::index::{BodyIndex, DenseIndex, PairIndex, ProxyIndex};
 use std::ops::Range;
 
 use crate::broad_phase::pairs::Pairs;
@@ -65,7 +66,7 @@ pub struct SleepState {
     /// Indices of sleeping bodies that are to wake in this update. Empty between the stages of a step.
     pub wake_requests: Vec<u32>,
     /// Indices of pairs that got a contact constraint with a sleeping body. Empty between the stages of a step.
-    pub touched_pairs: Vec<u32>,
+    pub touched_pairs: Vec<PairIndex>,
     /// Indices of sleeping bodies to which forces may have been applied in this update. Empty between the stages of a step.
     pub forced_bodies: Vec<u32>,
     /// Workspace: the islands of awake bodies in this step.
@@ -154,8 +155,8 @@ impl SleepState {
 
     /// Appends a pair that has a new contact constraint with a sleeping body to `touched_pairs`.
     /// [`wake_touched`](super::wake::wake_touched) wakes the body.
-    pub(crate) fn record_touch(&mut self, pair: usize) {
-        self.touched_pairs.push(pair as u32);
+    pub(crate) fn record_touch(&mut self, pair: PairIndex) {
+        self.touched_pairs.push(pair);
     }
 
     /// Appends a body to `wake_requests`, if it sleeps. [`wake_requested`](super::wake::wake_requested) wakes it.
@@ -182,7 +183,7 @@ impl SleepState {
 
     /// Requests that the bodies of a new pair wake if none of them may move. Such a pair arises when a geom is placed beside a
     /// sleeping body.
-    pub fn wake_for_new_pair(&mut self, pairs: &Pairs, proxies: &Proxies, pair: usize) {
+    pub fn wake_for_new_pair(&mut self, pairs: &Pairs, proxies: &Proxies, pair: PairIndex) {
         if !self.may_move(pairs, proxies, pair) {
             self.request_wake_of_pair(pairs.bodies_of(proxies, pair));
         }
@@ -190,7 +191,7 @@ impl SleepState {
 
     /// Returns whether a body of the pair may move: it is kinematic, or awake and movable by impulses. Always false for a
     /// sensor pair without a body that impulses can move.
-    pub(crate) fn may_move(&self, pairs: &Pairs, proxies: &Proxies, pair: usize) -> bool {
+    pub(crate) fn may_move(&self, pairs: &Pairs, proxies: &Proxies, pair: PairIndex) -> bool {
         !pairs.state(pair).is_static_sensor
             && pairs.bodies_of(proxies, pair).iter().any(|&(body, body_type)| match body_type {
                 BodyType::Fixed => false,
@@ -230,9 +231,8 @@ impl SleepState {
         self.is_enabled
             && self.gravity == gravity
             && awake_body_runs.is_empty()
-            && [wake_requests, touched_pairs, forced_bodies, loaded_bodies, newly_asleep]
-                .iter()
-                .all(|list| list.is_empty())
+            && touched_pairs.is_empty()
+            && [wake_requests, forced_bodies, loaded_bodies, newly_asleep].iter().all(|list| list.is_empty())
     }
 
     /// Makes all bodies awake with rest time 0, after the list of bodies was rebuilt. `has_body`: [`BodySet::has_body`](crate::bodies::BodySet::has_body).
@@ -276,26 +276,30 @@ impl SleepState {
     /// Computes the index ranges of awake bodies and of their proxies. It is called after bodies have fallen asleep or woken.
     pub fn update_runs(&mut self, proxies: &Proxies) {
         let SleepState { next_in_ring, awake_body_runs, awake_proxy_runs, .. } = self;
-        runs(next_in_ring.len(), |number| is_awake(next_in_ring, number as u32), awake_body_runs);
+        runs(next_in_ring.len(), |body: BodyIndex| is_awake(next_in_ring, body.0), awake_body_runs);
         runs(
-            proxies.first_fixed,
-            |at| is_awake(next_in_ring, proxies.proxy(at as u32).body),
+            proxies.first_fixed.position(),
+            |at| is_awake(next_in_ring, proxies.proxy(at).body),
             awake_proxy_runs,
         );
     }
 
     /// Updates the index ranges of awake bodies and of their proxies, where some of these `bodies` or `changed_proxies` were added
     /// or removed. Both are indices.
-    pub fn update_runs_at(&mut self, bodies: &[usize], changed_proxies: &[usize], proxies: &Proxies) {
+    pub fn update_runs_at(&mut self, bodies: &[usize], changed_proxies: &[ProxyIndex], proxies: &Proxies) {
         let SleepState { next_in_ring, awake_body_runs, awake_proxy_runs, .. } = self;
         if bodies.len() + changed_proxies.len() > next_in_ring.len() / BODIES_PER_RUN_UPDATE {
             return self.update_runs(proxies);
         }
         for &body in bodies {
-            update_run(body, |number| is_awake(next_in_ring, number as u32), awake_body_runs);
+            update_run(
+                BodyIndex::new(body),
+                |body: BodyIndex| is_awake(next_in_ring, body.0),
+                awake_body_runs,
+            );
         }
         for &proxy in changed_proxies.iter().filter(|&&proxy| proxy < proxies.first_fixed) {
-            update_run(proxy, |at| is_awake(next_in_ring, proxies.proxy(at as u32).body), awake_proxy_runs);
+            update_run(proxy, |at| is_awake(next_in_ring, proxies.proxy(at).body), awake_proxy_runs);
         }
     }
 
@@ -346,9 +350,9 @@ impl SleepState {
 }
 
 /// Updates the block of four that has the index `at` in `runs`, which hold ranges of blocks as [`runs`] computes them.
-fn update_run(at: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<usize>>) {
-    let block = at - at % 4;
-    let counts = (block..block + 4).any(is_there);
+fn update_run<I: DenseIndex>(at: I, is_there: impl Fn(I) -> bool, runs: &mut Vec<Range<usize>>) {
+    let block = at.position() - at.position() % 4;
+    let counts = (block..block + 4).map(I::new).any(is_there);
     // The first run that ends after the block.
     let next = runs.partition_point(|run| run.end <= block);
     let was_counted = runs.get(next).is_some_and(|run| run.start <= block);
@@ -381,9 +385,9 @@ fn update_run(at: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<
 
 /// Writes to `runs` the ranges of indices below `count` for which `is_there` holds, in blocks of four: a block counts if
 /// `is_there` holds for at least one of its indices.
-fn runs(count: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<usize>>) {
+fn runs<I: DenseIndex>(count: usize, is_there: impl Fn(I) -> bool, runs: &mut Vec<Range<usize>>) {
     runs.clear();
-    for block in (0..count).step_by(4).filter(|&four| (four..four + 4).any(&is_there)) {
+    for block in (0..count).step_by(4).filter(|&four| (four..four + 4).map(I::new).any(&is_there)) {
         match runs.last_mut() {
             Some(run) if run.end == block => run.end = block + 4,
             _ => runs.push(block..block + 4),
@@ -394,17 +398,19 @@ fn runs(count: usize, is_there: impl Fn(usize) -> bool, runs: &mut Vec<Range<usi
 #[cfg(test)]
 mod tests {
     use super::{runs, update_run};
+    use crate::index::{BodyIndex, IndexedVec};
 
     #[test]
     fn updated_runs_equal_those_that_are_computed_anew() {
-        let mut is_there = [false; 64];
+        let mut is_there = IndexedVec::<BodyIndex, bool>::of_copies(false, 64);
         let (mut updated, mut expected) = (Vec::new(), Vec::new());
         let mut number = 1_u32;
         for _ in 0..4000 {
             number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            let at = (number >> 16) as usize % is_there.len();
-            is_there[at] = !is_there[at] && number >> 30 > 0;
-            update_run(at, |index| is_there[index], &mut updated);
+            let at = (number >> 16) % 64;
+            let place = &mut is_there[BodyIndex(at)];
+            *place = !*place && number >> 30 > 0;
+            update_run(BodyIndex(at), |index| is_there[index], &mut updated);
             runs(is_there.len(), |index| is_there[index], &mut expected);
             assert_eq!(updated, expected);
         }

@@ -12,9 +12,9 @@ use crate::storage::order::sort_by_number;
 pub fn wake_touched(sleep: &mut SleepState, pairs: &Pairs, proxies: &Proxies) {
     let mut touched = std::mem::take(&mut sleep.touched_pairs);
     // A pair that a handler has rejected has lost its constraint.
-    touched.retain(|&pair| pairs.has_constraint(pair as usize));
+    touched.retain(|&pair| pairs.has_constraint(pair));
     for pair in touched.drain(..) {
-        sleep.request_wake_of_pair(pairs.bodies_of(proxies, pair as usize));
+        sleep.request_wake_of_pair(pairs.bodies_of(proxies, pair));
     }
     sleep.touched_pairs = touched;
 }
@@ -33,7 +33,7 @@ pub fn are_sleeping_pairs_parked(
     proxies: &Proxies,
     constraints: &ConstraintGraph,
 ) -> bool {
-    (0..pairs.count()).all(|pair| {
+    pairs.indices().all(|pair| {
         pairs.state(pair).constraint.is_none_or(|constraint| {
             let is_asleep = constraints.sleeping_constraint(constraint).is_some();
             pairs
@@ -48,7 +48,7 @@ pub fn are_sleeping_pairs_parked(
 /// leave the awake pairs. `h`: length of the present substeps, seconds.
 pub fn sleep_pairs(narrow_phase: &mut NarrowPhase<'_>, h: f32) {
     // Backwards: a pair that moves into a free position has been handled already.
-    for pair in (0..narrow_phase.pairs.awake_count).rev() {
+    for pair in narrow_phase.pairs.awake().rev() {
         let NarrowPhase { sleep, pairs, proxies, .. } = narrow_phase;
         let is_awake =
             |&(body, body_type): &(usize, BodyType)| body_type.takes_impulses() && !sleep.is_asleep(body);
@@ -92,7 +92,7 @@ fn wake_pairs(narrow_phase: &mut NarrowPhase<'_>, woken_bodies: &[u32], h: f32) 
             narrow_phase.pairs.invalidate(pair);
         }
     }
-    pairs.retain(|&pair| pair >= narrow_phase.pairs.awake_count);
+    pairs.retain(|&pair| !narrow_phase.pairs.is_awake(pair));
     // In ascending order, so that the indices of the pairs that follow stay valid.
     pairs.sort_unstable();
     pairs.into_iter().for_each(|pair| {

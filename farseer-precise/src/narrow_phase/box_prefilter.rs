@@ -3,34 +3,35 @@
 //! Fat AABBs overlap long before the boxes do: in a moving pile most updated pairs have no contacts before and after the
 //! update. The test of two boxes needs only poses and half extents. Its separations equal those of the scalar code bit for bit.
 
+use crate::index::PairIndex;
 use wide::f32x4;
 
 use super::NarrowPhase;
-use crate::broad_phase::pairs::NO_PAIR;
+use crate::broad_phase::pairs::REMOVED_PAIR;
 use crate::math::lanes::{gather, greater, select};
 
 impl NarrowPhase<'_> {
     /// Removes from `dirty` the pairs of two boxes that had no contact and are still separated by more than the speculative
     /// distance. The other pairs keep their order. `dirty` holds indices of pairs.
-    pub(super) fn reject_separated_boxes(&mut self, dirty: &mut Vec<u32>) {
+    pub(super) fn reject_separated_boxes(&mut self, dirty: &mut Vec<PairIndex>) {
         let (mut four, mut count) = ([0; 4], 0);
         for at in 0..dirty.len() {
             four[count] = at;
-            count += usize::from(self.are_boxes_without_contact(dirty[at] as usize));
+            count += usize::from(self.are_boxes_without_contact(dirty[at]));
             if count == four.len() {
                 count = 0;
                 self.reject_four_separated_boxes(dirty, four);
             }
         }
-        dirty.retain(|&pair| pair != NO_PAIR);
+        dirty.retain(|&pair| pair != REMOVED_PAIR);
     }
 
-    /// Tests the pairs at the four positions `four` of `dirty`, and replaces the indices of separated pairs by [`NO_PAIR`].
-    fn reject_four_separated_boxes(&mut self, dirty: &mut [u32], four: [usize; 4]) {
-        let gaps = self.box_pair_separations(four.map(|at| dirty[at] as usize));
+    /// Tests the pairs at the four positions `four` of `dirty`, and replaces the indices of separated pairs by [`REMOVED_PAIR`].
+    fn reject_four_separated_boxes(&mut self, dirty: &mut [PairIndex], four: [usize; 4]) {
+        let gaps = self.box_pair_separations(four.map(|at| dirty[at]));
         for (at, gap) in four.into_iter().zip(gaps) {
             if gap > self.parameters.speculative_distance {
-                let pair = std::mem::replace(&mut dirty[at], NO_PAIR) as usize;
+                let pair = std::mem::replace(&mut dirty[at], REMOVED_PAIR);
                 self.pairs.set_motion_at_check(pair, self.total_travel(self.pairs.trigger(pair)));
                 self.end_contact(pair, gap - self.parameters.speculative_distance);
             }
@@ -39,7 +40,7 @@ impl NarrowPhase<'_> {
 
     /// Returns whether a pair consists of two boxes and has no contact.
     #[inline(always)]
-    fn are_boxes_without_contact(&self, pair: usize) -> bool {
+    fn are_boxes_without_contact(&self, pair: PairIndex) -> bool {
         let state = self.pairs.state(pair);
         let [a, b] = self.pairs.proxies_of(pair);
         state.constraint.is_none()
@@ -49,7 +50,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Returns the separations of four pairs of boxes along the best face normal, in length units, negative for penetration.
-    fn box_pair_separations(&self, pairs: [usize; 4]) -> [f32; 4] {
+    fn box_pair_separations(&self, pairs: [PairIndex; 4]) -> [f32; 4] {
         let side = |side: usize| {
             let proxies = pairs.map(|pair| self.pairs.proxies_of(pair)[side]);
             let bodies = self.proxies.box_bodies_of(proxies);

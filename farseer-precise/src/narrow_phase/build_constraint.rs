@@ -10,12 +10,13 @@ use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::constraint_graph::{ContactConstraint, ContactConstraintZ, ContactPoint, tangents};
 use crate::depth::interface::HingeFeature;
 use crate::depth::state::DepthState;
+use crate::index::PairIndex;
 use crate::math::plane::{Vector, cross, difference, dot, rotate, scaled, sum};
 use crate::surface::{mix_friction, mix_restitution};
 
 impl NarrowPhase<'_> {
     /// Returns the contact constraint of a pair, built from its cached manifold. All impulses of the constraint are 0.
-    pub(super) fn build_constraint(&self, pair: usize, two: ProxyPair<'_>) -> ContactConstraint {
+    pub(super) fn build_constraint(&self, pair: PairIndex, two: ProxyPair<'_>) -> ContactConstraint {
         let cached = self.pairs.manifold(pair);
         let is_fixed = self.is_fixed(two.a);
         let [[mass_a, inertia_a], [mass_b, inertia_b]] =
@@ -51,7 +52,7 @@ impl NarrowPhase<'_> {
         let constraint = ContactConstraint {
             a: if is_fixed { 0 } else { two.a.body },
             b: two.b.body,
-            pair: pair as u32,
+            pair: pair,
             normal,
             inverse_masses: [mass_a, mass_b],
             inverse_inertias: [inertia_a, inertia_b],
@@ -76,7 +77,7 @@ impl NarrowPhase<'_> {
     fn build_constraint_3d(
         &self,
         space: &DepthState,
-        pair: usize,
+        pair: PairIndex,
         two: ProxyPair<'_>,
         constraint: ContactConstraint,
     ) -> ContactConstraint {
@@ -135,7 +136,7 @@ impl NarrowPhase<'_> {
 
     /// Returns the surface parameters of a pair before handlers of the game change them: friction coefficient and restitution
     /// coefficient (dimensionless), and tangent speed of the belt (length units/s).
-    pub(crate) fn surface_parameters(&self, pair: usize) -> [f32; 3] {
+    pub(crate) fn surface_parameters(&self, pair: PairIndex) -> [f32; 3] {
         let ContactConstraint { friction, restitution, tangent_speed, .. } =
             self.build_constraint(pair, self.proxy_pair(pair));
         [friction, restitution, tangent_speed]
@@ -143,7 +144,7 @@ impl NarrowPhase<'_> {
 
     /// Restores friction, restitution and tangent speed of a pair's contact constraint after a handler of the game has changed
     /// them.
-    pub(crate) fn reset_surface_parameters(&mut self, pair: usize) {
+    pub(crate) fn reset_surface_parameters(&mut self, pair: PairIndex) {
         let state = *self.pairs.state(pair);
         let Some(handle) = state.constraint else { return };
         let [friction, restitution, tangent_speed] = self.surface_parameters(pair);

@@ -3,6 +3,7 @@
 use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::proxies::Proxy;
 use crate::contact_solver::soft_step::{update_circle_contact, update_circle_contacts};
+use crate::index::PairIndex;
 use crate::math::plane::{difference, scaled, sum};
 use crate::narrow_phase::manifold::{Manifold, circles_at_toi};
 
@@ -23,7 +24,7 @@ impl NarrowPhase<'_> {
         });
         separated.sort_unstable();
         let count = separated.len();
-        separated.drain(..).for_each(|pair| self.update_contact(pair as usize));
+        separated.drain(..).for_each(|pair| self.update_contact(pair));
         *self.dirty_pairs = separated;
         count
     }
@@ -56,7 +57,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Returns whether both bodies of a pair are single circles about their origins, in 2D.
-    pub fn is_circle_pair(&self, pair: usize) -> bool {
+    pub fn is_circle_pair(&self, pair: PairIndex) -> bool {
         self.are_both_circles(self.proxy_pair(pair))
     }
 }

@@ -7,12 +7,13 @@ use super::NarrowPhase;
 use crate::broad_phase::pairs::{Pairs, UPDATED_BY_SOLVER};
 use crate::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactConstraint, ParkedConstraint};
 use crate::direct_solver::load::{is_heavy_on_light, is_support_normal};
+use crate::index::PairIndex;
 use crate::math::plane::Vector;
 
 impl NarrowPhase<'_> {
     /// Adds the contact constraint of a pair to the constraint graph, in a colour without another constraint of its bodies
     /// (static ones do not count) or, if all colours have one, in the overflow colour.
-    pub(super) fn add_constraint(&mut self, pair: usize, constraint: &ContactConstraint) {
+    pub(super) fn add_constraint(&mut self, pair: PairIndex, constraint: &ContactConstraint) {
         let kind = self.pairs.state(pair).kind;
         let free = self.palette.free_colors(kind, [constraint.a, constraint.b]);
         let color = self.constraints.choose_color(kind, free);
@@ -26,7 +27,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Removes the contact constraint of a pair from the constraint graph or the parked ones, if the pair has one.
-    pub(crate) fn remove_constraint(&mut self, pair: usize) {
+    pub(crate) fn remove_constraint(&mut self, pair: PairIndex) {
         let kind = self.pairs.state(pair).kind;
         let Some(handle) = self.pairs.state_mut(pair).constraint.take() else { return };
         let ContactConstraint { a, b, .. } = self.constraints.get(kind, handle);
@@ -40,7 +41,7 @@ impl NarrowPhase<'_> {
     /// Returns whether a heavy body of the pair would rest on a light one with the contact normal `normal` (unit, from A to B).
     /// Always false in 2D.
     #[inline(always)]
-    pub(super) fn is_heavy_on_light(&self, pair: usize, normal: Vector) -> bool {
+    pub(super) fn is_heavy_on_light(&self, pair: PairIndex, normal: Vector) -> bool {
         self.depth.is_some()
             && is_support_normal(normal, self.gravity_delta)
             && self.test_heavy_on_light(pair, normal)
@@ -49,7 +50,7 @@ impl NarrowPhase<'_> {
     /// Returns whether the upper body of a pair is much heavier than the lower one, as seen along gravity. This is the second
     /// half of [`is_heavy_on_light`](Self::is_heavy_on_light), for normals within 60 degrees of gravity.
     #[inline(never)]
-    fn test_heavy_on_light(&self, pair: usize, normal: Vector) -> bool {
+    fn test_heavy_on_light(&self, pair: PairIndex, normal: Vector) -> bool {
         let inverse_masses = self.pairs.proxies_of(pair).map(|proxy| {
             let body = self.proxies.proxy(proxy).body;
             self.bodies.inverse_mass_inertia[body as usize][0]
@@ -59,8 +60,8 @@ impl NarrowPhase<'_> {
 
     /// Removes a pair with its contact constraint, and emits an end-touch event if the pair touched. Sleeping bodies of a pair
     /// with a constraint are asked to wake.
-    pub(crate) fn remove_pair(&mut self, pair: usize) {
-        if pair >= self.pairs.awake_count && self.pairs.has_constraint(pair) {
+    pub(crate) fn remove_pair(&mut self, pair: PairIndex) {
+        if !self.pairs.is_awake(pair) && self.pairs.has_constraint(pair) {
             let bodies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy).body);
             bodies.into_iter().for_each(|body| self.sleep.request_wake(body as usize));
         }
@@ -69,52 +70,51 @@ impl NarrowPhase<'_> {
     }
 
     /// Emits an end-touch event if the pair touches. It is called before the pair is removed.
-    pub fn end_touch_event(&mut self, pair: usize) {
+    pub fn end_touch_event(&mut self, pair: PairIndex) {
         if self.pairs.is_touching(pair) {
             self.emit_touch_event(pair, false);
         }
     }
 
     /// Removes a pair from the list of pairs, with its contact constraint and without an event.
-    pub fn delete_pair(&mut self, pair: usize) {
+    pub fn delete_pair(&mut self, pair: PairIndex) {
         self.remove_constraint(pair);
         self.pairs.set_touching(pair, false);
-        let new_index = if pair < self.pairs.awake_count { self.sleep_pair(pair) } else { pair };
-        self.swap_pairs(new_index, self.pairs.count() - 1);
+        let new_index = if self.pairs.is_awake(pair) { self.sleep_pair(pair) } else { pair };
+        self.swap_pairs(new_index, self.pairs.last());
         self.pairs.pop();
     }
 
     /// Exchanges the list positions of two pairs, and corrects the pair indices that their contact constraints store.
-    fn swap_pairs(&mut self, one: usize, other: usize) {
+    fn swap_pairs(&mut self, one: PairIndex, other: PairIndex) {
         if one == other {
             return;
         }
         self.pairs.swap(one, other);
         for pair in [one, other] {
             if let Some(handle) = self.pairs.state(pair).constraint {
-                self.constraints.set_pair(self.pairs.state(pair).kind, handle, pair as u32);
+                self.constraints.set_pair(self.pairs.state(pair).kind, handle, pair);
             }
         }
     }
 
     /// Moves a pair to the end of the awake pairs, which come first in the list, and returns its new index.
-    pub(crate) fn wake_pair(&mut self, pair: usize) -> usize {
-        let new_index = self.pairs.awake_count;
+    pub(crate) fn wake_pair(&mut self, pair: PairIndex) -> PairIndex {
+        let new_index = self.pairs.extend_awake();
         self.swap_pairs(pair, new_index);
-        self.pairs.awake_count += 1;
         new_index
     }
 
     /// Moves a pair from the awake pairs to the start of the sleeping ones, and returns its new index.
-    pub fn sleep_pair(&mut self, pair: usize) -> usize {
-        self.pairs.awake_count -= 1;
-        self.swap_pairs(pair, self.pairs.awake_count);
-        self.pairs.awake_count
+    pub fn sleep_pair(&mut self, pair: PairIndex) -> PairIndex {
+        let new_index = self.pairs.shorten_awake();
+        self.swap_pairs(pair, new_index);
+        new_index
     }
 
     /// Computes and caches the manifold of two circles, and copies its normal, arms and separations into their contact
     /// constraint. While both were awake, the solver computed these in every substep, and the cache was out of date.
-    fn cache_circle_manifold(&mut self, pair: usize, handle: ConstraintHandle) {
+    fn cache_circle_manifold(&mut self, pair: PairIndex, handle: ConstraintHandle) {
         let two = self.proxy_pair(pair);
         let manifold = self.collide(pair, two, f32::MAX);
         self.cache_manifold(pair, two, &manifold);
@@ -132,7 +132,7 @@ impl NarrowPhase<'_> {
 
     /// Parks the contact constraint of a pair that falls asleep, or returns it to the constraint graph. `h` is the length of
     /// the present substeps in seconds. A parked constraint stores it, and on the return its impulses are scaled to it.
-    pub(crate) fn set_constraint_asleep(&mut self, pair: usize, falls_asleep: bool, h: f32) {
+    pub(crate) fn set_constraint_asleep(&mut self, pair: PairIndex, falls_asleep: bool, h: f32) {
         let kind = self.pairs.state(pair).kind;
         let Some(handle) = self.pairs.state(pair).constraint else { return };
         if falls_asleep
@@ -162,7 +162,7 @@ impl NarrowPhase<'_> {
     /// of both points, then friction.
     pub fn restore_constraint(
         &mut self,
-        pair: usize,
+        pair: PairIndex,
         color: u32,
         parked: Option<(f32, Option<[f64; 3]>)>,
         set: impl FnOnce(&mut ContactConstraint),
@@ -201,7 +201,7 @@ impl NarrowPhase<'_> {
 pub(crate) fn move_to_direct_solver(
     pairs: &mut Pairs,
     constraints: &mut ConstraintGraph,
-    pair: usize,
+    pair: PairIndex,
     is_direct: bool,
     h: f32,
 ) {
@@ -214,7 +214,12 @@ pub(crate) fn move_to_direct_solver(
 
 /// Stores in a pair the new handle of its contact constraint, which was moved, and then the handles of constraints that filled
 /// the gap.
-fn set_handle(pairs: &mut Pairs, constraints: &mut ConstraintGraph, pair: usize, handle: ConstraintHandle) {
+fn set_handle(
+    pairs: &mut Pairs,
+    constraints: &mut ConstraintGraph,
+    pair: PairIndex,
+    handle: ConstraintHandle,
+) {
     pairs.state_mut(pair).constraint = Some(handle);
     update_moved_handles(pairs, constraints);
 }
@@ -222,6 +227,6 @@ fn set_handle(pairs: &mut Pairs, constraints: &mut ConstraintGraph, pair: usize,
 /// Stores in the pairs the new handles of contact constraints that the constraint graph has moved to fill gaps in its lists.
 fn update_moved_handles(pairs: &mut Pairs, constraints: &mut ConstraintGraph) {
     for (pair, handle) in constraints.drain_moved() {
-        pairs.state_mut(pair as usize).constraint = Some(handle);
+        pairs.state_mut(pair).constraint = Some(handle);
     }
 }

@@ -7,6 +7,7 @@ use crate::constraint_graph::{ConstraintGraph, ContactConstraint};
 use crate::depth::contact_point::DepthContactPoint;
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
+use crate::index::PairIndex;
 use crate::math::Vector2;
 use crate::math::plane::{
     Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
@@ -64,13 +65,13 @@ pub struct ContactReader<'a> {
 
 impl ContactReader<'_> {
     /// Returns the contact constraint of a pair; `None` if the pair has none.
-    fn constraint(&self, pair: usize) -> Option<ContactConstraint> {
+    fn constraint(&self, pair: PairIndex) -> Option<ContactConstraint> {
         let state = self.pairs.state(pair);
         state.constraint.map(|handle| self.constraints.get(state.kind, handle))
     }
 
     /// Returns the contact of a pair in the plane.
-    pub fn planar_contact(&self, pair: usize) -> PlanarContact {
+    pub fn planar_contact(&self, pair: PairIndex) -> PlanarContact {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let manifold = self.pairs.manifold(pair);
         let constraint = self.constraint(pair);
@@ -100,7 +101,7 @@ impl ContactReader<'_> {
     }
 
     /// Returns the contact of a pair in three axes. `None` if the shapes are beyond the contact margin.
-    pub fn spatial_contact(&self, pair: usize) -> Option<SpatialContact> {
+    pub fn spatial_contact(&self, pair: PairIndex) -> Option<SpatialContact> {
         let space = self.depth.as_ref()?;
         let proxies = self.pairs.proxies_of(pair);
         let [a, b] = proxies.map(|proxy| self.proxies.proxy(proxy));

@@ -18,6 +18,7 @@ use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ};
 use crate::broad_phase::proxies::BodyType;
 use crate::constraint_graph::ConstraintKind;
+use crate::index::PairIndex;
 use crate::math::plane::{
     Vector, cross, difference, dot, length, rotate, rotate_inverse, rotation, scaled, sum,
 };
@@ -31,7 +32,7 @@ impl NarrowPhase<'_> {
     /// Returns whether the manifold of a pair may be recycled. The contact point of circles and spheres moves over their
     /// surface, so their manifolds are always computed. In three axes the shapes must still overlap along z if the normal has a
     /// component in the plane.
-    pub(super) fn may_recycle(&self, pair: usize, two: ProxyPair<'_>) -> bool {
+    pub(super) fn may_recycle(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let Some(space) = self.depth else { return !self.are_both_circles(two) };
         let (kind, proxies) = (self.pairs.state(pair).kind, self.pairs.proxies_of(pair));
         // The contact axis of an upright shape may change between vertical and lateral.
@@ -45,7 +46,7 @@ impl NarrowPhase<'_> {
 
     /// Recycles the manifold of a pair: computes the separations in the present poses and stores them in the contact
     /// constraint. Returns false, without a change, if the bodies have moved too far or the pair has no constraint.
-    pub(super) fn recycle_contact(&mut self, pair: usize, two: ProxyPair<'_>) -> bool {
+    pub(super) fn recycle_contact(&mut self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let cached = self.pairs.manifold(pair);
         let (qa, qb) = (rotation(two.pose_a), rotation(two.pose_b));
         let [ca, sa, cb, sb] = cached.rotations;
@@ -100,7 +101,7 @@ impl NarrowPhase<'_> {
 
     /// Returns the rotation of B in this step at its present angular velocity, in radians, signed. It is 0 unless A is static
     /// and both shapes are polygons or capsules.
-    fn rotation_on_static(&self, pair: usize, two: ProxyPair<'_>) -> f32 {
+    fn rotation_on_static(&self, pair: PairIndex, two: ProxyPair<'_>) -> f32 {
         let ConstraintKind { has_two_points, is_static, .. } = self.pairs.state(pair).kind;
         if has_two_points && is_static {
             // In a pair with a sensor both bodies may be static.
@@ -112,14 +113,14 @@ impl NarrowPhase<'_> {
 
     /// Returns `Some(true)` if B rolls fast over a static face, so that its contacts are updated in every substep;
     /// `Some(false)` if B rolls slowly. Returns `None` if B does not roll.
-    pub(super) fn rolling_speed_class(&self, pair: usize, two: ProxyPair<'_>) -> Option<bool> {
+    pub(super) fn rolling_speed_class(&self, pair: PairIndex, two: ProxyPair<'_>) -> Option<bool> {
         let is_rolling = self.pairs.manifold(pair).arm_lead_angle != 0.0 && self.is_rolling_over(pair, two);
         is_rolling.then(|| self.rotation_on_static(pair, two).abs() > ROLLING_MIN_ANGLE_PER_STEP)
     }
 
     /// Returns whether B, on a static face, rotates by more than [`ROLLING_MIN_ANGLE_PER_STEP`] in this step, or has the energy
     /// to topple over the vertex on which it stands.
-    fn is_rolling_over(&self, pair: usize, two: ProxyPair<'_>) -> bool {
+    fn is_rolling_over(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let rotation = self.rotation_on_static(pair, two).abs();
         rotation > ROLLING_MIN_ANGLE_PER_STEP || (rotation > 0.0 && self.has_energy_to_topple(pair, two))
     }
@@ -130,7 +131,7 @@ impl NarrowPhase<'_> {
     /// The angular velocity of B is w, its radius of gyration k, the acceleration of gravity g. The distance of the point from
     /// the centre of mass of B is r, and the height of that centre above the point y. Capsules, and bodies with contacts on
     /// other bodies than static ones, count as unable to topple.
-    fn has_energy_to_topple(&self, pair: usize, two: ProxyPair<'_>) -> bool {
+    fn has_energy_to_topple(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let (body, cached) = (two.b.body as usize, self.pairs.manifold(pair));
         let [mass, inertia] = self.bodies.inverse_mass_inertia[body];
         if !(self.palette.touches_only_static(body)
@@ -150,7 +151,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Caches a manifold of a pair, with the poses `two` for which it was computed.
-    pub(super) fn cache_manifold(&mut self, pair: usize, two: ProxyPair<'_>, manifold: &Manifold) {
+    pub(super) fn cache_manifold(&mut self, pair: PairIndex, two: ProxyPair<'_>, manifold: &Manifold) {
         let count =
             if self.pairs.state(pair).kind.has_two_points { manifold.count } else { manifold.count.min(1) };
         let offset = if self.are_both_circles(two) {
@@ -190,7 +191,7 @@ impl NarrowPhase<'_> {
     /// from. `None`: no old point is near enough.
     pub(super) fn match_points(
         &self,
-        pair: usize,
+        pair: PairIndex,
         two: ProxyPair<'_>,
         manifold: &Manifold,
     ) -> [Option<usize>; 2] {

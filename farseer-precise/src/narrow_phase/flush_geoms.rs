@@ -20,6 +20,7 @@ use crate::broad_phase::pairs::OneWayState;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::continuous_collision::time_of_impact::{SweptPair, SweptShape};
+use crate::index::{PairIndex, ProxyIndex};
 use crate::math::plane::{
     Pose, Vector, cross, difference, dot, length, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
@@ -48,7 +49,7 @@ pub(crate) struct FlushFilter<'a> {
 /// A pair whose manifold the filter examines: A is a static or kinematic piece, B a piece of a dynamic body.
 #[derive(Clone, Copy)]
 struct FilteredPair<'a> {
-    proxies: [u32; 2],
+    proxies: [ProxyIndex; 2],
     a: &'a Proxy,
     b: &'a Proxy,
     poses: [Pose; 2],
@@ -58,7 +59,7 @@ impl<'a> FlushFilter<'a> {
     /// Returns the manifold of a pair without contacts that flush neighbours of A hide: `manifold` itself, or that of another
     /// face of A, or one without points. Manifolds deeper than [`GHOST_MAX_PENETRATION`] are returned unchanged. `margin`:
     /// contact margin in length units.
-    pub(crate) fn filter_manifold(&self, pair: usize, manifold: Manifold, margin: f32) -> Manifold {
+    pub(crate) fn filter_manifold(&self, pair: PairIndex, manifold: Manifold, margin: f32) -> Manifold {
         let Some(filtered) = self.filter_pair(pair).filter(|_| manifold.count > 0) else { return manifold };
         let deepest =
             manifold.separations[..manifold.count].iter().fold(0.0, |a: f32, &b| if b < a { b } else { a });
@@ -76,7 +77,7 @@ impl<'a> FlushFilter<'a> {
     ///
     /// Used for the time of impact, in place of [`SweptPair::separation_and_closing_speed`]. Without such a face the pair has
     /// no impact: the result is (`f32::MAX`, 0).
-    pub(crate) fn separation_and_closing(&self, pair: usize, two: &SweptPair<'_>) -> (f32, f32) {
+    pub(crate) fn separation_and_closing(&self, pair: PairIndex, two: &SweptPair<'_>) -> (f32, f32) {
         let (separation, closing) = two.separation_and_closing_speed(self.time);
         let margin = self.parameters.speculative_distance;
         let is_far = separation > margin || separation < -GHOST_MAX_PENETRATION * self.parameters.length_unit;
@@ -98,7 +99,7 @@ impl<'a> FlushFilter<'a> {
     /// Returns the proxies and poses of a pair for the filter; `None` if no neighbour can hide the contacts of the pair. The
     /// filter applies if A is a static or kinematic polygon and B belongs to a dynamic body that also has a pair with another
     /// such polygon.
-    fn filter_pair(&self, pair: usize) -> Option<FilteredPair<'a>> {
+    fn filter_pair(&self, pair: PairIndex) -> Option<FilteredPair<'a>> {
         let state = self.pairs.state(pair);
         let proxies = self.pairs.proxies_of(pair);
         let [a, b] = proxies.map(|proxy| self.proxies.proxy(proxy));
@@ -111,7 +112,11 @@ impl<'a> FlushFilter<'a> {
 
     /// Returns the static or kinematic polygons of other geoms that B has a colliding pair with. `at_a` and `at_b` are the
     /// proxies A and B.
-    fn neighbours(&self, [at_a, at_b]: [u32; 2], a: &'a Proxy) -> impl Iterator<Item = &'a Proxy> + '_ {
+    fn neighbours(
+        &self,
+        [at_a, at_b]: [ProxyIndex; 2],
+        a: &'a Proxy,
+    ) -> impl Iterator<Item = &'a Proxy> + '_ {
         self.pairs.pairs_of(at_b).filter_map(move |pair| {
             let [other, _] = self.pairs.proxies_of(pair);
             let (state, c) = (self.pairs.state(pair), self.proxies.proxy(other));

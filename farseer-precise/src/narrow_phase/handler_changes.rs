@@ -1,6 +1,7 @@
 //! Narrow phase: changes that collision handlers made to the contacts of one step, and their end.
 
 use super::NarrowPhase;
+use crate::index::PairIndex;
 use crate::surface::SurfaceOverride;
 
 impl NarrowPhase<'_> {
@@ -8,8 +9,8 @@ impl NarrowPhase<'_> {
     /// Returns whether a pair was vetoed. A sleeping pair keeps its contact constraint as the handlers left it until it wakes.
     pub(crate) fn clear_handler_overrides(&mut self) -> bool {
         let mut has_vetoes = false;
-        for pair in 0..self.pairs.count() {
-            let is_awake = pair < self.pairs.awake_count;
+        for pair in self.pairs.indices() {
+            let is_awake = self.pairs.is_awake(pair);
             let was_vetoed = std::mem::take(&mut self.pairs.state_mut(pair).is_vetoed);
             self.pairs.state_mut(pair).was_vetoed = was_vetoed;
             has_vetoes |= was_vetoed;
@@ -24,7 +25,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Disables all contacts of a pair for this step: removes its contact constraint.
-    pub fn veto(&mut self, pair: usize) {
+    pub fn veto(&mut self, pair: PairIndex) {
         if self.pairs.has_constraint(pair) {
             self.sleep.request_wake_of_pair(self.pairs.bodies_of(self.proxies, pair));
         }
@@ -41,7 +42,7 @@ impl NarrowPhase<'_> {
 
     /// Retains only some contact points of a pair. The other points exert no impulses in this step. Returns whether the pair has
     /// a contact constraint.
-    pub fn retain_points(&mut self, pair: usize, is_kept: [bool; 2]) -> bool {
+    pub fn retain_points(&mut self, pair: PairIndex, is_kept: [bool; 2]) -> bool {
         let state = *self.pairs.state(pair);
         let Some(handle) = state.constraint else { return false };
         self.sleep.request_wake_of_pair(self.pairs.bodies_of(self.proxies, pair));
@@ -58,9 +59,9 @@ impl NarrowPhase<'_> {
 
     /// Overrides friction, restitution and tangent speed of a pair for this step. A sleeping pair wakes if these values differ
     /// from those with which it fell asleep. Returns the restitution coefficient if the contact constraint has changed.
-    pub fn override_surface(&mut self, pair: usize, surface: SurfaceOverride) -> Option<f32> {
+    pub fn override_surface(&mut self, pair: PairIndex, surface: SurfaceOverride) -> Option<f32> {
         let state = *self.pairs.state(pair);
-        let is_asleep = pair >= self.pairs.awake_count;
+        let is_asleep = !self.pairs.is_awake(pair);
         let Some(handle) = state.constraint.filter(|_| is_asleep || surface != SurfaceOverride::default())
         else {
             if is_asleep && state.responds {

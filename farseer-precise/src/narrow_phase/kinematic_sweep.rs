@@ -15,6 +15,7 @@ use crate::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
 };
 use crate::depth::posed_solid::{ContactMargins, PreviousAxis};
+use crate::index::{PairIndex, ProxyIndex};
 use crate::math::plane::{Pose, dot, scaled};
 use crate::narrow_phase::manifold::Manifold;
 use crate::narrow_phase::shape_dispatch::collide;
@@ -54,18 +55,18 @@ impl<'a> NarrowPhase<'a> {
         let NarrowPhase { bodies, proxies, pairs, parameters, dt, .. } = self;
         for proxy in bodies.kinematic.iter().flat_map(|&number| proxies.proxies_of(number as usize)) {
             if is_fast_kinematic(proxies.proxy(proxy), bodies, parameters, *dt) {
-                ahead.extend(pairs.pairs_of(proxy).map(|pair| pair as u32));
+                ahead.extend(pairs.pairs_of(proxy));
             }
         }
         // In the order of pair indices, which snapshots preserve: the order of contact constraints depends on it.
         ahead.sort_unstable();
-        ahead.drain(..).for_each(|pair| self.add_swept_contact(pair as usize));
+        ahead.drain(..).for_each(|pair| self.add_swept_contact(pair));
         *self.dirty_pairs = ahead;
     }
 
     /// Adds the contact of a kinematic body A with a dynamic body B that A will hit within the step. Pairs that have a contact
     /// already are skipped.
-    fn add_swept_contact(&mut self, pair: usize) {
+    fn add_swept_contact(&mut self, pair: PairIndex) {
         let state = self.pairs.state(pair);
         let is_new = self.pairs.manifold(pair).count == 0 && state.has_response();
         let two = self.proxy_pair(pair);
@@ -88,7 +89,7 @@ impl<'a> NarrowPhase<'a> {
 
     /// Returns whether B already touches another kinematic body that moves like A. B then slides or rolls on both as on static
     /// bodies, and the narrow phase itself distinguishes a seam from a wall.
-    fn is_carried_equally(&self, pair: usize, two: ProxyPair<'_>) -> bool {
+    fn is_carried_equally(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let [_, at_b] = self.pairs.proxies_of(pair);
         self.pairs.pairs_of(at_b).any(|other| {
             let carrier = self.proxies.proxy(self.pairs.proxies_of(other)[0]);
@@ -119,7 +120,7 @@ impl<'a> NarrowPhase<'a> {
     }
 
     /// Returns the contact of a pair at its time of impact; `None` if the shapes do not collide within the step.
-    fn find_swept_contact(&self, pair: usize, two: ProxyPair<'a>) -> Option<SweptContact<'a>> {
+    fn find_swept_contact(&self, pair: PairIndex, two: ProxyPair<'a>) -> Option<SweptContact<'a>> {
         let displacements = [two.a, two.b].map(|proxy| self.predicted_displacement(proxy));
         let [a, b] = [(two.a, two.pose_a, displacements[0]), (two.b, two.pose_b, displacements[1])].map(
             |(proxy, pose, displacement)| SweptShape {
@@ -155,7 +156,7 @@ impl<'a> NarrowPhase<'a> {
     /// `displacements` are those of A and B in the step: x, y (length units), angle (radians), z (length units).
     fn manifold_at_toi(
         &self,
-        pair: usize,
+        pair: PairIndex,
         two: ProxyPair<'a>,
         displacements: [[f32; 4]; 2],
         time: f32,
@@ -164,7 +165,7 @@ impl<'a> NarrowPhase<'a> {
         let [a, b] = [two.a, two.b].map(|proxy| self.proxies.vertices.shape_ref(proxy.shape));
         let Some(space) = self.depth else { return collide(a, b, two.pose_a, two.pose_b, margin) };
         let [at_a, at_b] = self.pairs.proxies_of(pair);
-        let solid = |at: u32, proxy: &'a Proxy, pose: Pose, displacement: [f32; 4]| {
+        let solid = |at: ProxyIndex, proxy: &'a Proxy, pose: Pose, displacement: [f32; 4]| {
             let shape = self.proxies.vertices.shape_ref(proxy.shape);
             let mut solid = space.posed_solid(at, proxy, shape, (self.bodies, self.dt));
             solid.advance(pose, displacement, time);

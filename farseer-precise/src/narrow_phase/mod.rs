@@ -44,6 +44,7 @@ use super::scaled_parameters::Parameters;
 use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ, Pairs, RecheckTrigger, UPDATED_BY_SOLVER};
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::contact_solver::rolling::RollingContact;
+use crate::index::{PairIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::plane::{Pose, Vector, difference, length, rotate_inverse, rotation, translation};
 use crate::math::scalar::nearest_finite;
@@ -82,7 +83,7 @@ pub struct NarrowPhase<'a> {
     pub(crate) ended_static_contacts: &'a mut Vec<(u32, f32)>,
     pub(crate) stats: &'a mut NarrowPhaseStats,
     /// Workspace: indices of the pairs to update; empty between updates of contacts.
-    pub(crate) dirty_pairs: &'a mut Vec<u32>,
+    pub(crate) dirty_pairs: &'a mut Vec<PairIndex>,
     /// Contacts of polygons that roll over a static face in this step. The solver updates these contacts in its substeps.
     pub(crate) rolling_contacts: &'a mut Vec<RollingContact>,
 }
@@ -123,7 +124,7 @@ impl ProxyPair<'_> {
 impl<'a> NarrowPhase<'a> {
     /// Returns the proxies of a pair with the present poses of their bodies.
     #[inline(always)]
-    fn proxy_pair(&self, pair: usize) -> ProxyPair<'a> {
+    fn proxy_pair(&self, pair: PairIndex) -> ProxyPair<'a> {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let pose = |proxy: &Proxy| self.bodies.poses[proxy.body as usize];
         ProxyPair { a, b, pose_a: pose(a), pose_b: pose(b) }
@@ -145,19 +146,19 @@ impl<'a> NarrowPhase<'a> {
         if self.depth.is_none() && self.proxies.one_way_count == 0 {
             self.reject_separated_boxes(&mut dirty);
         }
-        dirty.drain(..).for_each(|pair| self.update_contact(pair as usize));
+        dirty.drain(..).for_each(|pair| self.update_contact(pair));
         *self.dirty_pairs = dirty;
         dirty_count
     }
 
     /// Writes the indices of the awake pairs that need an update to `dirty`, and returns their number. The loop has no branch
     /// on the motion, since the processor cannot predict which pairs have moved.
-    fn collect_dirty_pairs(&self, dirty: &mut Vec<u32>) -> usize {
-        let (awake, mut count) = (self.pairs.awake_count, 0);
-        dirty.resize(awake, 0);
-        for (pair, trigger) in self.pairs.awake_triggers().enumerate() {
+    fn collect_dirty_pairs(&self, dirty: &mut Vec<PairIndex>) -> usize {
+        let (awake, mut count) = (self.pairs.awake_count(), 0);
+        dirty.resize(awake, PairIndex::default());
+        for (pair, trigger) in self.pairs.awake_triggers() {
             let moved = self.total_travel(trigger).wrapping_sub(trigger.motion_at_check);
-            dirty[count] = pair as u32;
+            dirty[count] = pair;
             count += usize::from(
                 (moved >= trigger.motion_tolerance) & (trigger.motion_tolerance != UPDATED_BY_SOLVER),
             );
@@ -167,7 +168,7 @@ impl<'a> NarrowPhase<'a> {
     }
 
     /// Updates the manifold, the contact constraint and the touch state of a pair.
-    pub(crate) fn update_contact(&mut self, pair: usize) {
+    pub(crate) fn update_contact(&mut self, pair: PairIndex) {
         let two = self.proxy_pair(pair);
         let is_known = self.pairs.manifold(pair).count > 0
             && self.pairs.trigger(pair).motion_tolerance != UPDATED_BY_SOLVER;
@@ -199,7 +200,7 @@ impl<'a> NarrowPhase<'a> {
     }
 
     /// Returns the contact constraint that the cached manifold of a pair gives. All impulses of the constraint are 0.
-    pub(crate) fn current_constraint(&self, pair: usize) -> ContactConstraint {
+    pub(crate) fn current_constraint(&self, pair: PairIndex) -> ContactConstraint {
         self.build_constraint(pair, self.proxy_pair(pair))
     }
 
@@ -221,7 +222,7 @@ impl<'a> NarrowPhase<'a> {
 
     /// Computes the manifold of a pair in the plane or in three axes, without ghost collisions. `margin`: contact margin in
     /// length units.
-    fn collide(&self, pair: usize, two: ProxyPair<'_>, margin: f32) -> Manifold {
+    fn collide(&self, pair: PairIndex, two: ProxyPair<'_>, margin: f32) -> Manifold {
         let shape_of = |proxy: &Proxy| self.proxies.vertices.shape_ref(proxy.shape);
         let Some(space) = self.depth else {
             let manifold = collide(shape_of(two.a), shape_of(two.b), two.pose_a, two.pose_b, margin);
@@ -239,8 +240,9 @@ impl<'a> NarrowPhase<'a> {
         if let Some([a, b]) = space.dynamic_spheres([at_a, at_b], [two.a, two.b], (self.bodies, self.dt)) {
             return collide_spheres(a, b, self.pairs.manifold(pair).count == 0, margin);
         }
-        let solid =
-            |at: u32, proxy: &'a Proxy| space.posed_solid(at, proxy, shape_of(proxy), (self.bodies, self.dt));
+        let solid = |at: ProxyIndex, proxy: &'a Proxy| {
+            space.posed_solid(at, proxy, shape_of(proxy), (self.bodies, self.dt))
+        };
         let CachedManifold { count, features, depth: CachedManifoldZ { normal_z, .. }, .. } =
             *self.pairs.manifold(pair);
         let previous_axis = match normal_z {
@@ -263,7 +265,7 @@ impl<'a> NarrowPhase<'a> {
 
     /// Removes the contact of a pair, and emits an end-touch event if the pair touched. The separation exceeds the contact
     /// margin by `extra_distance`, in length units. The next update of the pair follows after its bodies have moved that far.
-    fn end_contact(&mut self, pair: usize, extra_distance: f32) {
+    fn end_contact(&mut self, pair: PairIndex, extra_distance: f32) {
         self.record_separation(pair);
         self.remove_constraint(pair);
         if self.pairs.is_touching(pair) {
@@ -281,7 +283,7 @@ impl<'a> NarrowPhase<'a> {
     /// distances by which the bodies approach each other until the time of the manifold; 0 for a manifold in the present poses.
     fn store_manifold(
         &mut self,
-        pair: usize,
+        pair: PairIndex,
         two: ProxyPair<'_>,
         manifold: &Manifold,
         approach: ApproachDistances,

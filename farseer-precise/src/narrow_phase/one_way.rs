@@ -10,6 +10,7 @@
 //! body that landed on one piece also rests on the next, and a body that passes one piece passes the next. The decision reads
 //! the motion of the step, not the velocities at its end. So it depends neither on the length of the step nor on its impulses.
 
+use crate::index::{PairIndex, ProxyIndex};
 use crate::parameters::narrow_phase::{ONE_WAY_MIN_COS, TOI_TOLERANCE_RATIO};
 
 use crate::bodies::BodySet;
@@ -36,12 +37,12 @@ pub(crate) struct PairMotion<'a> {
 
 impl PairMotion<'_> {
     /// Returns the proxies A and B of a pair.
-    fn proxies_of_pair(&self, pair: usize) -> [&Proxy; 2] {
+    fn proxies_of_pair(&self, pair: PairIndex) -> [&Proxy; 2] {
         self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy))
     }
 
     /// Returns the shapes of a pair with their poses before the motion and their displacements.
-    fn swept_pair(&self, pair: usize) -> SweptPair<'_> {
+    fn swept_pair(&self, pair: PairIndex) -> SweptPair<'_> {
         let swept_shape = |proxy: &Proxy| {
             let displacement = self.bodies.delta_pose.get(proxy.body as usize).copied().unwrap_or_default();
             let pose = self.bodies.poses[proxy.body as usize];
@@ -53,7 +54,7 @@ impl PairMotion<'_> {
     }
 
     /// Returns the shapes of a pair in their present poses, with displacement 0.
-    fn current_pair(&self, pair: usize) -> SweptPair<'_> {
+    fn current_pair(&self, pair: PairIndex) -> SweptPair<'_> {
         let swept_shape = |proxy: &Proxy| SweptShape {
             shape: self.proxies.vertices.shape_ref(proxy.shape),
             pose: self.bodies.poses[proxy.body as usize],
@@ -65,7 +66,7 @@ impl PairMotion<'_> {
 
     /// Returns the pairs that share one [`OneWayState`] with the pair `pair`, this pair included. They are the pairs between
     /// the one-way geom and all geoms of the other body that are not one-way themselves.
-    fn group(&self, pair: usize) -> impl Iterator<Item = usize> + '_ {
+    fn group(&self, pair: PairIndex) -> impl Iterator<Item = PairIndex> + '_ {
         let group_proxies = self.pairs.proxies_of(pair);
         let body = self.proxies.body_of(group_proxies[1]);
         let pairs = self.pairs.pairs_of_body(self.proxies, body);
@@ -74,31 +75,31 @@ impl PairMotion<'_> {
 
     /// Returns the state that a new pair takes over from the other pairs of its group: pairs of the same one-way geom and the
     /// same other body. `Apart` if it is the first pair.
-    pub(crate) fn state_of_group(&self, pair: usize) -> OneWayState {
+    pub(crate) fn state_of_group(&self, pair: PairIndex) -> OneWayState {
         let others = self.group(pair).filter(|&other| other != pair);
         let mut known = others.map(|other| self.pairs.state(other).one_way_state);
         known.find(|&state| state != OneWayState::Closed).unwrap_or(OneWayState::Apart)
     }
 
     /// Returns whether a pair of this pair's group (same one-way geom, same other body) has a contact constraint.
-    pub(crate) fn has_group_constraint(&self, pair: usize) -> bool {
+    pub(crate) fn has_group_constraint(&self, pair: PairIndex) -> bool {
         self.group(pair).any(|other| self.pairs.has_constraint(other))
     }
 
     /// Returns the pairs of this pair's group (same one-way geom, same other body) whose shapes overlap in the present poses.
-    fn overlapping_in_group(&self, pair: usize) -> impl Iterator<Item = usize> + '_ {
+    fn overlapping_in_group(&self, pair: PairIndex) -> impl Iterator<Item = PairIndex> + '_ {
         self.group(pair).filter(|&pair| self.current_pair(pair).separation(0.0).0 < 0.0)
     }
 
     /// Returns whether the shapes of a pair of this pair's group (same one-way geom, same other body) overlap in the present
     /// poses.
-    pub(crate) fn group_overlaps(&self, pair: usize) -> bool {
+    pub(crate) fn group_overlaps(&self, pair: PairIndex) -> bool {
         self.overlapping_in_group(pair).next().is_some()
     }
 
     /// Returns the state of a pair's group (same one-way geom, same other body) after the motion of the step. The group must
     /// not have landed yet.
-    pub(crate) fn resolve_state(&self, pair: usize) -> OneWayState {
+    pub(crate) fn resolve_state(&self, pair: PairIndex) -> OneWayState {
         if self.pairs.state(pair).one_way_state == OneWayState::Passes {
             return if self.group_overlaps(pair) { OneWayState::Passes } else { OneWayState::Apart };
         }
@@ -115,20 +116,20 @@ impl PairMotion<'_> {
 
     /// Returns whether the other body will land on the one-way geom of a pair with the motion of this step. The two must be
     /// apart.
-    pub(crate) fn will_land(&self, pair: usize) -> bool {
+    pub(crate) fn will_land(&self, pair: PairIndex) -> bool {
         let landings = self.group(pair).filter_map(|pair| Some(self.landing_at(pair, self.first_toi(pair)?)));
         landings.reduce(earlier_toi).is_some_and(|(_, lands)| lands)
     }
 
     /// Returns whether one shape of the pair lies above a stopping face of the other one, which is one-way, in the present
     /// poses.
-    pub(crate) fn is_above(&self, pair: usize) -> bool {
+    pub(crate) fn is_above(&self, pair: PairIndex) -> bool {
         self.is_above_at(pair, &self.current_pair(pair), 0.0)
     }
 
     /// Returns the time of impact of a pair as a fraction of the step, 0 if its shapes overlap at the beginning. `None` without
     /// an impact.
-    fn first_toi(&self, pair: usize) -> Option<f32> {
+    fn first_toi(&self, pair: PairIndex) -> Option<f32> {
         let two = self.swept_pair(pair);
         conservative_advancement(0.0, TOI_TOLERANCE_RATIO * self.speculative_distance, |time| {
             two.separation_and_closing_speed(time)
@@ -137,13 +138,13 @@ impl PairMotion<'_> {
 
     /// Returns the tuple (`time`, whether the pair lands at that time); `time` is a fraction of the step. The smallest tuple of
     /// a group decides for the group.
-    fn landing_at(&self, pair: usize, time: f32) -> (f32, bool) {
+    fn landing_at(&self, pair: PairIndex, time: f32) -> (f32, bool) {
         (time, self.is_above_at(pair, &self.swept_pair(pair), time))
     }
 
     /// Returns whether, at a fraction of the step, each one-way shape of the pair has the other shape above one of its stopping
     /// faces.
-    fn is_above_at(&self, pair: usize, two: &SweptPair<'_>, time: f32) -> bool {
+    fn is_above_at(&self, pair: PairIndex, two: &SweptPair<'_>, time: f32) -> bool {
         let [a, b] = self.proxies_of_pair(pair).map(|proxy| proxy.one_way);
         a.is_none_or(|direction| is_above(&two.a, &two.b, time, direction, self.speculative_distance))
             && b.is_none_or(|direction| is_above(&two.b, &two.a, time, direction, self.speculative_distance))
@@ -155,7 +156,7 @@ impl<'a> NarrowPhase<'a> {
     /// `Apart`. This precedes the update of pairs, because at the seam of two pieces the contact with one ends before that with
     /// the next begins.
     pub(crate) fn release_one_way(&mut self) {
-        for pair in 0..self.pairs.count() {
+        for pair in self.pairs.indices() {
             let state = self.pairs.state(pair);
             if state.one_way_state == OneWayState::Landed && state.constraint.is_none() {
                 let motion = self.last_step_motion();
@@ -184,7 +185,7 @@ impl<'a> NarrowPhase<'a> {
     #[inline(never)]
     pub(crate) fn is_passable(
         &mut self,
-        pair: usize,
+        pair: PairIndex,
         two: narrow_phase::ProxyPair<'a>,
         manifold: &Manifold,
     ) -> bool {
@@ -215,7 +216,7 @@ impl<'a> NarrowPhase<'a> {
 
     /// Sets the group of a pair (same one-way geom, same other body) from `Landed` back to `Apart`, unless a pair of the group
     /// has a contact constraint. It is called after a handler of the game has disabled the contact.
-    pub(crate) fn revoke_landing(&mut self, pair: usize) {
+    pub(crate) fn revoke_landing(&mut self, pair: PairIndex) {
         if self.pairs.state(pair).one_way_state == OneWayState::Landed
             && !self.last_step_motion().has_group_constraint(pair)
         {
@@ -225,12 +226,12 @@ impl<'a> NarrowPhase<'a> {
 
     /// Returns whether B passes through A, a one-way platform in three axes. B passes if it has no contact with A and does not
     /// land on A in this step.
-    pub(crate) fn is_passable_3d(&self, pair: usize, two: narrow_phase::ProxyPair<'a>) -> bool {
+    pub(crate) fn is_passable_3d(&self, pair: PairIndex, two: narrow_phase::ProxyPair<'a>) -> bool {
         let state = self.pairs.state(pair);
         let Some(space) = self.depth.filter(|space| state.responds && space.is_one_way(two.a)) else {
             return false;
         };
-        let solid = |at: u32, proxy: &'a Proxy| {
+        let solid = |at: ProxyIndex, proxy: &'a Proxy| {
             space.posed_solid(at, proxy, self.proxies.vertices.shape_ref(proxy.shape), (self.bodies, self.dt))
         };
         let [at_a, at_b] = self.pairs.proxies_of(pair);
@@ -241,7 +242,7 @@ impl<'a> NarrowPhase<'a> {
 
 impl Pairs {
     /// Sets the state of all pairs of a pair's group: those between the same one-way geom and the same other body.
-    pub(crate) fn set_one_way_state(&mut self, proxies: &Proxies, pair: usize, state: OneWayState) {
+    pub(crate) fn set_one_way_state(&mut self, proxies: &Proxies, pair: PairIndex, state: OneWayState) {
         let group_proxies = self.proxies_of(pair);
         let body = proxies.body_of(group_proxies[1]);
         for proxy in proxies.proxies_of(body) {
@@ -258,8 +259,8 @@ impl Pairs {
 
 /// Returns whether the pair of the proxies `one` and `other` belongs to the group of the pair [a, b]. Both pairs then have the
 /// same one-way geom and the same body on the other side.
-fn is_of_group(proxies: &Proxies, [a, b]: [u32; 2], [one, other]: [u32; 2]) -> bool {
-    let belongs = |proxy: u32, to: u32| {
+fn is_of_group(proxies: &Proxies, [a, b]: [ProxyIndex; 2], [one, other]: [ProxyIndex; 2]) -> bool {
+    let belongs = |proxy: ProxyIndex, to: ProxyIndex| {
         let (proxy, to) = (proxies.proxy(proxy), proxies.proxy(to));
         if to.one_way.is_some() {
             proxy.owner == to.owner

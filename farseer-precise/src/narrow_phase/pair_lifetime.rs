@@ -6,29 +6,31 @@ use crate::broad_phase::pair_finder::{fat_aabbs_overlap, is_pair_reported};
 use crate::broad_phase::pairs::{OneWayState, Pairs};
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::ConstraintKind;
+use crate::index::{PairIndex, ProxyIndex};
 
 impl NarrowPhase<'_> {
     /// Removes the pairs of these proxies whose fat AABBs do not overlap any more. `refitted` holds indices of proxies with a
     /// new fat AABB.
-    pub(crate) fn remove_separated_pairs(&mut self, refitted: &[u32]) {
+    pub(crate) fn remove_separated_pairs(&mut self, refitted: &[ProxyIndex]) {
         let mut separated = std::mem::take(self.dirty_pairs);
         let NarrowPhase { proxies, pairs, depth, .. } = self;
         for &proxy in refitted {
-            let is_separated = |&pair: &usize| !fat_aabbs_overlap(proxies, *depth, pairs.proxies_of(pair));
-            separated.extend(pairs.pairs_of(proxy).filter(is_separated).map(|pair| pair as u32));
+            let is_separated =
+                |&pair: &PairIndex| !fat_aabbs_overlap(proxies, *depth, pairs.proxies_of(pair));
+            separated.extend(pairs.pairs_of(proxy).filter(is_separated));
         }
         // Removal from the last pair on keeps the indices of the others valid.
         separated.sort_unstable();
         separated.dedup();
         for pair in separated.drain(..).rev() {
-            self.record_separation(pair as usize);
-            self.remove_pair(pair as usize);
+            self.record_separation(pair);
+            self.remove_pair(pair);
         }
         *self.dirty_pairs = separated;
     }
 
     /// Removes pairs with their contact constraints. Touching ones get an event, and bodies that they support may wake.
-    pub fn remove_pairs(&mut self, mut pairs: Vec<usize>) {
+    pub fn remove_pairs(&mut self, mut pairs: Vec<PairIndex>) {
         // Descending order keeps the remaining indices valid.
         pairs.sort_unstable();
         pairs.dedup();
@@ -42,7 +44,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Adds a pair of the proxies A and B without contacts to the awake pairs, and returns its index.
-    pub fn add_pair(&mut self, proxies: [u32; 2]) -> usize {
+    pub fn add_pair(&mut self, proxies: [ProxyIndex; 2]) -> PairIndex {
         let all = self.proxies;
         let [a, b] = proxies.map(|proxy| all.proxy(proxy));
         let (responds, is_reported) = (a.responds && b.responds, is_pair_reported(all, proxies));
@@ -68,9 +70,9 @@ impl NarrowPhase<'_> {
 
     /// Returns the kind of the contact constraint of a pair [A, B]: whether it has two points, whether A is static, and whether
     /// there is a depth axis.
-    fn constraint_kind(&self, proxies: [u32; 2]) -> ConstraintKind {
+    fn constraint_kind(&self, proxies: [ProxyIndex; 2]) -> ConstraintKind {
         let [a, b] = proxies.map(|proxy| self.proxies.proxy(proxy).shape);
-        let is_fixed = proxies[0] as usize >= self.proxies.first_fixed;
+        let is_fixed = proxies[0] >= self.proxies.first_fixed;
         match &self.depth {
             None => ConstraintKind {
                 has_two_points: a.vertex_count > 0 && b.vertex_count > 0,
@@ -86,8 +88,8 @@ impl NarrowPhase<'_> {
 }
 
 /// Returns the one-way state of a new pair: `Apart` if the pair has collision response and a one-way geom, else `Closed`.
-pub fn initial_one_way_state(proxies: &Proxies, pairs: &Pairs, pair: usize) -> OneWayState {
-    let is_one_way = |proxy: u32| proxies.proxy(proxy).one_way.is_some();
+pub fn initial_one_way_state(proxies: &Proxies, pairs: &Pairs, pair: PairIndex) -> OneWayState {
+    let is_one_way = |proxy: ProxyIndex| proxies.proxy(proxy).one_way.is_some();
     if pairs.state(pair).responds && pairs.proxies_of(pair).into_iter().any(is_one_way) {
         OneWayState::Apart
     } else {

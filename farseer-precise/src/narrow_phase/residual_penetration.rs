@@ -7,12 +7,13 @@
 use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::pairs::Pair;
 use crate::broad_phase::proxies::BodyType;
+use crate::index::PairIndex;
 
 impl NarrowPhase<'_> {
     /// Returns the largest penetration of B in its present contacts and in the last static contact that ended, in length
     /// units, at least 0. The result is `f32::MAX` if A is dynamic, since bodies on top of A may press A deeper. It is 0 for spheres and for
     /// the ground, which has no edges.
-    pub(super) fn previous_penetration(&self, pair: usize, two: ProxyPair<'_>) -> f32 {
+    pub(super) fn previous_penetration(&self, pair: PairIndex, two: ProxyPair<'_>) -> f32 {
         let state = self.pairs.state(pair);
         if !state.kind.has_two_points || state.is_on_ground {
             return 0.0;
@@ -33,7 +34,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Returns the present penetration of a pair in length units, >= 0; 0 if it has no contact constraint.
-    fn pair_penetration(&self, pair: usize) -> f32 {
+    fn pair_penetration(&self, pair: PairIndex) -> f32 {
         let cached = self.pairs.manifold(pair);
         if !self.pairs.has_constraint(pair) {
             return 0.0;
@@ -47,7 +48,7 @@ impl NarrowPhase<'_> {
 
     /// Appends the dynamic body and penetration of a pair whose contact with a static or kinematic body ends to
     /// `ended_static_contacts`.
-    pub(crate) fn record_separation(&mut self, pair: usize) {
+    pub(crate) fn record_separation(&mut self, pair: PairIndex) {
         let Pair { kind, constraint: handle, .. } = *self.pairs.state(pair);
         let two = self.proxy_pair(pair);
         if self.depth.is_none()

@@ -8,6 +8,7 @@
 use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::proxies::BodyType;
 use crate::depth::posed_solid::{ContactMargins, PosedSolid};
+use crate::index::{PairIndex, ProxyIndex};
 use crate::math::plane::{Vector, dot, scaled};
 use crate::narrow_phase::manifold::Manifold;
 use crate::parameters::narrow_phase::RIM_NORMAL_MAX_COS;
@@ -17,7 +18,7 @@ impl NarrowPhase<'_> {
     /// which the round shape rests.
     pub(super) fn is_hidden_rim(
         &self,
-        pair: usize,
+        pair: PairIndex,
         two: ProxyPair<'_>,
         [a, b]: [PosedSolid<'_>; 2],
         manifold: &Manifold,
@@ -47,7 +48,7 @@ impl NarrowPhase<'_> {
     /// Returns the face on which the round shape of a pair rests: its unit normal toward the round shape, its coordinate along
     /// the normal (world, length units), and whether its body is dynamic. `None` if the round shape does not rest on a face of
     /// the other shape.
-    fn supporting_face(&self, pair: usize, round_proxy: u32) -> Option<(Vector, f32, bool)> {
+    fn supporting_face(&self, pair: PairIndex, round_proxy: ProxyIndex) -> Option<(Vector, f32, bool)> {
         let (state, cached) = (self.pairs.state(pair), self.pairs.manifold(pair));
         let pushes = state.constraint.is_some() && state.responds && !(state.is_vetoed || state.was_vetoed);
         let rests = pushes && cached.count > 0 && cached.depth.normal_z == 0.0;

@@ -10,7 +10,7 @@ impl NarrowPhase<'_> {
     pub(crate) fn store_rolling_contacts(&mut self) {
         let mut rolling = std::mem::take(self.rolling_contacts);
         for roll in rolling.drain(..).filter(|roll| roll.pivot.is_none()) {
-            if let Some(handle) = self.pairs.state(roll.pair as usize).constraint {
+            if let Some(handle) = self.pairs.state(roll.pair).constraint {
                 self.store_rolling_contact(roll, handle);
             }
         }
@@ -21,7 +21,7 @@ impl NarrowPhase<'_> {
     /// The cached manifold gets the present vertices, with anchors and separations for the pose at the beginning of the step: a
     /// snapshot restores constraints from these manifolds, with equal arms.
     fn store_rolling_contact(&mut self, roll: RollingContact, handle: ConstraintHandle) {
-        let pair = roll.pair as usize;
+        let pair = roll.pair;
         let kind = self.pairs.state(pair).kind;
         let old = self.constraints.get(kind, handle);
         let is_second = roll.end_separations[1] < roll.end_separations[0];

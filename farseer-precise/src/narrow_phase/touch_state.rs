@@ -3,6 +3,7 @@
 use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::pairs::UPDATED_BY_SOLVER;
 use crate::broad_phase::proxies::{BodyType, Proxy};
+use crate::index::PairIndex;
 use crate::math::plane::{Vector, difference, dot, sum};
 use crate::storage::order::packed_key;
 
@@ -42,7 +43,7 @@ impl NarrowPhase<'_> {
     /// A pair begins to touch when its separation is negative, when it has an impulse, or when it will close its gap in this
     /// step. Merely speculative contacts do not touch, and are updated in every step. A pair with collision response touches
     /// until its contact ends; a sensor touches while the separation is negative.
-    pub(super) fn update_touch_state(&mut self, pair: usize, two: ProxyPair<'_>) {
+    pub(super) fn update_touch_state(&mut self, pair: PairIndex, two: ProxyPair<'_>) {
         let state = *self.pairs.state(pair);
         let is_touching = (state.is_touching && state.responds) || self.touches_now(pair, two);
         if is_touching != state.is_touching {
@@ -61,7 +62,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Returns whether a contact point of a pair penetrates, has a normal impulse, or will close its gap in this step.
-    fn touches_now(&self, pair: usize, two: ProxyPair<'_>) -> bool {
+    fn touches_now(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let state = *self.pairs.state(pair);
         let cached = self.pairs.manifold(pair);
         let count = cached.count as usize;
@@ -124,7 +125,7 @@ impl NarrowPhase<'_> {
     }
 
     /// Emits an event that a pair begins or ceases to touch, and stores the new touch state in the pair.
-    pub(crate) fn emit_touch_event(&mut self, pair: usize, begins: bool) {
+    pub(crate) fn emit_touch_event(&mut self, pair: PairIndex, begins: bool) {
         self.pairs.set_touching(pair, begins);
         let sides = self.pairs.proxies_of(pair).map(|proxy| {
             let proxy = self.proxies.proxy(proxy);

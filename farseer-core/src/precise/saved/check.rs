@@ -4,6 +4,7 @@ use super::{ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, Sav
 use crate::methods::Methods;
 use crate::precise::Precise;
 use farseer_precise::constraint_graph::COLOR_COUNT;
+use farseer_precise::index::DenseIndex;
 use farseer_precise::scaled_parameters::Parameters;
 
 impl Precise {
@@ -68,7 +69,7 @@ impl SavedPair {
             depth,
             ..
         } = &self.manifold;
-        self.proxies.iter().all(|&proxy| (proxy as usize) < proxies)
+        self.proxies.iter().all(|proxy| proxy.position() < proxies)
             && *count <= 2
             && finite(rotations)
             && finite(relative_pose)

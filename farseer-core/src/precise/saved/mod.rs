@@ -26,6 +26,7 @@ use farseer_precise::broad_phase::pairs::OneWayState;
 use farseer_precise::broad_phase::proxies::BodyType;
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::direct_solver::{IslandHistory, ReselectionTimer};
+use farseer_precise::index::IndexedVec;
 use farseer_precise::math::plane::Vector;
 use farseer_precise::narrow_phase::TouchEvent;
 use farseer_precise::scaled_parameters::Parameters;
@@ -44,7 +45,7 @@ pub(crate) struct Saved {
     friction: FrictionType,
     /// Greatest number of contact points of a pair of convex pieces, 0..=2.
     most_contacts: u32,
-    proxies: Vec<SavedProxy>,
+    proxies: IndexedVec<SavedProxyIndex, SavedProxy>,
     /// All pairs: first the awake pairs, then the pairs of sleeping bodies.
     pairs: Vec<SavedPair>,
     /// Number of awake pairs, which come first in `pairs`.
@@ -178,11 +179,16 @@ impl SavedTouchEvent {
     }
 }
 
+farseer_precise::index_type! {
+    /// Index of a proxy in `Saved::proxies`.
+    pub struct SavedProxyIndex;
+}
+
 /// Saved form of a pair of proxies.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SavedPair {
-    /// Indices of both proxies into `Saved::proxies`.
-    proxies: [u32; 2],
+    /// Indices of both proxies.
+    proxies: [SavedProxyIndex; 2],
     /// Sum of the travels of both proxies at the last update of the pair, in 2^-26 length units, wrapping.
     #[serde(rename = "since")]
     motion_at_check: u32,

@@ -4,8 +4,8 @@
 //! both paths give the same bits.
 
 use super::{
-    EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody,
-    SavedTouchEvent,
+    EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
+    SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
 use crate::objects::Objects;
@@ -20,7 +20,7 @@ use farseer_precise::broad_phase::pair_finder::order_pair;
 use farseer_precise::broad_phase::pairs::OneWayState;
 use farseer_precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use farseer_precise::depth::feature_gate::FeatureGate;
-use farseer_precise::index::{BodyIndex, DenseIndex};
+use farseer_precise::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use farseer_precise::narrow_phase::TouchEvent;
 
 impl From<Saved> for Precise {
@@ -38,6 +38,9 @@ impl From<Saved> for Precise {
     }
 }
 
+/// Current index of each saved proxy; `None` if it does not exist any more.
+type CurrentProxies = IndexedVec<SavedProxyIndex, Option<ProxyIndex>>;
+
 impl Precise {
     /// Restores the state of all proxies and pairs that still exist. `edits`: when edits made since the save take effect.
     pub(in crate::precise) fn restore(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy<'_>) {
@@ -49,7 +52,7 @@ impl Precise {
         let (current_proxies, edited_proxies) = self.restore_proxies(saved, edits);
         self.restore_sleep(saved, objects, edits);
         let remaining = |pair: &SavedPair| {
-            let current = pair.proxies.map(|proxy| current_proxies[proxy as usize]);
+            let current = pair.proxies.map(|proxy| current_proxies[proxy]);
             current[0].zip(current[1]).map(|(a, b)| [a, b]).filter(|&now| {
                 let [one, other] = now.map(|proxy| geom_of(self.solver.proxies.proxy(proxy)));
                 order_pair(&self.solver.proxies, self.solver.depth.as_ref().map(FeatureGate::by_ref), now)
@@ -90,15 +93,15 @@ impl Precise {
         self.solver.touch_events.extend(saved.touch_events.iter().map(SavedTouchEvent::event));
         let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_touching && is_lost(at));
         self.solver.touch_events.extend(ended.map(|(_, pair)| {
-            let sides = pair.proxies.map(|proxy| &saved.proxies[proxy as usize]);
+            let sides = pair.proxies.map(|proxy| &saved.proxies[proxy]);
             TouchEvent::new(sides.map(|proxy| (proxy.number, owner_of(proxy.geom))), false)
         }));
     }
 
     /// Restores contact constraints, each given by its pair index and saved form.
-    fn restore_constraints(&mut self, mut constraints: Vec<(usize, SavedConstraint)>) {
+    fn restore_constraints(&mut self, mut constraints: Vec<(PairIndex, SavedConstraint)>) {
         // Only in the overflow colour the order of constraints influences the bits.
-        sort_by_number(&mut constraints, |(_, row): &(usize, SavedConstraint)| row.slot.into());
+        sort_by_number(&mut constraints, |(_, row): &(PairIndex, SavedConstraint)| row.slot.into());
         for (pair, row) in constraints {
             let surface = row.sleeping_surface.or(row.awake_surface);
             if let Some([_, restitution, _]) = surface {
@@ -132,11 +135,11 @@ impl Precise {
 
     /// Requests that the bodies of a removed pair wake, since its contact constraint no longer supports them, and that solvers
     /// may be selected anew.
-    fn record_lost_constraint(&mut self, pair: &SavedPair, current_proxies: &[Option<u32>]) {
+    fn record_lost_constraint(&mut self, pair: &SavedPair, current_proxies: &CurrentProxies) {
         let was_direct = pair.constraint.is_some_and(|row| row.direct.is_some());
         self.solver.direct_solver.timer.is_due |= was_direct;
         self.solver.direct_solver.timer.may_be_due |= self.solver.depth.is_none();
-        for proxy in pair.proxies.iter().filter_map(|&proxy| current_proxies[proxy as usize]) {
+        for proxy in pair.proxies.iter().filter_map(|&proxy| current_proxies[proxy]) {
             self.solver.sleep.support_removed(self.solver.proxies.body_of(proxy));
         }
     }
@@ -153,8 +156,8 @@ impl Precise {
     }
 
     /// Resets the one-way states of the pairs of each proxy whose one-way direction has changed since the save.
-    fn reset_changed_one_way(&mut self, saved: &Saved, current_proxies: &[Option<u32>]) {
-        for (proxy, place) in saved.proxies.iter().zip(current_proxies) {
+    fn reset_changed_one_way(&mut self, saved: &Saved, current_proxies: &CurrentProxies) {
+        for (proxy, place) in saved.proxies.iter().zip(current_proxies.iter()) {
             if let Some(place) =
                 place.filter(|&now| self.solver.proxies.proxy(now).one_way != proxy.imported.one_way)
             {
@@ -241,23 +244,23 @@ impl Precise {
     /// the proxies whose contacts must be computed anew.
     ///
     /// A proxy whose body has changed its type counts as a new proxy.
-    fn restore_proxies(&mut self, saved: &Saved, edits: EditPolicy<'_>) -> (Vec<Option<u32>>, Vec<u32>) {
-        let mut is_known = vec![false; self.solver.proxies.position_count()];
-        let mut current_proxies = Vec::with_capacity(saved.proxies.len());
+    fn restore_proxies(&mut self, saved: &Saved, edits: EditPolicy<'_>) -> (CurrentProxies, Vec<ProxyIndex>) {
+        let mut is_known = IndexedVec::of_copies(false, self.solver.proxies.position_count());
+        let mut current_proxies = CurrentProxies::default();
         let mut edited = Vec::new();
-        for proxy in &saved.proxies {
+        for proxy in saved.proxies.iter() {
             let proxy_index = self
                 .proxy_of(proxy.geom, proxy.piece)
                 .filter(|&place| self.solver.proxies.proxy(place).body_type == proxy.body_type)
-                .filter(|&place| !std::mem::replace(&mut is_known[place as usize], true));
+                .filter(|&place| !std::mem::replace(&mut is_known[place], true));
             if let Some(place) = proxy_index {
                 edited.extend(self.restore_proxy(place, proxy, edits).then_some(place));
             }
             current_proxies.push(proxy_index);
         }
-        for at in (0..self.solver.proxies.position_count()).filter(|&at| !is_known[at]) {
-            if !self.solver.proxies.proxy(at as u32).is_empty() {
-                self.solver.fat_aabbs().insert(at as u32);
+        for at in self.solver.proxies.indices().filter(|&at| !is_known[at]) {
+            if !self.solver.proxies.proxy(at).is_empty() {
+                self.solver.fat_aabbs().insert(at);
                 // A new body may form an island for the direct solver.
                 self.solver.direct_solver.timer.is_due = true;
             }
@@ -267,8 +270,8 @@ impl Precise {
 
     /// Restores travel and fat AABB of a proxy. Returns whether a property that its contacts depend on has changed since the
     /// save.
-    fn restore_proxy(&mut self, proxy_index: u32, saved: &SavedProxy, edits: EditPolicy<'_>) -> bool {
-        let (then, mut now) = (saved.imported, self.imported_state_of(proxy_index as usize));
+    fn restore_proxy(&mut self, proxy_index: ProxyIndex, saved: &SavedProxy, edits: EditPolicy<'_>) -> bool {
+        let (then, mut now) = (saved.imported, self.imported_state_of(proxy_index));
         if edits == EditPolicy::Defer && then.filter != now.filter {
             let [filter @ .., responds] = then.filter;
             let proxy = self.solver.proxies.proxy_mut(proxy_index);
@@ -310,7 +313,11 @@ impl Precise {
     /// or is restored already.
     ///
     /// A pair that responds now and did not before, or the reverse, is updated in the next step.
-    fn restore_pair(&mut self, proxies: [u32; 2], saved: &SavedPair) -> Option<(usize, SavedConstraint)> {
+    fn restore_pair(
+        &mut self,
+        proxies: [ProxyIndex; 2],
+        saved: &SavedPair,
+    ) -> Option<(PairIndex, SavedConstraint)> {
         if self.solver.pairs.contains(proxies) {
             return None;
         }

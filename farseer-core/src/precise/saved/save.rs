@@ -1,8 +1,8 @@
 //! Writes the state of the precise set to [`Saved`].
 
 use super::{
-    ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody,
-    SavedTouchEvent,
+    ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
+    SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
@@ -14,7 +14,7 @@ use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
 use farseer_precise::constraint_graph::{ConstraintHandle, ContactConstraint, ContactConstraintZ};
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::direct_solver::IslandHistory;
-use farseer_precise::index::{BodyIndex, DenseIndex};
+use farseer_precise::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::narrow_phase::TouchEvent;
 
@@ -25,22 +25,23 @@ impl Precise {
         if let Some(loaded) = &self.loaded {
             return loaded.clone();
         }
-        let mut has_escaped = vec![false; solver.proxies.position_count()];
-        solver.proxies.refitted().iter().for_each(|&proxy| has_escaped[proxy as usize] = true);
+        let mut has_escaped = IndexedVec::of_copies(false, solver.proxies.position_count());
+        solver.proxies.refitted().iter().for_each(|&proxy| has_escaped[proxy] = true);
         let depth = solver.depth.as_ref();
         let order = saved_proxy_order(&solver.proxies);
-        let mut saved_indices = vec![0; solver.proxies.position_count()];
-        (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = index);
+        let mut saved_indices =
+            IndexedVec::of_copies(SavedProxyIndex::default(), solver.proxies.position_count());
+        (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = SavedProxyIndex(index));
         let proxies = order.iter().map(|&at| {
-            let proxy = solver.proxies.proxy(at as u32);
+            let proxy = solver.proxies.proxy(at);
             SavedProxy {
                 geom: geom_of(proxy),
                 number: proxy.creation_number,
                 piece: proxy.piece,
                 body_type: proxy.body_type,
-                fat_aabb: *solver.proxies.fat_aabb_of(at as u32),
+                fat_aabb: *solver.proxies.fat_aabb_of(at),
                 depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
-                travel: solver.proxies.travel_of(at as u32),
+                travel: solver.proxies.travel_of(at),
                 is_refitted: has_escaped[at],
                 imported: self.imported_state_of(at),
             }
@@ -53,8 +54,8 @@ impl Precise {
             friction: solver.friction,
             most_contacts: solver.max_contacts,
             proxies: proxies.collect(),
-            pairs: (0..solver.pairs.count()).map(|pair| self.save_pair(pair, &saved_indices)).collect(),
-            awake_pair_count: solver.pairs.awake_count as u32,
+            pairs: solver.pairs.indices().map(|pair| self.save_pair(pair, &saved_indices)).collect(),
+            awake_pair_count: solver.pairs.awake_count() as u32,
             gravity: solver.sleep.gravity,
             rest_times: self.save_rest_times().collect(),
             sleeping_bodies: self.save_sleeping_bodies(),
@@ -144,7 +145,7 @@ impl Precise {
     }
 
     /// Returns the properties of a proxy and its body by which a later edit is detected.
-    pub(super) fn imported_state_of(&self, proxy: usize) -> ImportedState {
+    pub(super) fn imported_state_of(&self, proxy: ProxyIndex) -> ImportedState {
         let Proxy {
             body,
             friction,
@@ -155,7 +156,7 @@ impl Precise {
             one_way,
             fingerprint,
             ..
-        } = *self.solver.proxies.proxy(proxy as u32);
+        } = *self.solver.proxies.proxy(proxy);
         let ([mass, inertia], [vx, vy, spin, vz]) =
             (self.solver.bodies.inverse_mass_inertia[body as usize], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
@@ -169,7 +170,11 @@ impl Precise {
     }
 
     /// Returns the saved form of a pair. `saved_indices`: index of each proxy into `Saved::proxies`.
-    fn save_pair(&self, pair: usize, saved_indices: &[u32]) -> SavedPair {
+    fn save_pair(
+        &self,
+        pair: PairIndex,
+        saved_indices: &IndexedVec<ProxyIndex, SavedProxyIndex>,
+    ) -> SavedPair {
         let (watch, state) = (*self.solver.pairs.trigger(pair), *self.solver.pairs.state(pair));
         let CachedManifold {
             rotations,
@@ -183,7 +188,7 @@ impl Precise {
             depth,
         } = *self.solver.pairs.manifold(pair);
         SavedPair {
-            proxies: watch.proxies.map(|proxy| saved_indices[proxy as usize]),
+            proxies: watch.proxies.map(|proxy| saved_indices[proxy]),
             motion_at_check: watch.motion_at_check,
             motion_tolerance: watch.motion_tolerance,
             is_touching: state.is_touching,
@@ -242,12 +247,12 @@ fn depth_impulses_of(depth: ContactConstraintZ) -> [f32; 6] {
 
 /// Returns the indices of all proxies in the order in which a rebuild would list them. Only those of static bodies may be listed in
 /// another order, after bodies have become static.
-fn saved_proxy_order(proxies: &Proxies) -> Vec<usize> {
-    let proxy = |at: usize| proxies.proxy(at as u32);
-    let mut order: Vec<usize> = (0..proxies.position_count()).filter(|&at| !proxy(at).is_empty()).collect();
+fn saved_proxy_order(proxies: &Proxies) -> Vec<ProxyIndex> {
+    let proxy = |at: ProxyIndex| proxies.proxy(at);
+    let mut order: Vec<ProxyIndex> = proxies.indices().filter(|&at| !proxy(at).is_empty()).collect();
     let first = order.partition_point(|&at| at < proxies.first_fixed);
     let end = first + order[first..].iter().take_while(|&&at| !proxy(at).is_world).count();
-    let key = |&at: &usize| packed_key([proxy(at).list_key, proxy(at).piece]);
+    let key = |&at: &ProxyIndex| packed_key([proxy(at).list_key, proxy(at).piece]);
     let fixed = &mut order[first..end];
     if !fixed.is_sorted_by_key(key) {
         sort_by_number(fixed, key);

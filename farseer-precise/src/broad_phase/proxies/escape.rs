@@ -6,6 +6,7 @@ use wide::f32x4;
 
 use super::Proxies;
 use crate::bodies::BodySet;
+use crate::index::{DenseIndex, ProxyIndex};
 use crate::math::lanes::{columns, gather, select};
 use crate::scaled_parameters::Parameters;
 
@@ -30,11 +31,12 @@ impl Proxies {
             ..
         } = self;
         for four in runs.iter().flat_map(|run| run.clone().step_by(4)) {
-            let of = &all[four..four + 4];
+            let of = all.slice(four..four + 4);
             let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
             let [x, y, c, s] = gather(&bodies.poses, &places);
             let [dx, dy, turned, dz] = gather(&bodies.delta_pose, &places);
-            let [Some(boxes), Some(bounds)] = [&*boxes, &*bounds].map(|of| of[four..].first_chunk::<4>())
+            let [Some(boxes), Some(bounds)] =
+                [&*boxes, &*bounds].map(|of| of.slice(four..).first_chunk::<4>())
             else {
                 continue;
             };
@@ -54,10 +56,11 @@ impl Proxies {
                 | (y + ey).simd_gt(high_y);
             let travel =
                 (dx.abs() + dy.abs() + dz.abs() + reach * turned.abs()) * scale + f32x4::splat(0.999);
-            add_travel(&mut motion[four..four + 4], travel);
+            add_travel(motion.slice_mut(four..four + 4), travel);
             let left = has_left.to_bitmask();
-            for lane in (0..4).filter(|lane| left >> lane & 1 == 1 && four + lane < *movable) {
-                escaped.push((four + lane) as u32);
+            for lane in (0..4).filter(|lane| left >> lane & 1 == 1 && ProxyIndex::new(four + lane) < *movable)
+            {
+                escaped.push(ProxyIndex::new(four + lane));
             }
         }
     }
