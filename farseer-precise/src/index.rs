@@ -180,6 +180,12 @@ impl<I: DenseIndex, T> IndexedVec<I, T> {
         self.entries.swap(one.position(), other.position());
     }
 
+    /// Removes an entry and returns it. The last entry takes its place.
+    #[inline]
+    pub fn swap_remove(&mut self, index: I) -> T {
+        self.entries.swap_remove(index.position())
+    }
+
     /// Returns the list without its type of index, to grow or shorten it.
     #[inline]
     pub fn as_vec_mut(&mut self) -> &mut Vec<T> {

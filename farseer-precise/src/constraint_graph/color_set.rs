@@ -3,31 +3,59 @@
 //! A colour has no gaps: the last constraint takes the place of a removed one. The overflow colour keeps its order instead,
 //! since its constraints are solved one after the other.
 
+use super::constraint_handle::ConstraintHandle;
 use super::contact_constraint::ContactConstraint;
 use super::contact_constraint_simd::SimdSlot;
-use crate::index::PairIndex;
+use crate::index::{DenseIndex, PairIndex, index_type};
 use crate::reusing_clone;
 
 /// Number of graph colours, the overflow colour included. A set of colours is a mask of type `u32`.
 pub const COLOR_COUNT: usize = 32;
-/// Index of the overflow colour: constraints for which no other colour is free (Box2D 3: `B2_OVERFLOW_INDEX`).
-pub(super) const OVERFLOW_COLOR: u32 = COLOR_COUNT as u32 - 1;
+/// The overflow colour: constraints for which no other colour is free (Box2D 3: `B2_OVERFLOW_INDEX`).
+pub(super) const OVERFLOW_COLOR: Color = Color(COLOR_COUNT as u32 - 1);
+
+index_type! {
+    /// Index of a graph colour.
+    pub struct Color;
+}
+
+impl Color {
+    /// Returns whether the mask `set` contains the colour.
+    #[inline(always)]
+    pub(super) fn is_in(self, set: u32) -> bool {
+        set >> self.0 & 1 == 1
+    }
+}
+
+index_type! {
+    /// Index of a constraint in its colour: 4 times the block plus the lane. In a list of parked constraints: index of the
+    /// entry.
+    pub struct SlotIndex;
+}
+
+impl SlotIndex {
+    /// Returns the block and the lane of a constraint in a colour.
+    #[inline(always)]
+    fn block_and_lane(self) -> (usize, usize) {
+        (self.position() / 4, self.position() % 4)
+    }
+}
+
+/// Returns the lowest colour of the mask `colors`; the overflow colour if the mask is empty.
+pub(super) fn lowest_color(colors: u32) -> Color {
+    Color(colors.trailing_zeros()).min(OVERFLOW_COLOR)
+}
 
 /// Number of blocks for which a colour keeps its memory in any case, a count: about 64 KiB.
 const MAX_SPARE_BLOCKS: usize = 128;
 
-/// Returns the index of the lowest colour of the mask `colors`; the overflow colour if the mask is empty.
-pub(super) fn lowest_color(colors: u32) -> u32 {
-    colors.trailing_zeros().min(OVERFLOW_COLOR)
-}
-
 /// Returns the indices of the colours of the mask `set` in ascending order.
 #[inline(always)]
-fn iter_colors(mut set: u32) -> impl Iterator<Item = usize> {
+fn iter_colors(mut set: u32) -> impl Iterator<Item = Color> {
     std::iter::from_fn(move || {
         let colour = set.trailing_zeros();
         set &= set.wrapping_sub(1);
-        (colour < u32::BITS).then_some(colour as usize)
+        (colour < u32::BITS).then_some(Color(colour))
     })
 }
 
@@ -62,67 +90,71 @@ impl<R: SimdSlot> ColorSet<R> {
     }
 
     /// Returns the lowest colour of the mask `free` whose last block has an empty lane, else the lowest colour of the mask.
-    pub(super) fn choose_color(&self, free: u32) -> u32 {
-        let has_room = |&colour: &u32| {
-            free >> colour & 1 == 1 && !self.constraint_counts[colour as usize].is_multiple_of(4)
-        };
-        (0..OVERFLOW_COLOR).find(has_room).unwrap_or(lowest_color(free))
+    pub(super) fn choose_color(&self, free: u32) -> Color {
+        let has_room = |colour: &Color| colour.is_in(free) && !self.count_of(*colour).is_multiple_of(4);
+        (0..OVERFLOW_COLOR.0).map(Color).find(has_room).unwrap_or(lowest_color(free))
     }
 
-    /// Adds a constraint to a colour. Returns its slot: 4 times the index of the block, plus the lane.
-    pub(super) fn add(&mut self, color: u32, constraint: &ContactConstraint) -> u32 {
-        let blocks = &mut self.blocks[color as usize];
-        let count = &mut self.constraint_counts[color as usize];
+    /// Adds a constraint to a colour. Returns its slot.
+    pub(super) fn add(&mut self, color: Color, constraint: &ContactConstraint) -> SlotIndex {
+        let blocks = &mut self.blocks[color.position()];
+        let count = &mut self.constraint_counts[color.position()];
         let slot = if color == OVERFLOW_COLOR { blocks.len() * 4 } else { *count };
         if slot % 4 == 0 {
             blocks.push(R::default());
         }
         blocks[slot / 4].insert(slot % 4, constraint);
         *count += 1;
-        self.used_colors |= 1 << color;
-        slot as u32
+        self.used_colors |= 1 << color.0;
+        SlotIndex::new(slot)
     }
 
     /// Removes the constraint in `slot` of a colour. Calls `moved` with the pair index and new slot of each constraint that has
     /// moved to fill the gap.
-    pub(super) fn remove(&mut self, color: u32, slot: u32, mut moved: impl FnMut(PairIndex, u32)) {
-        let slot = slot as usize;
+    pub(super) fn remove(
+        &mut self,
+        color: Color,
+        slot: SlotIndex,
+        mut moved: impl FnMut(PairIndex, SlotIndex),
+    ) {
         if color == OVERFLOW_COLOR {
-            self.remove_overflow(slot / 4, moved);
+            self.remove_overflow(slot.block_and_lane().0, moved);
         } else if let Some(pair) = self.swap_remove(color, slot) {
-            moved(pair, slot as u32);
+            moved(pair, slot);
         }
-        self.constraint_counts[color as usize] -= 1;
-        if self.constraint_counts[color as usize] == 0 {
-            self.used_colors &= !(1 << color);
+        let count = &mut self.constraint_counts[color.position()];
+        *count -= 1;
+        if *count == 0 {
+            self.used_colors &= !(1 << color.0);
         }
     }
 
     /// Removes a block of the overflow colour. The other blocks keep their order; `moved` gets the pair index and new slot of
     /// each block behind the removed one.
-    fn remove_overflow(&mut self, block: usize, mut moved: impl FnMut(PairIndex, u32)) {
-        let blocks = &mut self.blocks[OVERFLOW_COLOR as usize];
+    fn remove_overflow(&mut self, block: usize, mut moved: impl FnMut(PairIndex, SlotIndex)) {
+        let blocks = &mut self.blocks[OVERFLOW_COLOR.position()];
         blocks.remove(block);
         for (at, row) in blocks.iter_mut().enumerate().skip(block) {
-            moved(row.pair_indices()[0], at as u32 * 4);
+            moved(row.pair_indices()[0], SlotIndex::new(at * 4));
         }
     }
 
     /// Removes the constraint in `slot` of a colour and moves the last constraint of the colour there. Returns the pair index
     /// of the constraint that has moved; `None` if the removed one was the last.
-    fn swap_remove(&mut self, color: u32, slot: usize) -> Option<PairIndex> {
-        let blocks = &mut self.blocks[color as usize];
-        let last = self.constraint_counts[color as usize] - 1;
-        let moved = (slot != last).then(|| blocks[last / 4].extract(last % 4));
-        if let Some(lane) = &moved {
-            blocks[slot / 4].insert(slot % 4, lane);
+    fn swap_remove(&mut self, color: Color, slot: SlotIndex) -> Option<PairIndex> {
+        let last = self.count_of(color) - 1;
+        let blocks = &mut self.blocks[color.position()];
+        let moved = (slot.position() != last).then(|| blocks[last / 4].extract(last % 4));
+        if let Some(row) = &moved {
+            let (block, lane) = slot.block_and_lane();
+            blocks[block].insert(lane, row);
         }
         if last.is_multiple_of(4) {
             blocks.pop();
         } else {
             blocks[last / 4].insert(last % 4, &ContactConstraint::default());
         }
-        moved.map(|lane| lane.pair)
+        moved.map(|row| row.pair)
     }
 
     /// Calls `act` with each block of four constraints, by ascending colour.
@@ -130,7 +162,7 @@ impl<R: SimdSlot> ColorSet<R> {
     pub(crate) fn for_each(&mut self, mut act: impl FnMut(&mut R)) {
         // Plain loops, into which the compiler inlines `act`.
         for colour in iter_colors(self.used_colors) {
-            for block in &mut self.blocks[colour] {
+            for block in &mut self.blocks[colour.position()] {
                 act(block);
             }
         }
@@ -145,24 +177,44 @@ impl<R: SimdSlot> ColorSet<R> {
         }
     }
 
+    /// Returns the number of constraints of a colour.
+    #[inline(always)]
+    pub(super) fn count_of(&self, color: Color) -> usize {
+        self.constraint_counts[color.position()]
+    }
+
+    /// Returns the block of a constraint, and its lane there.
+    #[inline(always)]
+    pub(super) fn row(&self, handle: ConstraintHandle) -> (&R, usize) {
+        let (block, lane) = handle.slot.block_and_lane();
+        (&self.blocks[handle.color.position()][block], lane)
+    }
+
+    /// Returns the block of a constraint, to change, and its lane there.
+    #[inline(always)]
+    pub(super) fn row_mut(&mut self, handle: ConstraintHandle) -> (&mut R, usize) {
+        let (block, lane) = handle.slot.block_and_lane();
+        (&mut self.blocks[handle.color.position()][block], lane)
+    }
+
     /// Returns the number of constraints of all colours.
     pub(super) fn constraint_count(&self) -> usize {
-        iter_colors(self.used_colors).map(|colour| self.constraint_counts[colour]).sum()
+        iter_colors(self.used_colors).map(|colour| self.count_of(colour)).sum()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{ColorSet, ContactConstraint};
+    use super::{Color, ColorSet, ContactConstraint};
     use crate::constraint_graph::ContactConstraintSimd;
 
     #[test]
     fn a_new_constraint_fills_a_block_before_a_new_block_begins() {
         let mut colours = ColorSet::<ContactConstraintSimd<1>>::default();
-        for colour in [0, 0, 0, 0, 1] {
+        for colour in [0, 0, 0, 0, 1].map(Color) {
             colours.add(colour, &ContactConstraint::default());
         }
-        assert_eq!(colours.choose_color(!0), 1);
-        assert_eq!(colours.choose_color(!2), 0);
+        assert_eq!(colours.choose_color(!0), Color(1));
+        assert_eq!(colours.choose_color(!2), Color(0));
     }
 }

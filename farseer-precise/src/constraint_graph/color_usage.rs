@@ -1,6 +1,6 @@
 //! Graph colours that each body uses, for the greedy colouring of new constraints.
 
-use super::color_set::{OVERFLOW_COLOR, lowest_color};
+use super::color_set::{Color, OVERFLOW_COLOR, lowest_color};
 use super::constraint_handle::ConstraintKind;
 use crate::reusing_clone;
 
@@ -67,16 +67,16 @@ impl ColorUsage {
 
     /// Returns the colour for a constraint from a loaded snapshot: `color` or, if another constraint at one of the bodies has
     /// that colour, the lowest free one. The second case occurs in damaged snapshots only.
-    pub(crate) fn reserve_color(&mut self, kind: ConstraintKind, bodies: [u32; 2], color: u32) -> u32 {
-        let is_taken = bodies.iter().any(|&body| self.colors_of_kind(kind)[body as usize] >> color & 1 == 1);
+    pub(crate) fn reserve_color(&mut self, kind: ConstraintKind, bodies: [u32; 2], color: Color) -> Color {
+        let is_taken = bodies.iter().any(|&body| color.is_in(self.colors_of_kind(kind)[body as usize]));
         if is_taken { lowest_color(self.free_colors(kind, bodies)) } else { color }
     }
 
     /// Marks a colour as used (`is_taken`) or as free at both bodies. Has no effect at bodies of infinite mass and inertia, and
     /// for the overflow colour.
-    pub(crate) fn set_color(&mut self, kind: ConstraintKind, bodies: [u32; 2], color: u32, is_taken: bool) {
+    pub(crate) fn set_color(&mut self, kind: ConstraintKind, bodies: [u32; 2], color: Color, is_taken: bool) {
         for body in bodies.into_iter().filter(|_| color != OVERFLOW_COLOR) {
-            let bit = if self.is_dynamic[body as usize] { 1 << color } else { 0 };
+            let bit = if self.is_dynamic[body as usize] { 1 << color.0 } else { 0 };
             let colours = &mut self.colors_of_kind(kind)[body as usize];
             *colours = if is_taken { *colours | bit } else { *colours & !bit };
         }
@@ -105,14 +105,14 @@ impl ColorUsage {
 
 #[cfg(test)]
 mod tests {
-    use super::{ColorUsage, ConstraintKind};
+    use super::{Color, ColorUsage, ConstraintKind};
 
     #[test]
     fn static_bodies_use_no_colour() {
         let kind = ConstraintKind { has_two_points: true, is_static: false, is_3d: false };
         let mut usage = ColorUsage::default();
         usage.reset(&[[0.0; 2], [0.0; 2], [1.0, 0.0], [1.0, 1.0]]);
-        usage.set_color(kind, [1, 2], 0, true);
+        usage.set_color(kind, [1, 2], Color(0), true);
         assert_eq!(usage.free_colors(kind, [1, 3]), !0);
         assert_eq!(usage.free_colors(kind, [1, 2]), !1);
         assert!(

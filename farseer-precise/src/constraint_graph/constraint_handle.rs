@@ -1,6 +1,6 @@
 //! Handle of a contact constraint in the constraint graph, and constraints that are parked outside of the colours.
 
-use super::color_set::OVERFLOW_COLOR;
+use super::color_set::{Color, OVERFLOW_COLOR, SlotIndex};
 use super::contact_constraint::ContactConstraint;
 use crate::depth::feature_gate::IS_DEPTH_ENABLED;
 
@@ -26,17 +26,17 @@ impl ConstraintKind {
 /// Place of a contact constraint: a lane of a graph colour, or an entry in a list of parked constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConstraintHandle {
-    /// Index of the graph colour, or one of `SLEEPING_LIST` and `DIRECT_SOLVER_LIST`.
-    pub color: u32,
-    /// In a colour: index of the lane, 4 times the block plus the lane. In a list of parked constraints: index of the entry.
-    pub slot: u32,
+    /// The graph colour, or one of `SLEEPING_LIST` and `DIRECT_SOLVER_LIST`.
+    pub color: Color,
+    /// Place in the colour or in the list of parked constraints.
+    pub slot: SlotIndex,
 }
 
 /// Value of [`ConstraintHandle::color`] in place of an index: the constraint is parked in the list of constraints of sleeping
 /// bodies.
-pub(super) const SLEEPING_LIST: u32 = u32::MAX;
+pub(super) const SLEEPING_LIST: Color = Color(u32::MAX);
 /// Value of [`ConstraintHandle::color`] in place of an index: the constraint is parked in the list of the direct solver.
-pub(super) const DIRECT_SOLVER_LIST: u32 = u32::MAX - 1;
+pub(super) const DIRECT_SOLVER_LIST: Color = Color(u32::MAX - 1);
 
 impl ConstraintHandle {
     /// Returns whether the constraint is in the overflow colour, whose constraints are solved in order.
@@ -54,8 +54,8 @@ impl ConstraintHandle {
 #[derive(Debug, Clone, Copy)]
 pub struct ParkedConstraint {
     pub(crate) constraint: ContactConstraint,
-    /// Index of the graph colour that the constraint had before it was parked, and gets again when it is unparked.
-    pub color: u32,
+    /// The graph colour that the constraint had before it was parked, and gets again when it is unparked.
+    pub color: Color,
     /// Length of the substep in which the impulses of the constraint act, seconds.
     pub h: f32,
     /// Impulses as the direct solver found them, mass units * length units/s: normal impulses of both points, then friction.

@@ -18,10 +18,10 @@ pub mod contact_constraint_3d;
 pub mod contact_constraint_simd;
 pub mod impulse_scaling;
 
-use crate::index::PairIndex;
+use crate::index::{IndexedVec, PairIndex};
 use crate::reusing_clone;
 use color_set::OVERFLOW_COLOR;
-pub use color_set::{COLOR_COUNT, ColorSet};
+pub use color_set::{COLOR_COUNT, Color, ColorSet, SlotIndex};
 pub(crate) use color_usage::ColorUsage;
 pub use constraint_handle::{ConstraintHandle, ConstraintKind, ParkedConstraint};
 use constraint_handle::{DIRECT_SOLVER_LIST, SLEEPING_LIST};
@@ -35,9 +35,9 @@ pub(crate) use contact_constraint_simd::{
 #[derive(Debug, Default)]
 pub struct ConstraintGraph {
     /// Parked constraints of sleeping bodies.
-    sleeping: Vec<ParkedConstraint>,
+    sleeping: IndexedVec<SlotIndex, ParkedConstraint>,
     /// Parked constraints of islands in the direct solver.
-    direct: Vec<ParkedConstraint>,
+    direct: IndexedVec<SlotIndex, ParkedConstraint>,
     /// Whether a constraint in the direct solver may have got other arms or impulses, except by its solution, since the last
     /// [`take_direct_change`](ConstraintGraph::take_direct_change).
     has_direct_change: bool,
@@ -136,7 +136,7 @@ impl ConstraintGraph {
 
     /// Returns the list of parked constraints that contains this handle; `None` if the constraint is in a colour.
     #[inline(always)]
-    fn parked_list(&self, handle: ConstraintHandle) -> Option<&Vec<ParkedConstraint>> {
+    fn parked_list(&self, handle: ConstraintHandle) -> Option<&IndexedVec<SlotIndex, ParkedConstraint>> {
         match handle.color {
             SLEEPING_LIST => Some(&self.sleeping),
             DIRECT_SOLVER_LIST => Some(&self.direct),
@@ -145,7 +145,10 @@ impl ConstraintGraph {
     }
 
     #[inline(always)]
-    fn parked_list_mut(&mut self, handle: ConstraintHandle) -> Option<&mut Vec<ParkedConstraint>> {
+    fn parked_list_mut(
+        &mut self,
+        handle: ConstraintHandle,
+    ) -> Option<&mut IndexedVec<SlotIndex, ParkedConstraint>> {
         match handle.color {
             SLEEPING_LIST => Some(&mut self.sleeping),
             DIRECT_SOLVER_LIST => Some(&mut self.direct),
@@ -179,21 +182,19 @@ impl ConstraintGraph {
 
     /// Returns whether the overflow colour has constraints, which [`ColorUsage`] does not count.
     pub fn has_overflow(&self) -> bool {
-        self.used_colors() >> OVERFLOW_COLOR & 1 == 1
+        OVERFLOW_COLOR.is_in(self.used_colors())
     }
 
     /// Returns the number of constraints of each colour, up to the last used colour.
     pub fn constraints_per_color(&self) -> Vec<usize> {
         let ConstraintGraph3 { prisms, balls, prisms_static, balls_static } = &self.depth;
-        let counts = |colour: usize| {
-            let fixed = self.two_points_static.constraint_counts[colour]
-                + self.one_point_static.constraint_counts[colour];
-            let in_plane =
-                self.two_points.constraint_counts[colour] + self.one_point.constraint_counts[colour] + fixed;
-            let fixed = prisms_static.constraint_counts[colour] + balls_static.constraint_counts[colour];
-            in_plane + prisms.constraint_counts[colour] + balls.constraint_counts[colour] + fixed
+        let counts = |colour: Color| {
+            let fixed = self.two_points_static.count_of(colour) + self.one_point_static.count_of(colour);
+            let in_plane = self.two_points.count_of(colour) + self.one_point.count_of(colour) + fixed;
+            let fixed = prisms_static.count_of(colour) + balls_static.count_of(colour);
+            in_plane + prisms.count_of(colour) + balls.count_of(colour) + fixed
         };
-        (0..(u32::BITS - self.used_colors().leading_zeros()) as usize).map(counts).collect()
+        (0..u32::BITS - self.used_colors().leading_zeros()).map(Color).map(counts).collect()
     }
 
     /// Returns the number of contact points of all awake constraints, in both solvers. A constraint of the iterative solver
@@ -216,7 +217,7 @@ impl ConstraintGraph {
 
     /// Returns the colour for a new constraint of this kind, among the colours of the mask `free`. It is the lowest colour
     /// whose last block has an empty lane, else the lowest colour. It is the overflow colour if the mask is empty.
-    pub(crate) fn choose_color(&self, kind: ConstraintKind, free: u32) -> u32 {
+    pub(crate) fn choose_color(&self, kind: ConstraintKind, free: u32) -> Color {
         of_kind!((&) self, kind, colours => colours.choose_color(free))
     }
 
@@ -224,7 +225,7 @@ impl ConstraintGraph {
     pub(crate) fn add(
         &mut self,
         kind: ConstraintKind,
-        color: u32,
+        color: Color,
         constraint: &ContactConstraint,
     ) -> ConstraintHandle {
         ConstraintHandle {
@@ -237,8 +238,8 @@ impl ConstraintGraph {
     pub(crate) fn remove(&mut self, kind: ConstraintKind, handle: ConstraintHandle) {
         let ConstraintHandle { color, slot } = handle;
         if let Some(list) = self.parked_list_mut(handle) {
-            list.swap_remove(slot as usize);
-            let pair = list.get(slot as usize).map(|moved| moved.constraint.pair);
+            list.swap_remove(slot);
+            let pair = list.at(slot).map(|moved| moved.constraint.pair);
             self.moved_handles.extend(pair.map(|pair| (pair, handle)));
             return;
         }
@@ -279,11 +280,12 @@ impl ConstraintGraph {
 
     /// Appends a parked constraint to the list of the direct solver (`is_direct`) or of sleeping bodies. Returns its handle.
     pub(crate) fn push_parked(&mut self, parked: ParkedConstraint, is_direct: bool) -> ConstraintHandle {
-        let handle =
-            ConstraintHandle { color: if is_direct { DIRECT_SOLVER_LIST } else { SLEEPING_LIST }, slot: 0 };
+        let handle = ConstraintHandle {
+            color: if is_direct { DIRECT_SOLVER_LIST } else { SLEEPING_LIST },
+            slot: SlotIndex(0),
+        };
         let Some(list) = self.parked_list_mut(handle) else { return handle };
-        list.push(parked);
-        ConstraintHandle { slot: list.len() as u32 - 1, ..handle }
+        ConstraintHandle { slot: list.push(parked), ..handle }
     }
 
     /// Moves a parked constraint back to its colour and scales its impulses to substeps of `h` seconds. Returns the new handle.
@@ -301,7 +303,7 @@ impl ConstraintGraph {
 
     /// Returns a copy of a parked constraint; `None` if the constraint is in a colour.
     pub fn parked(&self, handle: ConstraintHandle) -> Option<ParkedConstraint> {
-        self.parked_list(handle)?.get(handle.slot as usize).copied()
+        self.parked_list(handle)?.at(handle.slot).copied()
     }
 
     /// Returns all constraints that are parked for the direct solver.
@@ -329,12 +331,12 @@ impl ConstraintGraph {
     /// Returns the constraint with this handle in the direct solver.
     #[inline(always)]
     pub(crate) fn direct_constraint(&self, handle: ConstraintHandle) -> &ParkedConstraint {
-        &self.direct[handle.slot as usize]
+        &self.direct[handle.slot]
     }
 
     #[inline(always)]
     pub(crate) fn direct_constraint_mut(&mut self, handle: ConstraintHandle) -> &mut ParkedConstraint {
-        &mut self.direct[handle.slot as usize]
+        &mut self.direct[handle.slot]
     }
 
     /// Returns a copy of a constraint of sleeping bodies; `None` if the constraint is not parked for sleep.
@@ -345,12 +347,13 @@ impl ConstraintGraph {
     /// Returns a copy of a constraint, parked or in a colour.
     #[inline]
     pub fn get(&self, kind: ConstraintKind, handle: ConstraintHandle) -> ContactConstraint {
-        let slot = handle.slot as usize;
-        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list(handle) {
-            return list[handle.slot as usize].constraint;
+            return list[handle.slot].constraint;
         }
-        of_kind!((&) self, kind, colours => colours.blocks[handle.color as usize][block].extract(lane))
+        of_kind!((&) self, kind, colours => {
+            let (row, lane) = colours.row(handle);
+            row.extract(lane)
+        })
     }
 
     /// Overwrites a constraint, parked or in a colour.
@@ -361,25 +364,27 @@ impl ConstraintGraph {
         handle: ConstraintHandle,
         constraint: &ContactConstraint,
     ) {
-        let slot = handle.slot as usize;
-        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list_mut(handle) {
-            list[handle.slot as usize].constraint = *constraint;
+            list[handle.slot].constraint = *constraint;
             self.has_direct_change = true;
             return;
         }
-        of_kind!((&mut) self, kind, colours => colours.blocks[handle.color as usize][block].insert(lane, constraint));
+        of_kind!((&mut) self, kind, colours => {
+            let (row, lane) = colours.row_mut(handle);
+            row.insert(lane, constraint);
+        });
     }
 
     /// Overwrites the pair index of a constraint, parked or in a colour.
     pub(crate) fn set_pair(&mut self, kind: ConstraintKind, handle: ConstraintHandle, pair: PairIndex) {
-        let slot = handle.slot as usize;
-        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list_mut(handle) {
-            list[handle.slot as usize].constraint.pair = pair;
+            list[handle.slot].constraint.pair = pair;
             return;
         }
-        of_kind!((&mut) self, kind, colours => colours.blocks[handle.color as usize][block].pair_indices()[lane] = pair);
+        of_kind!((&mut) self, kind, colours => {
+            let (row, lane) = colours.row_mut(handle);
+            row.pair_indices()[lane] = pair;
+        });
     }
 
     /// Overwrites the separations of both points of a constraint, length units.
@@ -390,15 +395,13 @@ impl ConstraintGraph {
         handle: ConstraintHandle,
         separations: [f32; 2],
     ) {
-        let slot = handle.slot as usize;
-        let (block, lane) = (slot / 4, slot % 4);
         if let Some(list) = self.parked_list_mut(handle) {
-            let points = &mut list[handle.slot as usize].constraint.points;
+            let points = &mut list[handle.slot].constraint.points;
             points.iter_mut().zip(separations).for_each(|(point, separation)| point.separation = separation);
             return;
         }
         of_kind!((&mut) self, kind, colours => {
-            let row = &mut colours.blocks[handle.color as usize][block];
+            let (row, lane) = colours.row_mut(handle);
             for (point, separation) in row.points_mut().iter_mut().zip(separations) {
                 set_lane(&mut point.separation, lane, separation);
             }

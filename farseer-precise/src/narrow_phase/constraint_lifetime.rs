@@ -5,7 +5,9 @@
 
 use super::NarrowPhase;
 use crate::broad_phase::pairs::{Pairs, UPDATED_BY_SOLVER};
-use crate::constraint_graph::{ConstraintGraph, ConstraintHandle, ContactConstraint, ParkedConstraint};
+use crate::constraint_graph::{
+    Color, ConstraintGraph, ConstraintHandle, ContactConstraint, ParkedConstraint,
+};
 use crate::direct_solver::load::{is_heavy_on_light, is_support_normal};
 use crate::index::PairIndex;
 use crate::math::plane::Vector;
@@ -170,7 +172,7 @@ impl NarrowPhase<'_> {
         let mut constraint = self.build_constraint(pair, self.proxy_pair(pair));
         set(&mut constraint);
         let kind = self.pairs.state(pair).kind;
-        let color = self.palette.reserve_color(kind, [constraint.a, constraint.b], color);
+        let color = self.palette.reserve_color(kind, [constraint.a, constraint.b], Color(color));
         self.palette.set_color(kind, [constraint.a, constraint.b], color, true);
         // A damaged snapshot may declare a constraint of awake bodies asleep.
         let is_still = |&body: &u32| {

@@ -220,8 +220,8 @@ impl Precise {
         let is_absent = [count < 1, count < 2];
         let surface = state.has_surface_override.then_some([friction, restitution, tangent_speed]);
         SavedConstraint {
-            colour: parked.map_or(handle.color, |row| row.color),
-            slot: if handle.is_overflow() { handle.slot } else { 0 },
+            colour: parked.map_or(handle.color, |row| row.color).0,
+            slot: if handle.is_overflow() { handle.slot.0 } else { 0 },
             sleeping_h: sleeping.map(|row| row.h),
             direct: parked.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact_impulses)),
             tangent_impulse,
