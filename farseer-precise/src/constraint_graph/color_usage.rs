@@ -1,6 +1,6 @@
 //! Graph colours that each body uses, for the greedy colouring of new constraints.
 
-use super::color_set::{Color, OVERFLOW_COLOR, lowest_color};
+use super::color::{Color, OVERFLOW_COLOR, lowest_color};
 use super::constraint_handle::ConstraintKind;
 use crate::reusing_clone;
 

@@ -1,6 +1,6 @@
 //! Handle of a contact constraint in the constraint graph, and constraints that are parked outside of the colours.
 
-use super::color_set::{Color, OVERFLOW_COLOR, SlotIndex};
+use super::color::{Color, OVERFLOW_COLOR, SlotIndex};
 use super::contact_constraint::ContactConstraint;
 use crate::depth::feature_gate::IS_DEPTH_ENABLED;
 

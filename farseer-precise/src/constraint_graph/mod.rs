@@ -10,6 +10,7 @@
 //! "SIMD Matters", box2d.org, 2024; `constraint_graph.c`, `contact_solver.c`). Box2D cites Y.-K. Chen et al., "High-Performance
 //! Physical Simulations on Next-Generation Architecture with Many Cores" (2007).
 
+pub mod color;
 pub mod color_set;
 pub mod color_usage;
 pub mod constraint_handle;
@@ -20,8 +21,9 @@ pub mod impulse_scaling;
 
 use crate::index::{IndexedVec, PairIndex};
 use crate::reusing_clone;
-use color_set::OVERFLOW_COLOR;
-pub use color_set::{COLOR_COUNT, Color, ColorSet, SlotIndex};
+use color::OVERFLOW_COLOR;
+pub use color::{COLOR_COUNT, Color, SlotIndex};
+pub use color_set::ColorSet;
 pub(crate) use color_usage::ColorUsage;
 pub use constraint_handle::{ConstraintHandle, ConstraintKind, ParkedConstraint};
 use constraint_handle::{DIRECT_SOLVER_LIST, SLEEPING_LIST};
