@@ -15,6 +15,7 @@
 //! An array `[f32; 4]` has the components x, y (length units), rotation about Z (radians) and z (length units), or their rates
 //! per second.
 
+use crate::index::{BodyIndex, DenseIndex, IndexRange, IndexedVec};
 use crate::parameters::broad_phase::{BODIES_PER_SPARE_POSITION, MIN_SPARE_POSITIONS};
 use wide::f32x4;
 
@@ -64,52 +65,52 @@ pub fn spare_capacity(count: usize) -> usize {
 #[derive(Debug, Default)]
 pub struct BodySet {
     /// Greatest index of a movable body; entries below it may be empty.
-    pub last_movable: usize,
+    pub last_movable: BodyIndex,
     /// Number of dynamic and kinematic bodies, without boxes and empty entries.
     pub movable_count: usize,
     /// Whether each movable index has a dynamic or kinematic body. False for the placeholder, boxes of `twohalf` and empty
     /// entries.
-    pub has_body: Vec<bool>,
+    pub has_body: IndexedVec<BodyIndex, bool>,
     /// Indices of the kinematic bodies and moving boxes, ascending.
-    pub kinematic: Vec<u32>,
+    pub kinematic: Vec<BodyIndex>,
     /// Velocity, and displacement in the last substep, of each movable body.
-    pub states: Vec<MotionState>,
+    pub states: IndexedVec<BodyIndex, MotionState>,
     /// Warm start of each movable body: velocity change per substep by the accumulated impulses of all its contacts and joints.
     /// X, y (length units/s), angular velocity (radians/s), z (length units/s).
-    pub(crate) warm_start: Vec<[f32; 4]>,
+    pub(crate) warm_start: IndexedVec<BodyIndex, [f32; 4]>,
     /// Velocity of each movable body after forces and warm start of the current substep: x, y (length units/s), angular
     /// velocity (radians/s), z (length units/s).
-    pub(crate) warm_started_velocity: Vec<[f32; 4]>,
+    pub(crate) warm_started_velocity: IndexedVec<BodyIndex, [f32; 4]>,
     /// Velocity of each movable body at the beginning of the step: x, y (length units/s), angular velocity (radians/s), z
     /// (length units/s).
-    pub initial_velocity: Vec<[f32; 4]>,
+    pub initial_velocity: IndexedVec<BodyIndex, [f32; 4]>,
     /// Velocity change of each movable body per substep by forces, gravity and drag: x, y (length units/s), angular velocity
     /// (radians/s), z (length units/s).
-    pub force_delta: Vec<[f32; 4]>,
+    pub force_delta: IndexedVec<BodyIndex, [f32; 4]>,
     /// Correction of the displacement of each movable body in the step for applied forces, which move it by the symplectic Euler
     /// method: x, y (length units), rotation (radians), z (length units).
-    pub force_position_delta: Vec<[f32; 4]>,
+    pub force_position_delta: IndexedVec<BodyIndex, [f32; 4]>,
     /// Displacement of each movable body in the step: x, y (length units), rotation (radians), z (length units).
-    pub delta_pose: Vec<[f32; 4]>,
+    pub delta_pose: IndexedVec<BodyIndex, [f32; 4]>,
     /// Reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of each body, static ones
     /// included; 0 for infinite values.
-    pub inverse_mass_inertia: Vec<[f32; 2]>,
+    pub inverse_mass_inertia: IndexedVec<BodyIndex, [f32; 2]>,
     /// Factor of gravity for each body that has an entry in `inverse_mass_inertia`, dimensionless.
-    pub gravity_scales: Vec<f32>,
+    pub gravity_scales: IndexedVec<BodyIndex, f32>,
     /// `[0, 0, radius, 1]` for each movable body that is one circle about its origin, radius in length units; else all 0.
-    pub(crate) circles: Vec<[f32; 4]>,
+    pub(crate) circles: IndexedVec<BodyIndex, [f32; 4]>,
     /// Greatest distance of the surface of each movable body from its origin, length units, >= 0 (Box2D 3: `maxExtent`).
     /// Infinite for kinematic bodies, which never sleep.
-    pub max_extents: Vec<f32>,
+    pub max_extents: IndexedVec<BodyIndex, f32>,
     /// Least distance of the surface of each movable body from the middle of a convex piece, length units, >= 0 (Box2D 3:
     /// `minExtent`). A body that moves farther in a step gets continuous collision. Infinite for bodies without shapes.
-    pub(crate) min_extents: Vec<f32>,
+    pub(crate) min_extents: IndexedVec<BodyIndex, f32>,
     /// Whether continuous collision of each movable body also counts against dynamic bodies.
-    pub are_bullets: Vec<bool>,
+    pub are_bullets: IndexedVec<BodyIndex, bool>,
     /// Poses of all bodies in the world frame, static ones included: x, y in length units, cosine and sine of the rotation.
-    pub poses: Vec<Pose>,
+    pub poses: IndexedVec<BodyIndex, Pose>,
     /// Rotations of all bodies in the world frame, radians.
-    pub rotations: Vec<f32>,
+    pub rotations: IndexedVec<BodyIndex, f32>,
 }
 
 reusing_clone! {
@@ -159,8 +160,14 @@ fn sin_cos_of_any_rotation(rotations: f32x4, mut sine: f32x4, mut cosine: f32x4)
 
 impl BodySet {
     /// Returns the index of the first static body.
-    pub fn first_static(&self) -> usize {
-        self.states.len()
+    pub fn first_static(&self) -> BodyIndex {
+        self.states.next_index()
+    }
+
+    /// Iterates over the indices of the movable bodies, ascending. Moving boxes and empty entries are among them.
+    #[inline]
+    pub fn movable(&self) -> IndexRange<BodyIndex> {
+        IndexRange { start: BodyIndex(1), end: self.last_movable.next() }
     }
 
     /// Lists all bodies anew: moving boxes of `twohalf`, then dynamic and kinematic bodies, spare capacity and static bodies.
@@ -186,21 +193,21 @@ impl BodySet {
         self.push_placeholder();
         self.push_movable(MotionState::default(), f32::INFINITY, [false; 2]);
         moving.for_each(|(pose, rotation)| {
-            self.kinematic.push(self.poses.len() as u32);
+            self.kinematic.push(self.poses.next_index());
             self.push_movable(MotionState::default(), f32::INFINITY, [false; 2]);
             self.add_world_box(pose, rotation);
         });
         let first = self.poses.len();
         movable.for_each(|body| {
             if body.is_kinematic {
-                self.kinematic.push(self.poses.len() as u32);
+                self.kinematic.push(self.poses.next_index());
             }
             let state = MotionState { velocity: body.velocity, ..MotionState::default() };
             let max_extent = if body.is_kinematic { f32::INFINITY } else { 0.0 };
             self.push_movable(state, max_extent, [true, body.is_bullet]);
             self.push_body(&body);
         });
-        self.last_movable = self.poses.len() - 1;
+        self.last_movable = BodyIndex::new(self.poses.len() - 1);
         self.movable_count = self.poses.len() - first;
         let padded = (self.poses.len() + spare_capacity(count)).next_multiple_of(4);
         (self.poses.len()..padded).for_each(|_| self.push_placeholder());
@@ -262,29 +269,31 @@ impl BodySet {
     }
 
     /// Appends a static body, whose mass is infinite, to the arrays of all bodies. Returns its index.
-    pub fn add_static(&mut self, body: &ListedBody) -> usize {
+    pub fn add_static(&mut self, body: &ListedBody) -> BodyIndex {
         self.push_body(body);
-        self.poses.len() - 1
+        BodyIndex::new(self.poses.len() - 1)
     }
 
-    /// Appends a box of `twohalf`, which has a pose and infinite mass but no body.
-    pub(crate) fn add_world_box(&mut self, pose: Pose, rotation: f32) {
-        self.poses.push(pose);
+    /// Appends a box of `twohalf`, which has a pose and infinite mass but no body. Returns its
+    /// index.
+    pub(crate) fn add_world_box(&mut self, pose: Pose, rotation: f32) -> BodyIndex {
+        let index = self.poses.push(pose);
         self.rotations.push(rotation);
         self.inverse_mass_inertia.push([0.0; 2]);
         self.gravity_scales.push(0.0);
+        index
     }
 
     /// Adds a dynamic or kinematic body at the empty index `place`, or in the spare capacity if that is `None`. Returns its index;
     /// `None` if there is no capacity left.
-    pub fn add_movable(&mut self, body: &ListedBody, place: Option<usize>) -> Option<usize> {
-        let index = place.unwrap_or(self.last_movable + 1);
+    pub fn add_movable(&mut self, body: &ListedBody, place: Option<BodyIndex>) -> Option<BodyIndex> {
+        let index = place.unwrap_or(self.last_movable.next());
         if index >= self.first_static() {
             return None;
         }
         if body.is_kinematic {
-            let before = self.kinematic.partition_point(|&other| other < index as u32);
-            self.kinematic.insert(before, index as u32);
+            let before = self.kinematic.partition_point(|&other| other < index);
+            self.kinematic.insert(before, index);
         }
         self.has_body[index] = true;
         self.set_pose(index, (body.pose, body.rotation));
@@ -297,13 +306,13 @@ impl BodySet {
     }
 
     /// Removes the body at `index`; the entry stays empty until the next rebuild.
-    pub fn remove(&mut self, index: usize) {
+    pub fn remove(&mut self, index: BodyIndex) {
         if index >= self.first_static() {
             return;
         }
         self.has_body[index] = false;
         self.movable_count -= 1;
-        self.kinematic.retain(|&kinematic| kinematic as usize != index);
+        self.kinematic.retain(|&kinematic| kinematic != index);
         self.put_to_rest(index, 1.0);
         self.inverse_mass_inertia[index] = [0.0; 2];
         self.are_bullets[index] = false;
@@ -313,7 +322,7 @@ impl BodySet {
 
     /// Computes `max_extents`, `min_extents` and `circles` of a body. `shapes`: each convex piece of the body with its least
     /// extent in length units.
-    pub fn compute_extents(&mut self, index: usize, shapes: impl Iterator<Item = (Shape, f32)>) {
+    pub fn compute_extents(&mut self, index: BodyIndex, shapes: impl Iterator<Item = (Shape, f32)>) {
         let mut max_extent = if self.is_kinematic(index) { f32::INFINITY } else { 0.0 };
         let (mut min_extent, mut circle, mut count) = (f32::INFINITY, [0.0; 4], 0);
         for (shape, of_shape) in shapes {
@@ -328,24 +337,24 @@ impl BodySet {
     }
 
     /// Returns whether the body at this index is kinematic, or a moving box of `twohalf`.
-    pub fn is_kinematic(&self, index: usize) -> bool {
-        self.kinematic.binary_search(&(index as u32)).is_ok()
+    pub fn is_kinematic(&self, index: BodyIndex) -> bool {
+        self.kinematic.binary_search(&index).is_ok()
     }
 
     /// Returns whether the body at this index is dynamic.
-    pub fn is_dynamic(&self, index: usize) -> bool {
+    pub fn is_dynamic(&self, index: BodyIndex) -> bool {
         index <= self.last_movable && self.has_body[index] && !self.is_kinematic(index)
     }
 
     /// Returns the distance that a body moved in the last step, length units. It is the displacement of the origin along all
     /// axes, plus the displacement of the farthest point by rotation.
-    pub(crate) fn distance_moved(&self, index: usize) -> f32 {
+    pub(crate) fn distance_moved(&self, index: BodyIndex) -> f32 {
         let [x, y, rotation, z] = self.delta_pose[index];
         x.abs() + y.abs() + z.abs() + self.max_extents[index] * rotation.abs()
     }
 
     /// Returns whether any component of a body's velocity is not 0.
-    pub(crate) fn has_velocity(&self, index: usize) -> bool {
+    pub(crate) fn has_velocity(&self, index: BodyIndex) -> bool {
         self.states[index].velocity != [0.0; 4]
     }
 
@@ -353,7 +362,7 @@ impl BodySet {
     ///
     /// Returns the acceleration by applied forces that the body had in a step of `dt` seconds: x, y (length units/s^2), angular
     /// (radians/s^2), z (length units/s^2).
-    pub fn put_to_rest(&mut self, index: usize, dt: f32) -> [f32; 4] {
+    pub fn put_to_rest(&mut self, index: BodyIndex, dt: f32) -> [f32; 4] {
         let accelerations = self.force_position_delta[index].map(|way| way / (0.5 * dt * dt));
         // dt^2 may underflow to 0.
         let borne =
@@ -374,15 +383,15 @@ impl BodySet {
 
     /// Sets the velocity of a movable body: x, y (length units/s), angular velocity (radians/s), z (length units/s). Static
     /// bodies have none.
-    pub fn set_velocity(&mut self, index: usize, velocity: [f32; 4]) {
-        if let Some(state) = self.states.get_mut(index) {
+    pub fn set_velocity(&mut self, index: BodyIndex, velocity: [f32; 4]) {
+        if let Some(state) = self.states.at_mut(index) {
             state.velocity = velocity;
         }
     }
 
     /// Sets the displacement in the last step (`delta_pose`) of a teleported body to 0.
-    pub fn clear_delta_pose(&mut self, index: usize) {
-        if let Some(delta_pose) = self.delta_pose.get_mut(index) {
+    pub fn clear_delta_pose(&mut self, index: BodyIndex) {
+        if let Some(delta_pose) = self.delta_pose.at_mut(index) {
             *delta_pose = [0.0; 4];
         }
     }
@@ -394,7 +403,7 @@ impl BodySet {
     }
 
     /// Sets the pose (x, y in length units, cosine and sine of the rotation) and the rotation (radians) of a body, world frame.
-    pub fn set_pose(&mut self, index: usize, pose_and_rotation: (Pose, f32)) {
+    pub fn set_pose(&mut self, index: BodyIndex, pose_and_rotation: (Pose, f32)) {
         (self.poses[index], self.rotations[index]) = pose_and_rotation;
     }
 }

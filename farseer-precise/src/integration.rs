@@ -5,6 +5,7 @@
 //! displacement into that of the midpoint rule where no impact occurred. For an isolated bounce `resolve_bounce` replaces the
 //! displacement by a closed form. The broad phase then tests the new poses against the fat AABBs.
 
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 use crate::parameters::contacts::{CENTRAL_IMPACT_TOLERANCE, MIDPOINT_MAX_VELOCITY_CHANGE};
 use std::ops::Range;
 
@@ -35,9 +36,10 @@ pub struct BodyForces {
 #[inline(always)]
 pub(crate) fn apply_warm_start(bodies: &mut BodySet, runs: &[Range<usize>], is_first: bool) {
     for run in runs.iter().cloned() {
-        let (states, warm_starts) = (&mut bodies.states[run.clone()], &mut bodies.warm_start[run.clone()]);
+        let (states, warm_starts) =
+            (bodies.states.slice_mut(run.clone()), bodies.warm_start.slice_mut(run.clone()));
         let (warm_started, force_deltas) =
-            (&mut bodies.warm_started_velocity[run.clone()], &bodies.force_delta[run]);
+            (bodies.warm_started_velocity.slice_mut(run.clone()), bodies.force_delta.slice(run));
         for (((state, warm_start), warm_started_velocity), force_delta) in
             states.iter_mut().zip(warm_starts).zip(warm_started).zip(force_deltas)
         {
@@ -59,7 +61,7 @@ pub(crate) fn apply_warm_start(bodies: &mut BodySet, runs: &[Range<usize>], is_f
 pub fn integrate_kinematic(bodies: &mut BodySet, dt: f32) {
     let BodySet { kinematic, states, initial_velocity, delta_pose, .. } = bodies;
     for &number in kinematic.iter() {
-        let number = number as usize;
+        let number = number;
         states[number].velocity = initial_velocity[number];
         delta_pose[number] = initial_velocity[number].map(|velocity| velocity * dt);
     }
@@ -70,7 +72,9 @@ pub fn integrate_kinematic(bodies: &mut BodySet, dt: f32) {
 pub(crate) fn integrate_positions(bodies: &mut BodySet, runs: &[Range<usize>], h: f32, is_first: bool) {
     let h = f32x4::splat(h);
     for run in runs.iter().cloned() {
-        for (state, delta_pose) in bodies.states[run.clone()].iter_mut().zip(&mut bodies.delta_pose[run]) {
+        for (state, delta_pose) in
+            bodies.states.slice_mut(run.clone()).iter_mut().zip(bodies.delta_pose.slice_mut(run))
+        {
             let step = f32x4::new(state.velocity) * h;
             state.displacement = step.to_array();
             *delta_pose =
@@ -86,8 +90,10 @@ pub(crate) fn integrate_free_flight(bodies: &mut BodySet, runs: &[Range<usize>],
     let (dt, substeps) = (f32x4::splat(step.dt), f32x4::splat(step.substeps as f32));
     let half = f32x4::splat(0.5);
     for run in runs.iter().cloned() {
-        let (states, force_delta) = (&mut bodies.states[run.clone()], &bodies.force_delta[run.clone()]);
-        let (forced, delta_poses) = (&bodies.force_position_delta[run.clone()], &mut bodies.delta_pose[run]);
+        let (states, force_delta) =
+            (bodies.states.slice_mut(run.clone()), bodies.force_delta.slice(run.clone()));
+        let (forced, delta_poses) =
+            (bodies.force_position_delta.slice(run.clone()), bodies.delta_pose.slice_mut(run));
         for (((state, delta), position_delta), delta_pose) in
             states.iter_mut().zip(force_delta).zip(forced).zip(delta_poses)
         {
@@ -122,8 +128,9 @@ pub(crate) fn apply_midpoint_correction(
     let max_change_squared = speculative_distance * speculative_distance / (minus_half_h * minus_half_h);
     let squared = |[x, y, _, z]: [f32; 4]| x * x + y * y + z * z;
     let has_joints = joints.act_on_bodies();
-    let is_jointed = |body: usize| has_joints && (joints.has_joint(body) || joints.has_iterative_joint(body));
-    let mut correct = |body: usize| {
+    let is_jointed =
+        |body: BodyIndex| has_joints && (joints.has_joint(body) || joints.has_iterative_joint(body));
+    let mut correct = |body: BodyIndex| {
         let change = f32x4::new(bodies.states[body].velocity) - f32x4::new(bodies.initial_velocity[body]);
         let (size, force_delta) = (squared(change.to_array()), bodies.force_delta[body]);
         let is_uniform = || {
@@ -142,7 +149,7 @@ pub(crate) fn apply_midpoint_correction(
         }
     };
     for run in runs.iter().cloned() {
-        for body in run {
+        for body in run.map(BodyIndex::new) {
             if color_usage.has_at_most_one_constraint(body) && !is_jointed(body) {
                 correct(body);
             }
@@ -158,7 +165,7 @@ pub(crate) fn apply_midpoint_correction(
 /// thousand bounces.
 pub(crate) fn resolve_bounce<const P: usize, R: SimdContacts<P>>(
     bodies: &mut BodySet,
-    states: &mut [MotionState],
+    states: &mut IndexedVec<BodyIndex, MotionState>,
     (color_usage, joints): (&ColorUsage, &JointSystem),
     step: &StepContext,
     contacts: &R,
@@ -166,9 +173,10 @@ pub(crate) fn resolve_bounce<const P: usize, R: SimdContacts<P>>(
 ) {
     let constraint = contacts.constraint();
     for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
-        let bodies_of = [constraint.a[lane] as usize, constraint.b[lane] as usize];
-        let is_alone = |body: usize| {
-            body == 0 || (color_usage.has_at_most_one_constraint(body) && !joints.has_joint(body))
+        let bodies_of = [constraint.a[lane], constraint.b[lane]];
+        let is_alone = |body: BodyIndex| {
+            body == BodyIndex::PLACEHOLDER
+                || (color_usage.has_at_most_one_constraint(body) && !joints.has_joint(body))
         };
         if bodies_of.into_iter().all(is_alone) {
             resolve_bounce_lane(bodies, states, step, contacts, lane);
@@ -180,13 +188,13 @@ pub(crate) fn resolve_bounce<const P: usize, R: SimdContacts<P>>(
 /// [`resolve_bounce`].
 fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
     bodies: &mut BodySet,
-    states: &mut [MotionState],
+    states: &mut IndexedVec<BodyIndex, MotionState>,
     step: &StepContext,
     contacts: &R,
     lane: usize,
 ) {
     let constraint = contacts.constraint();
-    let [a, b] = [constraint.a[lane] as usize, constraint.b[lane] as usize];
+    let [a, b] = [constraint.a[lane], constraint.b[lane]];
     let of = |lanes: &f32x4| lanes.as_array()[lane];
     let (mass_a, mass_b) = (of(&constraint.inverse_mass_a), of(&constraint.inverse_mass_b));
     let normal =
@@ -201,17 +209,18 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
         (amount * f32x4::splat(-mass_a), amount * f32x4::splat(mass_b))
     };
     let half = f32x4::splat(0.5 * step.dt);
-    let mean_displacement =
-        |body: usize| (f32x4::new(bodies.initial_velocity[body]) + f32x4::new(states[body].velocity)) * half;
+    let mean_displacement = |body: BodyIndex| {
+        (f32x4::new(bodies.initial_velocity[body]) + f32x4::new(states[body].velocity)) * half
+    };
     let (displacement_a, displacement_b) =
-        (if a == 0 { f32x4::ZERO } else { mean_displacement(a) }, mean_displacement(b));
+        (if a == BodyIndex::PLACEHOLDER { f32x4::ZERO } else { mean_displacement(a) }, mean_displacement(b));
     // A kinematic A may rotate: velocity of its surface at the contact, along the normal.
-    let surface_speed = if a == 0 || mass_a > 0.0 {
+    let surface_speed = if a == BodyIndex::PLACEHOLDER || mass_a > 0.0 {
         0.0
     } else {
         states[a].velocity[2] * of(&constraint.points[0].normal_arm_a)
     };
-    let acceleration = |body: usize| f32x4::new(bodies.force_delta[body]) * f32x4::splat(1.0 / step.h);
+    let acceleration = |body: BodyIndex| f32x4::new(bodies.force_delta[body]) * f32x4::splat(1.0 / step.h);
     let arc = BounceArc {
         initial_separation: of(&constraint.initial_separation[0]),
         approach_velocity: of(&constraint.approach_velocity[0]),
@@ -224,14 +233,14 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
         if has_just_met && is_central_impact(constraint, lane) { arc.after_bounce(step.dt) } else { None };
     let separation_change = normal_component(displacement_b - displacement_a) - surface_speed * step.dt;
     let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - separation_change);
-    if a != 0 {
+    if a != BodyIndex::PLACEHOLDER {
         bodies.delta_pose[a] = (displacement_a + change_a).to_array();
     }
     bodies.delta_pose[b] = (displacement_b + change_b).to_array();
     if let Some((_, velocity)) = bounced {
         let [now_a, now_b] = [a, b].map(|body| f32x4::new(states[body].velocity));
         let (change_a, change_b) = share(velocity - (normal_component(now_b - now_a) - surface_speed));
-        if a != 0 {
+        if a != BodyIndex::PLACEHOLDER {
             states[a].velocity = (now_a + change_a).to_array();
         }
         states[b].velocity = (now_b + change_b).to_array();
@@ -296,9 +305,9 @@ impl BounceArc {
 #[inline(always)]
 pub fn integrate_poses(bodies: &mut BodySet, runs: &[Range<usize>]) {
     for run in runs.iter().cloned() {
-        let poses = bodies.poses[run.clone()].as_chunks_mut::<4>().0.iter_mut();
-        let rotations = bodies.rotations[run.clone()].as_chunks::<4>().0;
-        let paths = bodies.delta_pose[run].as_chunks::<4>().0;
+        let poses = bodies.poses.slice_mut(run.clone()).as_chunks_mut::<4>().0.iter_mut();
+        let rotations = bodies.rotations.slice(run.clone()).as_chunks::<4>().0;
+        let paths = bodies.delta_pose.slice(run).as_chunks::<4>().0;
         for ((poses, rotations), path) in poses.zip(rotations).zip(paths) {
             let [dx, dy, ..] = crate::math::lanes::columns(path);
             let [x, y, ..] = crate::math::lanes::columns(poses);

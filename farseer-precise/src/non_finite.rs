@@ -1,6 +1,7 @@
 //! Bodies whose pose or velocity is not finite after the solver. They get back the pose and velocity that they had before the
 //! step.
 
+use crate::index::BodyIndex;
 use wide::f32x4;
 
 use super::bodies::BodySet;
@@ -19,7 +20,8 @@ pub fn are_motions_finite(
     let BodySet { poses, delta_pose, states, .. } = bodies;
     let mut sum = f32x4::ZERO;
     for run in &sleep.awake_body_runs {
-        let of_run = poses[run.clone()].iter().zip(&delta_pose[run.clone()]).zip(&states[run.clone()]);
+        let of_run =
+            poses.slice(run.clone()).iter().zip(delta_pose.slice(run.clone())).zip(states.slice(run.clone()));
         for ((pose, delta_pose_of_body), state) in of_run {
             // The headroom leaves room for the corners of shapes around the body.
             let place =
@@ -34,13 +36,13 @@ pub fn are_motions_finite(
 }
 
 /// Returns whether the new z position of a body, and its angular velocity about x and y, are finite.
-fn is_z_finite(bodies: &BodySet, space: &DepthState, body: usize) -> bool {
+fn is_z_finite(bodies: &BodySet, space: &DepthState, body: BodyIndex) -> bool {
     let place = (space.z_positions[body] + bodies.delta_pose[body][3]) * COORDINATE_HEADROOM;
     place.is_finite() && space.is_spin_finite(body)
 }
 
 /// Returns whether the new pose and velocity of a body are finite.
-fn is_motion_finite(bodies: &BodySet, depth: Option<&FeatureGate<&mut DepthState>>, body: usize) -> bool {
+fn is_motion_finite(bodies: &BodySet, depth: Option<&FeatureGate<&mut DepthState>>, body: BodyIndex) -> bool {
     let (pose, path) = (bodies.poses[body], bodies.delta_pose[body]);
     let velocity = bodies.states[body].velocity;
     let z = depth.map_or(0.0, |space| space.z_positions[body]);
@@ -56,11 +58,11 @@ pub fn restore_non_finite(
     bodies: &mut BodySet,
     sleep: &SleepState,
     mut depth: Option<FeatureGate<&mut DepthState>>,
-) -> Vec<(usize, bool)> {
-    let is_finite = |body: &usize| is_motion_finite(bodies, depth.as_ref(), *body);
-    let non_finite: Vec<usize> =
+) -> Vec<(BodyIndex, bool)> {
+    let is_finite = |body: &BodyIndex| is_motion_finite(bodies, depth.as_ref(), *body);
+    let non_finite: Vec<BodyIndex> =
         sleep.awake_bodies(bodies.last_movable).filter(|body| !is_finite(body)).collect();
-    let speed = |body: usize| {
+    let speed = |body: BodyIndex| {
         let [x, y, spin, z] = bodies.initial_velocity[body].map(f64::from);
         x * x + y * y + spin * spin + z * z
     };

@@ -13,7 +13,7 @@ use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
 use crate::direct_solver::DirectSolver;
 use crate::direct_solver::selection::SolverSelection;
-use crate::index::{IndexedVec, PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
@@ -72,7 +72,7 @@ pub struct Solver {
     pub touch_events: Vec<TouchEvent>,
     /// Contacts with static bodies that ended in this narrow phase: index of the dynamic body, and penetration in length
     /// units. Empty between stages.
-    pub ended_static_contacts: Vec<(u32, f32)>,
+    pub ended_static_contacts: Vec<(BodyIndex, f32)>,
     /// Numbers of computed and of recycled manifolds in the narrow phase of this step.
     pub narrow_phase_stats: NarrowPhaseStats,
     /// Scratch: indices of the pairs that the narrow phase updates in this step.
@@ -235,7 +235,7 @@ impl Solver {
         self.grid.reset(self.proxies.position_count());
         self.pairs.reset(self.proxies.position_count());
         self.constraints.clear();
-        self.color_usage.reset(&self.bodies.inverse_mass_inertia[..self.bodies.states.len()]);
+        self.color_usage.reset(self.bodies.inverse_mass_inertia.slice(..self.bodies.states.len()));
         if let Some(space) = &self.depth {
             space.mark_hinged_boxes(&mut self.color_usage);
         }

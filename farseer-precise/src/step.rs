@@ -18,7 +18,7 @@ use super::integration::integrate_free_flight;
 use super::narrow_phase::NarrowPhaseStats;
 use super::scaled_parameters::LoadAdaptation;
 use super::scaled_parameters::StepContext;
-use crate::index::{DenseIndex, ProxyIndex};
+use crate::index::ProxyIndex;
 use crate::math::plane::Vector;
 use crate::surface::FrictionType;
 
@@ -162,8 +162,7 @@ impl Solver {
     /// [`select_solvers`](Self::select_solvers).
     fn list_direct_islands(&mut self, selects: bool, learning: &LoadAdaptation) {
         let mut census = std::mem::take(&mut self.direct_solver.census);
-        self.solver_selection()
-            .count_islands(&mut census, &|body| self.bodies.states[body.position()].velocity);
+        self.solver_selection().count_islands(&mut census, &|body| self.bodies.states[body].velocity);
         self.direct_solver.census = census;
         self.direct_solver.choose_members(selects, &self.sleep, self.bodies.last_movable);
         let Solver { direct_solver, pairs, proxies, joints, springs, .. } = self;
@@ -248,7 +247,7 @@ impl Solver {
         if self.depth.is_some() {
             let mut enlarged = std::mem::take(&mut self.enlarged_proxies);
             for at in 0..self.fast_bodies.len() {
-                let body = self.fast_bodies[at].body as usize;
+                let body = self.fast_bodies[at].body;
                 self.fat_aabbs().enlarge_body_to_sweep(body, &mut enlarged);
             }
             let found = self.find_new_pairs(&enlarged);
@@ -281,7 +280,7 @@ impl Solver {
         let mut fast = std::mem::take(&mut self.fast_bodies);
         for flight in fast.drain(..) {
             if let Some(time) = toi_of_carried(self.swept_motion(), &flight) {
-                let path = &mut self.bodies.delta_pose[flight.body as usize];
+                let path = &mut self.bodies.delta_pose[flight.body];
                 *path = path.map(|way| way * time);
             }
         }

@@ -29,13 +29,13 @@ use farseer_precise::parameters::broad_phase::MIN_EMPTY_POSITIONS_TO_COMPACT;
 #[derive(Default)]
 struct MembershipDiff {
     /// Indices of removed dynamic and kinematic bodies into `bodies`, ascending.
-    removed_bodies: Vec<usize>,
+    removed_bodies: Vec<BodyIndex>,
     /// Indices of the proxies of removed geoms, ascending.
     removed_proxies: Vec<ProxyIndex>,
     /// Ids of new dynamic and kinematic bodies, in the order of the simulator's list.
     added_bodies: Vec<BodyId>,
     /// For each of `added_bodies` the index to which it returns; `None` if it is appended.
-    body_places: Vec<Option<usize>>,
+    body_places: Vec<Option<BodyIndex>>,
     /// Ids of new geoms, in the order of the simulator's list.
     added_geoms: Vec<GeomId>,
     /// For each of `added_geoms` the index of its first proxy if it returns there; `None` if its proxies are appended.
@@ -111,7 +111,7 @@ impl Precise {
         // The list of a body begins with its newest proxy, so that descending order finds each at the head.
         for &proxy in removed_proxies.iter().rev() {
             let removed = self.solver.proxies.proxy(proxy);
-            let (geom, body, key) = (geom_of(removed), removed.body as usize, removed.list_key);
+            let (geom, body, key) = (geom_of(removed), removed.body, removed.list_key);
             if body < self.solver.bodies.first_static() && is_geom_listed(objects, geom) {
                 self.ids.vacant_proxies.leave(proxy, (geom, geom.slot()), key);
             }
@@ -127,18 +127,14 @@ impl Precise {
         }
         for &index in removed_bodies {
             if let Some(id) = self.ids.bodies[index].filter(|&id| is_body_listed(objects, id)) {
-                self.ids.vacant_bodies.leave(
-                    BodyIndex::new(index),
-                    (id, id.slot()),
-                    objects.bodies.list_key(id),
-                );
+                self.ids.vacant_bodies.leave(index, (id, id.slot()), objects.bodies.list_key(id));
             }
             self.remove_body(index);
         }
     }
 
     /// Removes the body at `index` from `bodies`, the direct solver and the graph colours.
-    fn remove_body(&mut self, index: usize) {
+    fn remove_body(&mut self, index: BodyIndex) {
         self.ids.remove_body(index);
         if index < self.solver.bodies.first_static() {
             self.solver.direct_solver.forget_body(index);
@@ -148,7 +144,7 @@ impl Precise {
     }
 
     /// Adds a dynamic or kinematic body to `bodies`, the graph colours and the sleep state: at the index `place` if it returns there.
-    fn add_body(&mut self, id: BodyId, place: Option<usize>, objects: &Objects) {
+    fn add_body(&mut self, id: BodyId, place: Option<BodyIndex>, objects: &Objects) {
         let body = &objects.bodies[id].body;
         let Some(index) = self.solver.bodies.add_movable(&listed_body(body, true), place) else { return };
         self.ids.add_body(index, id);
@@ -258,7 +254,7 @@ impl MembershipDiff {
     /// Returns the movable bodies that are removed and return to their places at once, because they become kinematic or dynamic.
     /// None of them [sleeps](Self::retypes_sleeping). Each item is the index of the body and the time for which it has been at
     /// rest (seconds), which it keeps.
-    fn kept_rest_times(&self, ids: &IdTable, bodies: &BodySet, sleep: &SleepState) -> Vec<(usize, f32)> {
+    fn kept_rest_times(&self, ids: &IdTable, bodies: &BodySet, sleep: &SleepState) -> Vec<(BodyIndex, f32)> {
         let present = self.added_bodies.iter().filter_map(|&id| ids.body_index(id));
         let movable = present.filter(|&index| index < bodies.first_static());
         movable.map(|index| (index, sleep.rest_time[index])).collect()
@@ -267,19 +263,13 @@ impl MembershipDiff {
     /// Finds the places to which movable bodies and their geoms return.
     fn find_places(&mut self, listed: &Listed<'_>) {
         let Listed { bodies, proxies, ids, objects } = listed;
-        let body_key = |at: BodyIndex| body_key_at(listed, at.position());
+        let body_key = |at: BodyIndex| body_key_at(listed, at);
         let body_place = |&id: &BodyId| {
             let key = objects.bodies.list_key(id);
             let present = ids.body_index(id).filter(|&index| index < bodies.first_static());
-            let place = present
-                .or_else(|| ids.vacant_bodies.place_of((id, id.slot()), key, 1).map(DenseIndex::position))?;
-            fits_between(
-                IndexRange::new(BodyIndex::new(place), 1),
-                key,
-                BodyIndex::new(bodies.last_movable + 1),
-                body_key,
-            )
-            .then_some(place)
+            let place = present.or_else(|| ids.vacant_bodies.place_of((id, id.slot()), key, 1))?;
+            fits_between(IndexRange::new(place, 1), key, bodies.last_movable.next(), body_key)
+                .then_some(place)
         };
         self.body_places = self.added_bodies.iter().map(body_place).collect();
         let proxy_key = |at: ProxyIndex| proxy_key_at(listed, at);
@@ -304,14 +294,14 @@ impl MembershipDiff {
             let body = objects.geoms.get(**id).and_then(|geom| objects.bodies.get(geom.body));
             body.is_some_and(|entry| entry.body.is_integrated())
         };
-        let stays = |index: usize| self.removed_bodies.binary_search(&index).is_err();
-        let body_key = |at: usize| match ids.bodies[at] {
+        let stays = |index: BodyIndex| self.removed_bodies.binary_search(&index).is_err();
+        let body_key = |at: BodyIndex| match ids.bodies[at] {
             Some(id) => stays(at).then(|| objects.bodies.list_key(id)),
-            None => ids.vacant_bodies.key_at(BodyIndex::new(at)),
+            None => ids.vacant_bodies.key_at(at),
         };
         let is_left = |at: ProxyIndex| self.removed_proxies.binary_search(&at).is_err();
         let proxy_key = |at: ProxyIndex| proxy_key_at(listed, at).filter(|_| is_left(at));
-        let last_body = (1..=bodies.last_movable).rev().find_map(body_key);
+        let last_body = bodies.movable().rev().find_map(body_key);
         let last_geom = proxies.movable().rev().find_map(proxy_key);
         let mut new_bodies = self.added_bodies.iter().zip(&self.body_places);
         let first_body =
@@ -348,7 +338,7 @@ impl MembershipDiff {
     /// Updates the index ranges of awake bodies where bodies and proxies were added or removed.
     fn update_runs(&self, ids: &IdTable, proxies: &Proxies, sleep: &mut SleepState) {
         let added_bodies = self.added_bodies.iter().filter_map(|&id| ids.body_index(id));
-        let bodies: Vec<usize> = self.removed_bodies.iter().copied().chain(added_bodies).collect();
+        let bodies: Vec<BodyIndex> = self.removed_bodies.iter().copied().chain(added_bodies).collect();
         let added = self.added_geoms.iter().flat_map(|&id| ids.proxies_of_geom(proxies, id));
         let removed = self.removed_proxies.iter().copied();
         let changed: Vec<ProxyIndex> = removed.chain(added).collect();
@@ -412,10 +402,10 @@ impl MembershipDiff {
             2 * (live - removed) + MIN_EMPTY_POSITIONS_TO_COMPACT + spare_capacity(bodies.poses.len())
                 >= places
         };
-        bodies.last_movable + appended_bodies < bodies.first_static()
+        bodies.last_movable.position() + appended_bodies < bodies.states.len()
             && movable_pieces <= proxies.spare_count()
             && grid.has_capacity(proxies.position_count() + pieces)
-            && is_full_enough(bodies.movable_count, self.removed_bodies.len(), bodies.last_movable)
+            && is_full_enough(bodies.movable_count, self.removed_bodies.len(), bodies.last_movable.position())
             && is_full_enough(proxies.live_count, self.removed_proxies.len(), positions)
     }
 }
@@ -432,10 +422,10 @@ fn is_geom_listed(objects: &Objects, id: GeomId) -> bool {
 
 /// Returns the key in the order of the simulator's list of the body at this index, or of the body that has left it; `None` if there is
 /// neither.
-fn body_key_at(listed: &Listed<'_>, at: usize) -> Option<u32> {
+fn body_key_at(listed: &Listed<'_>, at: BodyIndex) -> Option<u32> {
     match listed.ids.bodies[at] {
         Some(id) => is_body_listed(listed.objects, id).then(|| listed.objects.bodies.list_key(id)),
-        None => listed.ids.vacant_bodies.key_at(BodyIndex::new(at)),
+        None => listed.ids.vacant_bodies.key_at(at),
     }
 }
 

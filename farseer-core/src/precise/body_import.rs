@@ -5,6 +5,7 @@ use wide::f32x4;
 
 use crate::body::Body;
 use farseer_precise::bodies::{BodySet, ListedBody, sin_cos_of_rotation};
+use farseer_precise::index::BodyIndex;
 use farseer_precise::integration::BodyForces;
 use farseer_precise::math::decay;
 use farseer_precise::math::plane::Pose;
@@ -32,7 +33,7 @@ pub(super) fn inverse_mass_inertia_of(body: &Body) -> [f32; 2] {
 
 /// Returns whether the pose of `body` differs from the pose stored at `index`, since it was edited.
 #[inline(always)]
-pub(super) fn was_moved(bodies: &BodySet, index: usize, body: &Body) -> bool {
+pub(super) fn was_moved(bodies: &BodySet, index: BodyIndex, body: &Body) -> bool {
     let (pose, position) = (&bodies.poses[index], body.position());
     position.x != pose[0] || position.y != pose[1] || body.rotation() != bodies.rotations[index]
 }

@@ -14,6 +14,7 @@ use farseer_precise::bodies::BodySet;
 use farseer_precise::depth::body_state::BodyDrag;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::state::DepthState;
+use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::integration::{BodyForces, integrate_kinematic, integrate_poses};
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::non_finite::{are_motions_finite, restore_non_finite};
@@ -26,7 +27,7 @@ impl Precise {
     /// The broad phase then pairs these proxies with the geoms along their paths.
     pub(crate) fn begin_kinematic(&mut self, objects: &Objects) {
         for at in 0..self.solver.bodies.kinematic.len() {
-            let number = self.solver.bodies.kinematic[at] as usize;
+            let number = self.solver.bodies.kinematic[at];
             let Some((id, entry)) =
                 self.ids.bodies[number].and_then(|id| Some((id, objects.bodies.get(id)?)))
             else {
@@ -64,7 +65,7 @@ impl Precise {
         edits.needs_rebuild |= match depth {
             None => read_runs(bodies, names, objects, (gravity, step), report, |_, _, _, _| {}),
             Some(space) => {
-                let begin_depth = |number: usize, id: BodyId, body: &Body, read: &mut BodyForces| {
+                let begin_depth = |number: BodyIndex, id: BodyId, body: &Body, read: &mut BodyForces| {
                     begin_depth_velocity(space, (number, id), body, read, step);
                 };
                 read_runs(bodies, names, objects, (gravity, step), report, begin_depth)
@@ -90,7 +91,7 @@ impl Precise {
         self.write_moved_bodies(objects, report);
         integrate_poses(&mut self.solver.bodies, &self.solver.sleep.awake_body_runs);
         for at in 0..self.solver.bodies.kinematic.len() {
-            let number = self.solver.bodies.kinematic[at] as usize;
+            let number = self.solver.bodies.kinematic[at];
             // A kinematic body that reaches its target has the pose of the target, bit for bit.
             if let Some(entry) = self.ids.bodies[number].and_then(|id| objects.bodies.get(id)) {
                 self.solver.bodies.set_pose(number, pose_of(&entry.body));
@@ -109,7 +110,7 @@ impl Precise {
         match depth {
             None => write_runs(bodies, names, objects, report, |_, _, _, _| {}),
             Some(space) => {
-                let store_depth = |number: usize, id: BodyId, path: [f32; 4], speed: f32| {
+                let store_depth = |number: BodyIndex, id: BodyId, path: [f32; 4], speed: f32| {
                     space.store_position(number, id.slot(), path, speed);
                 };
                 write_runs(bodies, names, objects, report, store_depth);
@@ -141,7 +142,7 @@ impl Precise {
 /// Adds velocity and forces of a body along z to `read`. `body`: index and id of the body.
 fn begin_depth_velocity(
     space: &mut DepthState,
-    (body_index, id): (usize, BodyId),
+    (body_index, id): (BodyIndex, BodyId),
     body: &Body,
     read: &mut BodyForces,
     step: &StepContext,
@@ -171,17 +172,17 @@ fn read_runs(
     objects: &mut Objects,
     (gravity, step): (Vector2, &StepContext),
     report: &mut Report,
-    mut begin_depth: impl FnMut(usize, BodyId, &Body, &mut BodyForces),
+    mut begin_depth: impl FnMut(BodyIndex, BodyId, &Body, &mut BodyForces),
 ) -> bool {
     let gravity = f32x4::new([gravity.x, gravity.y, 0.0, 0.0]);
     let (dt, h, substeps) = (step.dt, step.h, f32x4::splat(step.substeps as f32));
     let mut has_disabled = false;
     for run in names.1.awake_body_runs.iter().cloned() {
         let (states, initial_velocities) =
-            (&mut bodies.states[run.clone()], &mut bodies.initial_velocity[run.clone()]);
+            (bodies.states.slice_mut(run.clone()), bodies.initial_velocity.slice_mut(run.clone()));
         let (force_deltas, force_position_deltas) =
-            (&mut bodies.force_delta[run.clone()], &mut bodies.force_position_delta[run.clone()]);
-        let ids_and_sleep = names.0.bodies[run.clone()].iter().zip(names.1.states(run.clone()));
+            (bodies.force_delta.slice_mut(run.clone()), bodies.force_position_delta.slice_mut(run.clone()));
+        let ids_and_sleep = names.0.bodies.slice(run.clone()).iter().zip(names.1.states(run.clone()));
         for (((((state, initial_velocity), force_delta), force_position_delta), (id, sleep)), number) in
             states
                 .iter_mut()
@@ -189,7 +190,7 @@ fn read_runs(
                 .zip(force_deltas)
                 .zip(force_position_deltas)
                 .zip(ids_and_sleep)
-                .zip(run)
+                .zip(run.map(BodyIndex::new))
         {
             if let Some(id) = *id
                 && !SleepState::is_asleep_state(*sleep)
@@ -229,15 +230,20 @@ fn write_runs(
     names: (&IdTable, &SleepState),
     objects: &mut Objects,
     report: &mut Report,
-    mut store_depth: impl FnMut(usize, BodyId, [f32; 4], f32),
+    mut store_depth: impl FnMut(BodyIndex, BodyId, [f32; 4], f32),
 ) {
     let mut moved = 0;
     for run in names.1.awake_body_runs.iter().cloned() {
-        let (states, rotations) = (&bodies.states[run.clone()], &mut bodies.rotations[run.clone()]);
-        let (poses, delta_poses) = (&bodies.poses[run.clone()], &bodies.delta_pose[run.clone()]);
-        let ids_and_sleep = names.0.bodies[run.clone()].iter().zip(names.1.states(run.clone()));
-        for (((((state, rotation), pose), delta_pose), (id, sleep)), number) in
-            states.iter().zip(rotations).zip(poses).zip(delta_poses).zip(ids_and_sleep).zip(run)
+        let (states, rotations) = (bodies.states.slice(run.clone()), bodies.rotations.slice_mut(run.clone()));
+        let (poses, delta_poses) = (bodies.poses.slice(run.clone()), bodies.delta_pose.slice(run.clone()));
+        let ids_and_sleep = names.0.bodies.slice(run.clone()).iter().zip(names.1.states(run.clone()));
+        for (((((state, rotation), pose), delta_pose), (id, sleep)), number) in states
+            .iter()
+            .zip(rotations)
+            .zip(poses)
+            .zip(delta_poses)
+            .zip(ids_and_sleep)
+            .zip(run.map(BodyIndex::new))
         {
             if let Some(id) = *id
                 && !SleepState::is_asleep_state(*sleep)

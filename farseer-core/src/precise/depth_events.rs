@@ -9,7 +9,7 @@ use crate::geom::GeomId;
 use crate::precise::ids::geom_of;
 use farseer_precise::broad_phase::hash_grid::overlap;
 use farseer_precise::depth::interface::DepthInterval;
-use farseer_precise::index::{DenseIndex, PairIndex, ProxyIndex};
+use farseer_precise::index::{BodyIndex, DenseIndex, PairIndex, ProxyIndex};
 
 impl Precise {
     /// Returns whether the cached contacts are valid. Between loading a snapshot and the next update they are not.
@@ -53,7 +53,7 @@ impl Precise {
     }
 
     /// Iterates over the contact manifolds of a body. Shapes that are only within the contact margin have one, too.
-    pub(crate) fn depth_contacts_of(&self, body_index: usize) -> impl Iterator<Item = DepthContact> + '_ {
+    pub(crate) fn depth_contacts_of(&self, body_index: BodyIndex) -> impl Iterator<Item = DepthContact> + '_ {
         self.solver
             .pairs
             .pairs_of_body(&self.solver.proxies, body_index)
@@ -62,7 +62,7 @@ impl Precise {
 
     /// Iterates over the geoms that form a broad-phase pair with a body, touching or not. Pairs with a sensor or a vetoed
     /// contact are left out. A geom occurs once for each pair of convex pieces.
-    pub(crate) fn depth_neighbours_of(&self, body_index: usize) -> impl Iterator<Item = GeomId> + '_ {
+    pub(crate) fn depth_neighbours_of(&self, body_index: BodyIndex) -> impl Iterator<Item = GeomId> + '_ {
         let solver = &self.solver;
         let others = solver.proxies.proxies_of(body_index).flat_map(move |proxy| {
             solver.pairs.pairs_of(proxy).filter(|&pair| solver.pairs.state(pair).has_response()).map(
@@ -80,7 +80,7 @@ impl Precise {
     /// contact target.
     pub(crate) fn vetoed_depth_contacts_of(
         &self,
-        body_index: usize,
+        body_index: BodyIndex,
     ) -> impl Iterator<Item = (GeomId, DepthContactTarget)> + '_ {
         let solver = &self.solver;
         let refused = solver
@@ -89,7 +89,7 @@ impl Precise {
             .filter(|&pair| solver.pairs.state(pair).is_vetoed);
         refused.map(move |pair| {
             let [a, b] = solver.pairs.proxies_of(pair).map(|proxy| solver.proxies.proxy(proxy));
-            let (this, other) = if a.body as usize == body_index { (a, b) } else { (b, a) };
+            let (this, other) = if a.body == body_index { (a, b) } else { (b, a) };
             (geom_of(this), contact_target_of(geom_of(other)))
         })
     }
@@ -138,14 +138,14 @@ impl Precise {
         let is_b = a.is_world || a.creation_number < b.creation_number;
         let (this, partner, sign) = if is_b { (b, a, 1.0) } else { (a, b, -1.0) };
         let (z, target_body) = if partner.is_world {
-            (space.z_positions[this.body as usize], None)
+            (space.z_positions[this.body], None)
         } else {
-            (space.overlap_middle_z(proxies, [a.body, b.body]), self.ids.bodies[partner.body as usize])
+            (space.overlap_middle_z(proxies, [a.body, b.body]), self.ids.bodies[partner.body])
         };
         let [friction, restitution] = contact.surface;
         Some(DepthContact {
             this: geom_of(this),
-            body: self.ids.bodies[this.body as usize]?,
+            body: self.ids.bodies[this.body]?,
             target: contact_target_of(geom_of(partner)),
             pieces: [this.piece, partner.piece],
             target_body,

@@ -15,7 +15,7 @@ use farseer_precise::broad_phase::proxies::BodyType;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::interface::{DepthBodyState, DepthShape, HingeFeature, WorldBox, WorldBoxMotion};
 use farseer_precise::depth::world_box_shape::solver_velocity;
-use farseer_precise::index::ProxyIndex;
+use farseer_precise::index::{BodyIndex, ProxyIndex};
 
 impl Precise {
     /// Returns whether the engine has a depth axis.
@@ -52,7 +52,7 @@ impl Precise {
     }
 
     /// Returns the body index of a dynamic or kinematic body; `None` for static and absent ones.
-    fn movable_index_of(&self, id: BodyId) -> Option<usize> {
+    fn movable_index_of(&self, id: BodyId) -> Option<BodyIndex> {
         self.body_index(id).filter(|&number| number < self.solver.bodies.first_static())
     }
 
@@ -90,7 +90,7 @@ impl Precise {
     pub(crate) fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) {
         let Some(space) = self.solver.depth.as_deref_mut() else { return };
         let Some((body_index, has_changed)) = space.set_world_box_motion(id, motion) else { return };
-        if let Some(hot) = self.solver.bodies.states.get_mut(body_index).filter(|_| !self.edits.needs_rebuild)
+        if let Some(hot) = self.solver.bodies.states.at_mut(body_index).filter(|_| !self.edits.needs_rebuild)
         {
             hot.velocity = solver_velocity(&motion);
             if motion.hinge().is_some() && has_changed {
@@ -144,7 +144,7 @@ impl Precise {
         let Precise { solver: Solver { depth: Some(space), bodies, .. }, ids, .. } = self else { return };
         space.add_box_bodies(bodies);
         space.rebuild_bodies(bodies, ids.bodies.iter().map(|id| id.map(|id| id.slot())));
-        for body_index in 1..=bodies.last_movable {
+        for body_index in bodies.movable() {
             if let Some(id) = ids.bodies[body_index] {
                 space.import_body(bodies, body_index, id.slot());
             }
@@ -153,7 +153,7 @@ impl Precise {
 
     /// Returns the id of a body for a snapshot, or the id that stands for a sleeping hinged box; `None` for all other bodies
     /// without an id. A box is identified by its proxy, because the list of boxes may be newer than the list of bodies.
-    pub(super) fn saved_body_id(&self, body_index: usize) -> Option<BodyId> {
+    pub(super) fn saved_body_id(&self, body_index: BodyIndex) -> Option<BodyId> {
         let of_world_box = || {
             let mut proxies =
                 self.solver.proxies.proxies_of(body_index).map(|at| self.solver.proxies.proxy(at));
@@ -165,7 +165,7 @@ impl Precise {
     }
 
     /// Returns the body index of the body or hinged box that an id in a snapshot stands for; `None` if it no longer exists.
-    pub(super) fn body_of_saved_id(&self, name: BodyId) -> Option<usize> {
+    pub(super) fn body_of_saved_id(&self, name: BodyId) -> Option<BodyIndex> {
         self.body_index(name).or_else(|| {
             if !HingeFeature::ENABLED {
                 return None;

@@ -12,7 +12,7 @@ use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::interface::DepthShape;
 use farseer_precise::depth::state::DepthState;
 use farseer_precise::fingerprint::Fingerprint;
-use farseer_precise::index::{DenseIndex, ProxyIndex};
+use farseer_precise::index::{BodyIndex, DenseIndex, ProxyIndex};
 use farseer_precise::math::plane::Vector;
 use farseer_precise::pieces::Piece;
 use farseer_precise::shape::Shape;
@@ -68,7 +68,7 @@ impl<'a> RecentShapes<'a> {
 
 impl<'a> ProxyImport<'a> {
     /// Appends the proxies of all geoms for whose body index `is_wanted` returns true.
-    pub(super) fn push_all(&mut self, is_wanted: impl Fn(usize) -> bool) {
+    pub(super) fn push_all(&mut self, is_wanted: impl Fn(BodyIndex) -> bool) {
         let objects = self.objects;
         let mut recent_outlines = RecentOutlines::default();
         for at in 0..objects.geoms.list().len() {
@@ -125,7 +125,7 @@ impl<'a> ProxyImport<'a> {
             piece: piece as u32,
             list_key: self.objects.geoms.list_key(id),
             creation_number: geom.number,
-            body: body as u32,
+            body,
             body_type,
             shape,
             fingerprint,

@@ -6,14 +6,14 @@ use super::vacancies::Vacancies;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
-use farseer_precise::index::{BodyIndex, DenseIndex, IndexRange, ProxyIndex};
+use farseer_precise::index::{BodyIndex, IndexRange, IndexedVec, ProxyIndex};
 use farseer_precise::reusing_clone;
 
 /// Ids of the bodies by body index, and the indices of bodies and geoms by the slots of their ids.
 #[derive(Debug, Default)]
 pub(super) struct IdTable {
     /// Id of each body, by body index; `None` for the placeholder, boxes of `twohalf` and empty entries.
-    pub(super) bodies: Vec<Option<BodyId>>,
+    pub(super) bodies: IndexedVec<BodyIndex, Option<BodyId>>,
     /// Index into `bodies` of each body, by the slot of its id; `None` if the body is not listed.
     body_indices: Vec<Option<BodyIndex>>,
     /// Index of the first proxy of each geom, by the slot of its id; `None` if the geom has no proxy.
@@ -77,27 +77,22 @@ impl IdTable {
     }
 
     /// Lists a body at the index `index`.
-    pub(super) fn add_body(&mut self, index: usize, id: BodyId) {
-        if self.bodies.len() <= index {
-            self.bodies.resize(index + 1, None);
-        }
-        self.vacant_bodies.fill(BodyIndex::new(index));
-        self.bodies[index] = Some(id);
-        set_entry(&mut self.body_indices, id.slot(), BodyIndex::new(index));
+    pub(super) fn add_body(&mut self, index: BodyIndex, id: BodyId) {
+        self.vacant_bodies.fill(index);
+        *self.bodies.at_or_grow(index) = Some(id);
+        set_entry(&mut self.body_indices, id.slot(), index);
     }
 
     /// Removes the body at `index`. The index stays without a body until the next rebuild.
-    pub(super) fn remove_body(&mut self, index: usize) {
+    pub(super) fn remove_body(&mut self, index: BodyIndex) {
         if let Some(id) = self.bodies[index].take() {
             self.body_indices[id.slot()] = None;
         }
     }
 
     /// Returns the body index of a body; `None` if the body is not listed.
-    pub(super) fn body_index(&self, body: BodyId) -> Option<usize> {
-        entry_of(&self.body_indices, body.slot())
-            .map(DenseIndex::position)
-            .filter(|&index| self.bodies[index] == Some(body))
+    pub(super) fn body_index(&self, body: BodyId) -> Option<BodyIndex> {
+        entry_of(&self.body_indices, body.slot()).filter(|&index| self.bodies[index] == Some(body))
     }
 
     /// Removes all geoms.
@@ -137,18 +132,19 @@ mod tests {
     use super::IdTable;
     use crate::body::BodyId;
     use crate::storage::arena::Id;
+    use farseer_precise::index::BodyIndex;
 
     #[test]
     fn a_body_is_found_only_while_it_is_listed() {
         let mut ids = IdTable::default();
         ids.clear_bodies(4);
         let (first, reused) = (BodyId::new(7, 0), BodyId::new(7, 1));
-        ids.add_body(2, first);
-        assert_eq!((ids.body_index(first), ids.body_index(reused)), (Some(2), None));
-        ids.remove_body(2);
+        ids.add_body(BodyIndex(2), first);
+        assert_eq!((ids.body_index(first), ids.body_index(reused)), (Some(BodyIndex(2)), None));
+        ids.remove_body(BodyIndex(2));
         assert_eq!(ids.body_index(first), None);
-        ids.add_body(5, reused);
-        assert_eq!((ids.body_index(first), ids.body_index(reused)), (None, Some(5)));
-        assert_eq!(ids.bodies, [None, None, None, None, None, Some(reused)]);
+        ids.add_body(BodyIndex(5), reused);
+        assert_eq!((ids.body_index(first), ids.body_index(reused)), (None, Some(BodyIndex(5))));
+        assert_eq!(*ids.bodies, [None, None, None, None, None, Some(reused)]);
     }
 }

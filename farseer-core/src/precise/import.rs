@@ -27,12 +27,12 @@ use farseer_precise::broad_phase::pair_finder::is_pair_reported;
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
 use farseer_precise::depth::feature_gate::FeatureGate;
-use farseer_precise::index::ProxyIndex;
+use farseer_precise::index::{BodyIndex, DenseIndex, IndexRange, ProxyIndex};
 use farseer_precise::narrow_phase::pair_lifetime::initial_one_way_state;
 
 impl Precise {
     /// Returns the index of a body into `bodies`; `None` if the body is not listed.
-    pub(crate) fn body_index(&self, body: BodyId) -> Option<usize> {
+    pub(crate) fn body_index(&self, body: BodyId) -> Option<BodyIndex> {
         self.ids.body_index(body)
     }
 
@@ -87,7 +87,7 @@ impl Precise {
 
     /// Computes the greatest and the least extent of the body at `index` from its shapes, and stores them in `bodies`, length
     /// units.
-    pub(super) fn compute_extents(&mut self, index: usize, objects: &Objects) {
+    pub(super) fn compute_extents(&mut self, index: BodyIndex, objects: &Objects) {
         let Solver { bodies, proxies, depth, .. } = &mut self.solver;
         let shapes = proxies.proxies_of(index).map(|proxy| proxies.proxy(proxy).shape);
         bodies.compute_extents(index, shapes.map(|shape| (shape, proxies.vertices.min_extent(shape))));
@@ -281,7 +281,7 @@ impl Precise {
         self.solver.direct_solver.reset(self.solver.bodies.states.len());
         // The body indices in the springs have become invalid.
         self.solver.springs.clear();
-        (1..=self.solver.bodies.last_movable).for_each(|number| self.compute_extents(number, objects));
+        self.solver.bodies.movable().for_each(|number| self.compute_extents(number, objects));
         self.restore(saved, objects, edits);
     }
 
@@ -326,9 +326,10 @@ impl Precise {
             static_bodies.iter().map(|&id| listed_body(&bodies[id].body, false)),
         );
         self.ids.clear_bodies(self.solver.bodies.poses.len());
-        let first_body = self.solver.bodies.last_movable + 1 - self.solver.bodies.movable_count;
-        (first_body..).zip(integrated()).for_each(|(index, (id, _))| self.ids.add_body(index, id));
-        (self.solver.bodies.first_static()..)
+        let first_body = self.solver.bodies.last_movable.position() + 1 - self.solver.bodies.movable_count;
+        let indices = IndexRange::new(BodyIndex::new(first_body), self.solver.bodies.movable_count);
+        indices.zip(integrated()).for_each(|(index, (id, _))| self.ids.add_body(index, id));
+        IndexRange::new(self.solver.bodies.first_static(), static_bodies.len())
             .zip(static_bodies)
             .for_each(|(index, id)| self.ids.add_body(index, id));
         self.rebuild_world_boxes();
@@ -404,7 +405,7 @@ fn has_entered(id: BodyId, members: &NewMembers, objects: &Objects) -> bool {
 }
 
 /// Sets the greatest extent of a dynamic body without geoms to its radius of gyration, length units.
-fn set_geomless_extent(bodies: &mut BodySet, proxies: &Proxies, index: usize, body: &Body) {
+fn set_geomless_extent(bodies: &mut BodySet, proxies: &Proxies, index: BodyIndex, body: &Body) {
     if !body.is_kinematic() && proxies.proxies_of(index).next().is_none() {
         bodies.max_extents[index] = gyration_radius(body);
     }

@@ -16,7 +16,7 @@ use farseer_precise::bodies::BodySet;
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::Proxies;
 use farseer_precise::direct_solver::island_stats::IslandCensus;
-use farseer_precise::index::{BodyIndex, DenseIndex, PairIndex};
+use farseer_precise::index::{BodyIndex, IndexedVec, PairIndex};
 use farseer_precise::island::falling_asleep::unite_islands;
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::island::union_find::UnionFind;
@@ -65,18 +65,18 @@ impl Precise {
     pub(crate) fn islands(&self, objects: &Objects) -> Vec<Island> {
         let solver = &self.solver;
         let mut awake = self.awake_islands(objects);
-        let mut all: Vec<(bool, usize, usize)> = (1..=solver.bodies.last_movable)
+        let mut all: Vec<(bool, BodyIndex, BodyIndex)> = solver
+            .bodies
+            .movable()
             .filter(|&number| solver.bodies.is_dynamic(number))
             .map(|number| match solver.sleep.is_asleep(number) {
                 true => (true, solver.sleep.first_of_ring(number), number),
-                false => (false, awake.find(number as u32) as usize, number),
+                false => (false, awake.find(number), number),
             })
             .collect();
-        sort_by_number(&mut all, |&(sleeps, first, number)| {
-            packed_key([sleeps.into(), first as u32, number as u32])
-        });
+        sort_by_number(&mut all, |&(sleeps, first, number)| packed_key([sleeps.into(), first.0, number.0]));
         let reports = self.body_reports();
-        let island = |bodies: &[(bool, usize, usize)]| {
+        let island = |bodies: &[(bool, BodyIndex, BodyIndex)]| {
             let of_bodies = bodies.iter().map(|&(.., number)| reports[number]);
             let BodyReport { method, why, cost } = of_bodies.reduce(BodyReport::merge)?;
             Some(Island {
@@ -92,7 +92,7 @@ impl Precise {
     }
 
     /// Returns the islands of the awake bodies.
-    fn awake_islands(&self, objects: &Objects) -> UnionFind {
+    fn awake_islands(&self, objects: &Objects) -> UnionFind<BodyIndex> {
         let solver = &self.solver;
         let mut islands = UnionFind::default();
         let links = solver.joints.body_pairs().chain(spring_body_pairs(&self.ids, objects));
@@ -108,11 +108,11 @@ impl Precise {
             return None;
         }
         let mut islands = self.awake_islands(objects);
-        let island = islands.find(number as u32);
+        let island = islands.find(number);
         let mut members = solver
             .sleep
             .awake_bodies(solver.bodies.last_movable)
-            .filter(|&other| islands.find(other as u32) == island);
+            .filter(|&other| islands.find(other) == island);
         let restless = members.find(|&other| solver.sleep.rest_time[other] == 0.0);
         let limit = solver.sleep.sleep_speed(solver.parameters.length_unit);
         Some(match restless {
@@ -129,21 +129,22 @@ impl Precise {
     }
 
     /// Returns the report of each body, in the order of body indices.
-    fn body_reports(&self) -> Vec<BodyReport> {
+    fn body_reports(&self) -> IndexedVec<BodyIndex, BodyReport> {
         let solver = &self.solver;
         let mut census = IslandCensus::default();
-        solver
-            .solver_selection()
-            .count_islands(&mut census, &|body| solver.bodies.initial_velocity[body.position()]);
+        solver.solver_selection().count_islands(&mut census, &|body| solver.bodies.initial_velocity[body]);
         let substeps = if solver.impulse_substep > 0.0 {
             (solver.dt / solver.impulse_substep).round() as u32
         } else {
             0
         };
         let rows = rows_by_body(&solver.bodies, &solver.proxies, &solver.pairs, &solver.sleep);
-        let mut reports: Vec<BodyReport> = (0..solver.bodies.states.len())
+        let mut reports: IndexedVec<BodyIndex, BodyReport> = solver
+            .bodies
+            .states
+            .indices()
             .map(|body| {
-                let stats = census.stats_of(BodyIndex::new(body));
+                let stats = census.stats_of(body);
                 if solver.sleep.is_asleep(body) {
                     BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
                 } else if solver.direct_solver.is_direct(body) {
@@ -163,10 +164,11 @@ impl Precise {
         {
             reports[body] = BodyReport::new(IslandSolver::Articulated, SolverReason::NothingTouches, parts);
         }
-        reports.iter_mut().zip(rows).for_each(|(told, rows)| told.cost.rows = rows);
+        reports.iter_mut().zip(&rows).for_each(|(told, rows)| told.cost.rows = *rows);
         for ties in solver.joints.body_pairs() {
-            let holder =
-                ties.into_iter().find(|&body| body > 0 && is_awake(&solver.bodies, &solver.sleep, body));
+            let holder = ties
+                .into_iter()
+                .find(|&body| body > BodyIndex::PLACEHOLDER && is_awake(&solver.bodies, &solver.sleep, body));
             holder.into_iter().for_each(|body| reports[body].cost.joints += 1);
         }
         solver
@@ -214,14 +216,19 @@ impl Precise {
 }
 
 /// Returns whether the body is dynamic and awake.
-fn is_awake(bodies: &BodySet, sleep: &SleepState, body: usize) -> bool {
+fn is_awake(bodies: &BodySet, sleep: &SleepState, body: BodyIndex) -> bool {
     bodies.is_dynamic(body) && !sleep.is_asleep(body)
 }
 
 /// Returns the number of awake contact constraints for each body index. A constraint counts at one of its bodies only, an awake
 /// dynamic one.
-fn rows_by_body(bodies: &BodySet, proxies: &Proxies, pairs: &Pairs, sleep: &SleepState) -> Vec<usize> {
-    let mut rows = vec![0; bodies.states.len()];
+fn rows_by_body(
+    bodies: &BodySet,
+    proxies: &Proxies,
+    pairs: &Pairs,
+    sleep: &SleepState,
+) -> IndexedVec<BodyIndex, usize> {
+    let mut rows = IndexedVec::of_copies(0, bodies.states.len());
     for pair in pairs.awake().filter(|&pair| pairs.has_constraint(pair)) {
         let [(a, _), (b, _)] = pairs.bodies_of(proxies, pair);
         let body = [a, b].into_iter().rfind(|&body| is_awake(bodies, sleep, body));
@@ -250,15 +257,15 @@ impl ContactErrors<'_> {
     /// The excess is the approach speed minus the speed that closes the gap in one update.
     fn of_pair(&self, pair: PairIndex) -> [f32; 2] {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
-        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
+        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body]);
         let [outline_a, outline_b] = [a, b].map(|proxy| self.proxies.vertices.shape_ref(proxy.shape));
         let Manifold { normal, count, points, separations, .. } =
             collide(outline_a, outline_b, pose_a, pose_b, self.speculative_distance);
         let apart = [pose_b[0] - pose_a[0], pose_b[1] - pose_a[1]];
         let mut errors = [0.0_f32; 2];
         for (&point, &separation) in points.iter().zip(&separations).take(count) {
-            let velocity_a = self.velocity_at(a.body as usize, point);
-            let velocity_b = self.velocity_at(b.body as usize, difference(point, apart));
+            let velocity_a = self.velocity_at(a.body, point);
+            let velocity_b = self.velocity_at(b.body, difference(point, apart));
             let approach = -dot(difference(velocity_b, velocity_a), normal);
             let allowed = if self.dt > 0.0 { separation.max(0.0) / self.dt } else { 0.0 };
             errors = [errors[0].max(-separation), errors[1].max(approach - allowed)];
@@ -268,8 +275,8 @@ impl ContactErrors<'_> {
 
     /// Returns the velocity of a body at a point [x, y] relative to its origin, both in world axes: length units/s; 0 for
     /// static bodies and world boxes.
-    fn velocity_at(&self, body: usize, [x, y]: Vector) -> Vector {
-        let id = self.ids.bodies.get(body).copied().flatten().filter(|_| body <= self.bodies.last_movable);
+    fn velocity_at(&self, body: BodyIndex, [x, y]: Vector) -> Vector {
+        let id = self.ids.bodies.at(body).copied().flatten().filter(|_| body <= self.bodies.last_movable);
         let Some(entry) = id.and_then(|id| self.objects.bodies.get(id)) else { return [0.0; 2] };
         let (velocity, angular_velocity) = (entry.body.linear_velocity(), entry.body.angular_velocity());
         [velocity.x - angular_velocity * y, velocity.y + angular_velocity * x]

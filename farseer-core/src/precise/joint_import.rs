@@ -177,8 +177,8 @@ impl<'a> JointImport<'a> {
             && self.bodies.inverse_mass_inertia[index] != [0.0; 2]
             && !self.sleep.is_asleep(index);
         let mut joint_anchor = JointAnchor {
-            body: if is_dynamic { BodyIndex::new(index) } else { BodyIndex::PLACEHOLDER },
-            pose_body: BodyIndex::new(index),
+            body: if is_dynamic { index } else { BodyIndex::PLACEHOLDER },
+            pose_body: index,
             local_anchor: to_vec2(anchor),
             ..JointAnchor::default()
         };
@@ -290,7 +290,7 @@ impl<'a> JointImport<'a> {
         joints: &mut JointSystem,
         objects: &Objects,
         step: &StepContext,
-        is_touched: Option<impl Fn(usize) -> bool>,
+        is_touched: Option<impl Fn(BodyIndex) -> bool>,
     ) {
         if self.depth.is_some() {
             for (constraint, ids) in joints.constraints_mut().iter_mut().zip(ids) {

@@ -9,6 +9,7 @@ use crate::objects::Objects;
 use crate::report::Report;
 use crate::springs::{SpringForce, SpringId};
 use farseer_precise::Solver;
+use farseer_precise::index::BodyIndex;
 use farseer_precise::scaled_parameters::StepContext;
 
 impl Precise {
@@ -55,7 +56,7 @@ impl Precise {
             return;
         }
         let all_touched = self.solver.constraints.has_overflow();
-        let is_touched = |body: usize| {
+        let is_touched = |body: BodyIndex| {
             all_touched || !self.solver.color_usage.has_no_constraint(body) || springs.is_attached_to(body)
         };
         // World boxes on a hinge count as touched.

@@ -8,6 +8,7 @@ use crate::geom::GeomId;
 use crate::objects::Objects;
 use farseer_precise::bodies::BodySet;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
+use farseer_precise::index::BodyIndex;
 
 /// The listed bodies and proxies, and the objects of the game.
 pub(super) struct Listed<'a> {
@@ -49,8 +50,8 @@ impl Listed<'_> {
     /// `disabled_bodies`: the disabled bodies at the last import.
     pub(super) fn has_unmarked_change(&self, disabled_bodies: &[BodyId]) -> bool {
         let bodies = &self.objects.bodies;
-        let has_changed = |(at, id): (usize, &Option<BodyId>)| {
-            let is_movable = at < self.bodies.last_movable;
+        let has_changed = |(at, id): (BodyIndex, &Option<BodyId>)| {
+            let is_movable = at <= self.bodies.last_movable;
             id.is_some_and(|id| {
                 bodies
                     .get(id)
@@ -58,7 +59,7 @@ impl Listed<'_> {
             })
         };
         let has_returned = |&id: &BodyId| is_simulated(id, self.objects);
-        self.ids.bodies[1..].iter().enumerate().any(has_changed) || disabled_bodies.iter().any(has_returned)
+        self.ids.bodies.enumerated().skip(1).any(has_changed) || disabled_bodies.iter().any(has_returned)
     }
 }
 

@@ -13,6 +13,7 @@ use crate::objects::Objects;
 use farseer_precise::Solver;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::state::DepthState;
+use farseer_precise::index::BodyIndex;
 use farseer_precise::island::falling_asleep::RestDetector;
 use farseer_precise::island::wake::{
     are_sleeping_pairs_parked, sleep_pairs, wake_partners, wake_requested, wake_touched,
@@ -148,7 +149,7 @@ impl Precise {
     #[inline]
     pub(super) fn wake_all(&mut self) {
         if self.solver.sleep.count > 0 {
-            (1..=self.solver.bodies.last_movable).for_each(|body| self.solver.sleep.request_wake(body));
+            self.solver.bodies.movable().for_each(|body| self.solver.sleep.request_wake(body));
             self.wake_up();
         }
     }
@@ -226,12 +227,12 @@ impl Precise {
 
 /// Sets the velocities of the game's objects to 0 whose bodies fall asleep. `falling_asleep`: body indices.
 fn stop_objects(
-    falling_asleep: &[u32],
+    falling_asleep: &[BodyIndex],
     ids: &IdTable,
     mut depth: Option<&mut DepthState>,
     objects: &mut Objects,
 ) {
-    for body in falling_asleep.iter().map(|&body| body as usize) {
+    for body in falling_asleep.iter().copied() {
         let id = ids.bodies[body];
         if let Some(entry) = id.and_then(|id| objects.bodies.get_mut(id)) {
             entry.body.stop();

@@ -10,7 +10,7 @@ use crate::objects::Objects;
 use crate::springs::{Spring, SpringForce, SpringId, SpringKind};
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::Proxies;
-use farseer_precise::index::{BodyIndex, DenseIndex};
+use farseer_precise::index::BodyIndex;
 use farseer_precise::joints::JointSystem;
 use farseer_precise::joints::joint_constraint::JointAnchor;
 use farseer_precise::joints::springs::{SpringConstraint, SpringRows, anchor_distance};
@@ -47,10 +47,11 @@ impl SpringChoice<'_> {
     fn needs_constraint(&self, spring: &Spring) -> bool {
         let JointImport { bodies, sleep, .. } = self.import;
         let [one, other] = spring.ends().map(|end| end.map(|body| self.import.ids.body_index(body)));
-        let ends = [one.unwrap_or(Some(0)), other.unwrap_or(Some(0))];
+        let ends =
+            [one.unwrap_or(Some(BodyIndex::PLACEHOLDER)), other.unwrap_or(Some(BodyIndex::PLACEHOLDER))];
         let [Some(a), Some(b)] = ends else { return false };
-        let is_held = |&body: &usize| {
-            body != 0
+        let is_held = |&body: &BodyIndex| {
+            body != BodyIndex::PLACEHOLDER
                 && body < bodies.first_static()
                 && bodies.is_dynamic(body)
                 && (self.joints.has_joint(body) || self.has_contact(body))
@@ -59,7 +60,7 @@ impl SpringChoice<'_> {
     }
 
     /// Returns whether the body with the index `body` has a contact constraint.
-    fn has_contact(&self, body: usize) -> bool {
+    fn has_contact(&self, body: BodyIndex) -> bool {
         self.pairs.pairs_of_body(self.proxies, body).any(|pair| self.pairs.has_constraint(pair))
     }
 }
@@ -143,9 +144,8 @@ impl JointImport<'_> {
             is_solved: false,
         };
         if matches!(spring.kind(), SpringKind::Angle(_)) {
-            constraint.set_spin_damping(|end| {
-                self.bodies.states.get(end.body.position()).map_or(0.0, |hot| hot.velocity[2])
-            });
+            constraint
+                .set_spin_damping(|end| self.bodies.states.at(end.body).map_or(0.0, |hot| hot.velocity[2]));
         }
         (constraint.ends[0].body != constraint.ends[1].body).then_some(constraint)
     }

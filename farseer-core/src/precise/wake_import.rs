@@ -8,6 +8,7 @@ use crate::objects::Objects;
 use farseer_precise::bodies::BodySet;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::depth::state::DepthState;
+use farseer_precise::index::BodyIndex;
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::parameters::sleep::{REMEASURED_FORCE_MAX_CHANGE, TIME_TO_SLEEP};
 
@@ -15,9 +16,10 @@ use farseer_precise::parameters::sleep::{REMEASURED_FORCE_MAX_CHANGE, TIME_TO_SL
 pub(super) fn spring_body_pairs<'a>(
     ids: &'a IdTable,
     objects: &'a Objects,
-) -> impl Iterator<Item = [usize; 2]> + Clone + 'a {
+) -> impl Iterator<Item = [BodyIndex; 2]> + Clone + 'a {
     let springs = (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at));
-    let number = |body: Option<BodyId>| body.and_then(|id| ids.body_index(id)).unwrap_or(0);
+    let number =
+        |body: Option<BodyId>| body.and_then(|id| ids.body_index(id)).unwrap_or(BodyIndex::PLACEHOLDER);
     springs.filter(|(_, spring)| spring.enabled()).map(move |(_, spring)| spring.ends().map(number))
 }
 
@@ -31,13 +33,13 @@ pub(super) struct KinematicMotion<'a> {
 
 impl KinematicMotion<'_> {
     /// Returns the indices of the kinematic bodies, and moving boxes of `twohalf`, that will move in this step.
-    pub(super) fn moving_bodies(&self) -> impl Iterator<Item = usize> + '_ {
-        let kinematic = self.bodies.kinematic.iter().map(|&body| body as usize);
+    pub(super) fn moving_bodies(&self) -> impl Iterator<Item = BodyIndex> + '_ {
+        let kinematic = self.bodies.kinematic.iter().copied();
         kinematic.filter(|&body| self.will_move(body, self.ids.bodies[body]))
     }
 
     /// Returns whether a kinematic body, or a moving box of `twohalf`, will move in this step. `id` is `None` for a box.
-    fn will_move(&self, body_index: usize, id: Option<BodyId>) -> bool {
+    fn will_move(&self, body_index: BodyIndex, id: Option<BodyId>) -> bool {
         let body = id.and_then(|id| self.objects.bodies.get(id));
         body.is_some_and(|entry| entry.body.will_move())
             || self.depth.is_some_and(|space| match id {
@@ -52,7 +54,7 @@ impl KinematicMotion<'_> {
         for at in 0..springs.list().len() {
             let Some((_, spring)) = springs.at(at).filter(|(_, spring)| spring.enabled()) else { continue };
             let ends = spring.ends().map(|end| end.and_then(|id| Some((self.ids.body_index(id)?, id))));
-            let moves = |&(body, id): &(usize, BodyId)| {
+            let moves = |&(body, id): &(BodyIndex, BodyId)| {
                 self.bodies.is_kinematic(body) && self.will_move(body, Some(id))
             };
             if ends.iter().flatten().any(moves) {
@@ -82,13 +84,13 @@ impl ForceComparison<'_> {
         self.collect_forced_bodies(objects, &mut forced_bodies);
         forced_bodies.sort_unstable();
         forced_bodies.dedup();
-        forced_bodies.retain(|&body| self.sleep.is_asleep(body as usize));
+        forced_bodies.retain(|&body| self.sleep.is_asleep(body));
         self.remeasure_forces(objects);
         let tolerance = match forced_bodies.is_empty() {
             true => 0.0,
             false => self.sleep.sleep_speed(self.length_unit) / TIME_TO_SLEEP,
         };
-        for body in forced_bodies.drain(..).map(|body| body as usize) {
+        for body in forced_bodies.drain(..).map(|body| body) {
             let ([x, y, turning, z], reach) =
                 (self.sleep.supported_acceleration[body], self.bodies.max_extents[body]);
             let Some(id) = self.ids.bodies[body] else { continue };
@@ -111,7 +113,7 @@ impl ForceComparison<'_> {
     /// [`REMEASURED_FORCE_MAX_CHANGE`], the stored accelerations stay.
     fn remeasure_forces(&mut self, objects: &Objects) {
         let mut newly_asleep = std::mem::take(&mut self.sleep.newly_asleep);
-        for body in newly_asleep.drain(..).map(|body| body as usize) {
+        for body in newly_asleep.drain(..).map(|body| body) {
             let Some(id) = self.ids.bodies[body] else { continue };
             let Some(entry) = objects.bodies.get(id) else { continue };
             let ([x, y, turning], before) =
@@ -128,12 +130,11 @@ impl ForceComparison<'_> {
 
     /// Appends to `forced_bodies` the indices of sleeping bodies that springs or controllers may act on, and of bodies that
     /// fell asleep under forces.
-    fn collect_forced_bodies(&self, objects: &Objects, forced_bodies: &mut Vec<u32>) {
+    fn collect_forced_bodies(&self, objects: &Objects, forced_bodies: &mut Vec<BodyIndex>) {
         forced_bodies.extend_from_slice(&self.sleep.loaded_bodies);
         let mut record = |body: Option<BodyId>| {
             let number = body.and_then(|body| self.ids.body_index(body));
-            forced_bodies
-                .extend(number.filter(|&number| self.sleep.is_asleep(number)).map(|number| number as u32));
+            forced_bodies.extend(number.filter(|&number| self.sleep.is_asleep(number)).map(|number| number));
         };
         for (_, spring) in (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at)) {
             spring.ends().into_iter().for_each(&mut record);

@@ -7,7 +7,7 @@ use crate::bodies::BodySet;
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::interface::DepthInterval;
 use crate::depth::state::DepthState;
-use crate::index::ProxyIndex;
+use crate::index::{BodyIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::plane::length;
 use crate::math::scalar::nearest_finite;
@@ -58,7 +58,7 @@ pub(crate) fn is_fast_kinematic(proxy: &Proxy, bodies: &BodySet, parameters: &Pa
     if proxy.body_type != BodyType::Kinematic || proxy.is_world {
         return false;
     }
-    let [x, y, spin, z] = bodies.states[proxy.body as usize].velocity;
+    let [x, y, spin, z] = bodies.states[proxy.body].velocity;
     let distance = (length([length([x, y]), z]) + spin.abs() * proxy.shape.max_extent) * dt;
     distance > parameters.speculative_distance && distance < CCD_MAX_COORDINATE
 }
@@ -113,7 +113,7 @@ impl FatAabbs<'_> {
             self.proxies.set_fat_aabb(proxy, GROUND_BOUNDS);
         }
         let body = self.proxies.proxy(proxy).body;
-        let speed = self.bodies.states.get(body as usize).map_or(0.0, |hot| hot.velocity[3]);
+        let speed = self.bodies.states.at(body).map_or(0.0, |hot| hot.velocity[3]);
         depth.set_fat_interval(proxy, body, speed * self.dt, margin, self.parameters.speculative_distance);
         if depth.is_in_grid(proxy) {
             self.grid.insert_or_move(proxy, &depth.grid_bounds(proxy, &bounds), may_stop);
@@ -174,7 +174,7 @@ impl FatAabbs<'_> {
     /// Enlarges the fat AABBs of the fast proxies of a kinematic body to their swept AABBs, and lists these proxies for the
     /// next search of pairs. `displacement` is that of the body in the step: x, y (length units), rotation (radians), z (length
     /// units).
-    pub fn enlarge_kinematic_to_sweep(&mut self, body: usize, displacement: [f32; 4]) {
+    pub fn enlarge_kinematic_to_sweep(&mut self, body: BodyIndex, displacement: [f32; 4]) {
         let mut next = self.proxies.first_of_body(body);
         while let Some(proxy) = next {
             next = self.proxies.next_of_body(proxy);
@@ -188,7 +188,7 @@ impl FatAabbs<'_> {
 
     /// Enlarges the fat AABBs of a body to the swept AABBs of its displacement in the step. Appends the proxies with a new fat
     /// AABB to `enlarged`.
-    pub(crate) fn enlarge_body_to_sweep(&mut self, body: usize, enlarged: &mut Vec<ProxyIndex>) {
+    pub(crate) fn enlarge_body_to_sweep(&mut self, body: BodyIndex, enlarged: &mut Vec<ProxyIndex>) {
         let mut next = self.proxies.first_of_body(body);
         while let Some(proxy) = next {
             next = self.proxies.next_of_body(proxy);

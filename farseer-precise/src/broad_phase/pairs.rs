@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::{ConstraintHandle, ConstraintKind};
-use crate::index::{DenseIndex, IndexedVec, PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::math::plane::Vector;
 use crate::reusing_clone;
 
@@ -373,10 +373,10 @@ impl Pairs {
     }
 
     /// Returns body index and body type of A and of B of a pair.
-    pub fn bodies_of(&self, proxies: &Proxies, pair: PairIndex) -> [(usize, BodyType); 2] {
+    pub fn bodies_of(&self, proxies: &Proxies, pair: PairIndex) -> [(BodyIndex, BodyType); 2] {
         self.triggers[pair].proxies.map(|proxy| {
             let proxy = proxies.proxy(proxy);
-            (proxy.body as usize, proxy.body_type)
+            (proxy.body, proxy.body_type)
         })
     }
 
@@ -402,7 +402,7 @@ impl Pairs {
     pub fn pairs_of_body<'a>(
         &'a self,
         proxies: &'a Proxies,
-        body: usize,
+        body: BodyIndex,
     ) -> impl Iterator<Item = PairIndex> + use<'a> {
         let (mut link, mut proxy) = (PairLink::NONE, proxies.first_of_body(body));
         std::iter::from_fn(move || self.next_pair_of_body(proxies, &mut link, &mut proxy))

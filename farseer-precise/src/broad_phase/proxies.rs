@@ -6,14 +6,14 @@
 
 mod escape;
 
-use crate::index::{DenseIndex, IndexRange, IndexedVec, ProxyIndex};
+use crate::index::{BodyIndex, DenseIndex, IndexRange, IndexedVec, ProxyIndex};
 use crate::parameters::broad_phase::COLLISION_MAX_COORDINATE;
 use serde::{Deserialize, Serialize};
 use wide::f32x4;
 
 use crate::bodies::{BodySet, spare_capacity};
 use crate::broad_phase::hash_grid::PackedAabb;
-use crate::math::lanes::columns;
+use crate::math::lanes::gather;
 use crate::math::plane::{Vector, rotate, rotation};
 use crate::math::scalar::nearest_finite;
 use crate::reusing_clone;
@@ -64,7 +64,7 @@ pub struct Proxy {
     /// Creation number of the geom. It determines the order of pairs.
     pub creation_number: u32,
     /// Index of the body in [`BodySet`]; 0 for a free position.
-    pub body: u32,
+    pub body: BodyIndex,
     /// Type of the body.
     pub body_type: BodyType,
     /// Shape of the piece; its vertices are in [`Proxies::vertices`].
@@ -99,7 +99,7 @@ impl Proxy {
             piece: 0,
             list_key: 0,
             creation_number: 0,
-            body: 0,
+            body: BodyIndex::PLACEHOLDER,
             body_type: BodyType::Fixed,
             shape: Shape::default(),
             fingerprint: 0,
@@ -133,13 +133,13 @@ impl Proxy {
     }
 
     /// Returns the index of the body if the proxy is a box about the origin of its body; else `None`.
-    fn box_body(&self) -> Option<u32> {
+    fn box_body(&self) -> Option<BodyIndex> {
         self.shape.is_box.then_some(self.body)
     }
 
     /// Returns whether the position has no proxy.
     pub fn is_empty(&self) -> bool {
-        self.body == 0
+        self.body == BodyIndex::PLACEHOLDER
     }
 }
 
@@ -162,7 +162,7 @@ pub struct Proxies {
     /// AABB of each shape in the frame of its body, without its radius: centre x, y, then half extents x, y, in length units.
     local_aabbs: IndexedVec<ProxyIndex, [f32; 4]>,
     /// For each proxy, the index of its body if the proxy is a box about the origin of the body; else `None`.
-    box_bodies: IndexedVec<ProxyIndex, Option<u32>>,
+    box_bodies: IndexedVec<ProxyIndex, Option<BodyIndex>>,
     /// Fat AABB of each proxy: [min x, min y, max x, max y] in length units, world axes.
     fat_aabbs: IndexedVec<ProxyIndex, PackedAabb>,
     /// Path length of each proxy since it was added: a bound for all of its points, in 2^-26 length units. The counter wraps.
@@ -170,7 +170,7 @@ pub struct Proxies {
     /// Indices of the proxies with a new fat AABB. The next broad phase searches their pairs.
     refitted: Vec<ProxyIndex>,
     /// Index of the first proxy of each body, or [`NO_PROXY`].
-    heads: Vec<ProxyIndex>,
+    heads: IndexedVec<BodyIndex, ProxyIndex>,
     /// For each proxy, the index of the next proxy of the same body, or [`NO_PROXY`].
     next: IndexedVec<ProxyIndex, ProxyIndex>,
 }
@@ -245,8 +245,8 @@ impl Proxies {
 
     /// Returns the index of the body of a proxy.
     #[inline(always)]
-    pub fn body_of(&self, proxy: ProxyIndex) -> usize {
-        self.all[proxy].body as usize
+    pub fn body_of(&self, proxy: ProxyIndex) -> BodyIndex {
+        self.all[proxy].body
     }
 
     /// Returns the fat AABB of a proxy: [min x, min y, max x, max y] in length units, world axes.
@@ -317,14 +317,14 @@ impl Proxies {
 
     /// Returns the bodies of four proxies; 0 for a proxy that is no box about the origin of its body.
     #[inline(always)]
-    pub(crate) fn box_bodies_of(&self, proxies: [ProxyIndex; 4]) -> [u32; 4] {
-        proxies.map(|proxy| self.box_bodies[proxy].unwrap_or(0))
+    pub(crate) fn box_bodies_of(&self, proxies: [ProxyIndex; 4]) -> [BodyIndex; 4] {
+        proxies.map(|proxy| self.box_bodies[proxy].unwrap_or(BodyIndex::PLACEHOLDER))
     }
 
     /// Returns the half extents x and y of four proxies without their radii, one proxy in each lane, length units.
     #[inline(always)]
     pub(crate) fn half_extents_of(&self, proxies: &[ProxyIndex; 4]) -> [f32x4; 2] {
-        let [.., half_x, half_y] = columns(&proxies.map(|proxy| self.local_aabbs[proxy]));
+        let [.., half_x, half_y] = gather(&self.local_aabbs, proxies);
         [half_x, half_y]
     }
 
@@ -398,9 +398,9 @@ impl Proxies {
         } else {
             return None;
         }
-        let body = proxy.body as usize;
-        if self.heads.len() <= body {
-            self.heads.resize(body + 1, NO_PROXY);
+        let body = proxy.body;
+        if self.heads.next_index() <= body {
+            self.heads.resize(body.position() + 1, NO_PROXY);
         }
         self.next[at] = std::mem::replace(&mut self.heads[body], at);
         Some(at)
@@ -415,7 +415,7 @@ impl Proxies {
     /// Removes a proxy, which must have no pairs. Its position becomes free.
     pub fn remove(&mut self, proxy: ProxyIndex) {
         let at = proxy;
-        let body = self.all[at].body as usize;
+        let body = self.all[at].body;
         let next = std::mem::replace(&mut self.next[at], NO_PROXY);
         let before = self.proxies_of(body).find(|&before| self.next[before] == proxy);
         match before {
@@ -435,18 +435,18 @@ impl Proxies {
         self.next.clear();
         self.next.reserve(self.all.len());
         for (at, proxy) in self.all.enumerated() {
-            let head = &mut self.heads[proxy.body as usize];
+            let head = &mut self.heads[proxy.body];
             self.next.push(if proxy.is_empty() { NO_PROXY } else { std::mem::replace(head, at) });
         }
     }
 
     /// Returns the indices of the proxies of a body.
-    pub fn proxies_of(&self, body: usize) -> impl Iterator<Item = ProxyIndex> + '_ {
+    pub fn proxies_of(&self, body: BodyIndex) -> impl Iterator<Item = ProxyIndex> + '_ {
         std::iter::successors(self.first_of_body(body), move |&at| self.next_of_body(at))
     }
 
     /// Returns the index of the first proxy of a body; `None` if the body has no proxies.
-    pub(crate) fn first_of_body(&self, body: usize) -> Option<ProxyIndex> {
+    pub(crate) fn first_of_body(&self, body: BodyIndex) -> Option<ProxyIndex> {
         Some(self.heads[body]).filter(|&at| at != NO_PROXY)
     }
 
@@ -465,7 +465,7 @@ impl Proxies {
         parameters: &Parameters,
     ) -> PackedAabb {
         let Proxy { body, shape, .. } = &self.all[proxy];
-        let pose = bodies.poses[*body as usize];
+        let pose = bodies.poses[*body];
         let q = rotation(pose);
         let centre = rotate(q, shape.centre);
         let (c, s) = (q[0].abs(), q[1].abs());
@@ -493,7 +493,7 @@ impl Proxies {
         if !tight.iter().all(|bound| bound.abs() < COLLISION_MAX_COORDINATE) {
             return EMPTY_AABB;
         }
-        let Some(hot) = bodies.states.get(self.all[proxy].body as usize) else { return tight };
+        let Some(hot) = bodies.states.at(self.all[proxy].body) else { return tight };
         let prediction = [0, 1].map(|axis| aabb_margin.prediction(hot.velocity[axis] * dt));
         let margin = aabb_margin.margin;
         let below =

@@ -4,7 +4,7 @@
 //! blocks of [`contact_constraint_simd`](super::contact_constraint_simd). Its rows are one normal row per point and one
 //! friction row for the manifold.
 
-use crate::index::PairIndex;
+use crate::index::{BodyIndex, PairIndex};
 use crate::scaled_parameters::LoadAdaptation;
 
 /// Normal row of one contact point of a [`ContactConstraint`].
@@ -31,9 +31,9 @@ pub struct ContactPoint {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ContactConstraint {
     /// Index of body A; 0 if it is static.
-    pub(crate) a: u32,
+    pub(crate) a: BodyIndex,
     /// Index of body B, which is never static.
-    pub(crate) b: u32,
+    pub(crate) b: BodyIndex,
     /// Index of the pair of proxies.
     pub(crate) pair: PairIndex,
     /// Unit normal from A to B in world axes, dimensionless.

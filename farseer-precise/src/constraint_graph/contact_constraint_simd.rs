@@ -1,7 +1,7 @@
 //! Contact constraints in SIMD blocks: four constraints of the same kind, one per lane. [`ContactConstraint`] is the scalar
 //! form of a lane, and documents the fields.
 
-use crate::index::PairIndex;
+use crate::index::{BodyIndex, PairIndex};
 use wide::f32x4;
 
 use super::contact_constraint::{ContactConstraint, ContactConstraintZ, ContactPoint};
@@ -40,9 +40,9 @@ impl ContactPointSimd {
 #[repr(C)]
 pub(crate) struct ContactConstraintSimd<const P: usize> {
     /// Indices of bodies A; 0 for static ones and empty lanes.
-    pub(crate) a: [u32; 4],
+    pub(crate) a: [BodyIndex; 4],
     /// Indices of bodies B; 0 for empty lanes.
-    pub(crate) b: [u32; 4],
+    pub(crate) b: [BodyIndex; 4],
     /// Components x of the unit normals from A to B, dimensionless; `normal_y` has the components y.
     pub(crate) normal_x: f32x4,
     pub(crate) normal_y: f32x4,
@@ -92,8 +92,8 @@ impl<const P: usize> ContactConstraintSimd<P> {
 impl<const P: usize> Default for ContactConstraintSimd<P> {
     fn default() -> Self {
         ContactConstraintSimd {
-            a: [0; 4],
-            b: [0; 4],
+            a: [BodyIndex::PLACEHOLDER; 4],
+            b: [BodyIndex::PLACEHOLDER; 4],
             pair: [PairIndex::default(); 4],
             normal_x: f32x4::ZERO,
             normal_y: f32x4::ZERO,

@@ -23,7 +23,7 @@ use crate::contact_solver::soft_step::{
 };
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
-use crate::index::{IndexedVec, ProxyIndex};
+use crate::index::{BodyIndex, IndexedVec, ProxyIndex};
 use crate::integration::{apply_midpoint_correction, apply_warm_start, integrate_positions, resolve_bounce};
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
@@ -169,7 +169,7 @@ impl IterativeSolver<'_> {
     fn accumulate_warm_start(&mut self, step: &StepContext) -> bool {
         self.joints.begin_iterative(self.springs, self.bodies, step);
         let (warm_start, states) = (&mut self.bodies.warm_start, &self.bodies.states);
-        self.awake_body_runs.iter().for_each(|run| warm_start[run.clone()].fill([0.0; 4]));
+        self.awake_body_runs.iter().for_each(|run| warm_start.slice_mut(run.clone()).fill([0.0; 4]));
         let may_bounce = if self.depth.is_some() {
             self.accumulate_warm_start_3d(step)
         } else {
@@ -249,8 +249,8 @@ impl IterativeSolver<'_> {
 /// `masks`: for each body all bits set if it has joints in the iterative solver, else 0; `None` if no body has.
 fn solve_contacts_with_bias(
     constraints: &mut ConstraintGraph,
-    states: &mut [MotionState],
-    masks: Option<&[u32]>,
+    states: &mut IndexedVec<BodyIndex, MotionState>,
+    masks: Option<&IndexedVec<BodyIndex, u32>>,
     step: &StepContext,
     substep: ContactSubstep,
 ) {
@@ -271,7 +271,11 @@ fn solve_contacts_with_bias(
 }
 
 /// Relaxation: solves all contacts of the iterative solver in the plane as rigid constraints without bias, friction included.
-fn relax_contacts(constraints: &mut ConstraintGraph, states: &mut [MotionState], substep: ContactSubstep) {
+fn relax_contacts(
+    constraints: &mut ConstraintGraph,
+    states: &mut IndexedVec<BodyIndex, MotionState>,
+    substep: ContactSubstep,
+) {
     let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } = constraints;
     relax::<false, 2>(two_points, states, substep);
     relax::<false, 1>(one_point, states, substep);

@@ -8,7 +8,7 @@ use crate::contact_solver::pivoting::{PivotState, PivotingPolygon};
 use crate::contact_solver::rolling::{
     RollingContact, RollingSolver, StaticPlane, incident_edge, is_over_face,
 };
-use crate::index::{PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, PairIndex, ProxyIndex};
 use crate::math::plane::{
     Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
@@ -88,7 +88,7 @@ impl RollingSolver<'_> {
     /// It applies if all contacts of `b` are contacts of the proxy `at_b` with static shapes that do not reach above `plane`. A
     /// polygon that pivots on the plane then meets no other face of these shapes. The offset of the plane is measured from the
     /// origin of `b`.
-    fn min_coplanar_friction(&self, b: usize, at_b: ProxyIndex, plane: &StaticPlane) -> Option<f32> {
+    fn min_coplanar_friction(&self, b: BodyIndex, at_b: ProxyIndex, plane: &StaticPlane) -> Option<f32> {
         let mut friction = f32::MAX;
         for pair in self.pairs.pairs_of_body(self.proxies, b) {
             let state = self.pairs.state(pair);

@@ -15,7 +15,7 @@ use crate::broad_phase::pairs::{CachedManifold, Pairs};
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint, ContactPoint};
 use crate::contact_solver::pivoting::PivotState;
-use crate::index::{IndexedVec, PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::joints::JointSystem;
 use crate::math::plane::{
     Rot, Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
@@ -228,7 +228,7 @@ impl RollingSolver<'_> {
 
     /// Adjusts the warm start of body `b` after an update of its constraint. Adds the velocity change by the normal impulses
     /// and angular impulses of `new`, and subtracts that of `old`.
-    fn replace_warm_start(&mut self, b: usize, old: &ContactConstraint, new: &ContactConstraint) {
+    fn replace_warm_start(&mut self, b: BodyIndex, old: &ContactConstraint, new: &ContactConstraint) {
         let normal_impulse =
             |lane: &ContactConstraint| lane.points[0].normal_impulse + lane.points[1].normal_impulse;
         let angular_impulse = |lane: &ContactConstraint| {
@@ -259,7 +259,7 @@ impl RollingSolver<'_> {
             let state = self.pairs.state(roll.pair);
             let Some(handle) = state.constraint else { continue };
             let constraint = self.constraints.get(state.kind, handle);
-            let [x, y, turned, _] = self.bodies.states[constraint.b as usize].displacement;
+            let [x, y, turned, _] = self.bodies.states[constraint.b].displacement;
             let mut separations = [0.0; 2];
             for (at, point) in constraint.points.iter().enumerate() {
                 let after = point.separation + dot([x, y], constraint.normal) + turned * point.normal_arm_b;

@@ -17,7 +17,7 @@ pub(super) fn clamp_joined_bodies(joints: &JointSystem, fast_bodies: &mut Vec<Fa
     let fast_count = fast_bodies.len();
     for bodies in joints.articulation_bodies().filter(|bodies| bodies.len() > 1) {
         let position = |body: &BodyIndex| {
-            fast_bodies[..fast_count].binary_search_by_key(&body.0, |flight| flight.body).ok()
+            fast_bodies[..fast_count].binary_search_by_key(body, |flight| flight.body).ok()
         };
         let first = bodies.iter().filter_map(position).map(|at| fast_bodies[at]).reduce(|first, flight| {
             let key = |flight: &FastBody| (flight.toi, flight.body);
@@ -27,7 +27,7 @@ pub(super) fn clamp_joined_bodies(joints: &JointSystem, fast_bodies: &mut Vec<Fa
         else {
             continue;
         };
-        for &BodyIndex(body) in bodies {
+        for &body in bodies {
             let joined =
                 FastBody { toi: time, pair, hit_body: stopped, is_joined: true, ..FastBody::of(body) };
             match fast_bodies[..fast_count].binary_search_by_key(&body, |flight| flight.body) {
@@ -36,7 +36,7 @@ pub(super) fn clamp_joined_bodies(joints: &JointSystem, fast_bodies: &mut Vec<Fa
             }
         }
     }
-    sort_by_number(fast_bodies, |flight| flight.body.into());
+    sort_by_number(fast_bodies, |flight| flight.body.0.into());
 }
 
 /// Sets the velocity of a body that stops with its articulation: interpolated between the start and the end of the step at
@@ -44,7 +44,7 @@ pub(super) fn clamp_joined_bodies(joints: &JointSystem, fast_bodies: &mut Vec<Fa
 ///
 /// Both velocities satisfy the joints, and so does every linear combination. If instead the forces after the TOI were
 /// subtracted, a hanging body would get a velocity.
-pub(super) fn scale_joined_velocity(bodies: &mut BodySet, body: usize, toi: f32) {
+pub(super) fn scale_joined_velocity(bodies: &mut BodySet, body: BodyIndex, toi: f32) {
     let before = bodies.initial_velocity[body];
     for (velocity, before) in bodies.states[body].velocity.iter_mut().zip(before) {
         *velocity = before + (*velocity - before) * toi;

@@ -22,7 +22,7 @@ use super::bodies::BodySet;
 use super::island::sleep::SleepState;
 use super::joints::JointSystem;
 use crate::broad_phase::proxies::BodyType;
-use crate::index::{PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, DenseIndex, PairIndex, ProxyIndex};
 use crate::math::lanes::{columns, smaller};
 use crate::parameters::narrow_phase::{CCD_MAX_COORDINATE, TOI_PENETRATION_RATIO};
 use crate::storage::order::{packed_key, sort_by_number};
@@ -53,9 +53,9 @@ pub(crate) fn list_fast_bodies(
 ) {
     fast.clear();
     for run in &sleep.awake_body_runs {
-        let (paths, _) = bodies.delta_pose[run.clone()].as_chunks::<4>();
+        let (paths, _) = bodies.delta_pose.slice(run.clone()).as_chunks::<4>();
         let [reaches, cores] =
-            [&bodies.max_extents, &bodies.min_extents].map(|of| of[run.clone()].as_chunks::<4>().0);
+            [&bodies.max_extents, &bodies.min_extents].map(|of| of.slice(run.clone()).as_chunks::<4>().0);
         for (block, ((paths, reaches), cores)) in paths.iter().zip(reaches).zip(cores).enumerate() {
             let cores = smaller(f32x4::new(*cores), f32x4::splat(max_threshold));
             let lanes = fast_lanes(paths, f32x4::new(*reaches), cores);
@@ -63,9 +63,9 @@ pub(crate) fn list_fast_bodies(
                 continue;
             }
             for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
-                let number = run.start + 4 * block + lane;
+                let number = BodyIndex::new(run.start + 4 * block + lane);
                 if !sleep.is_asleep(number) && bodies.has_body[number] && !bodies.is_kinematic(number) {
-                    fast.push(FastBody::of(number as u32));
+                    fast.push(FastBody::of(number));
                 }
             }
         }
@@ -95,13 +95,13 @@ pub(crate) fn toi_of_carried(motion: SweptMotion<'_>, flight: &FastBody) -> Opti
         let [(_, body_type), _] = motion.pairs.bodies_of(motion.proxies, pair_index);
         body_type == BodyType::Fixed && flight.pair != Some(pair_index)
     };
-    motion.first_toi(flight.body as usize, is_static).map(|(time, _)| time)
+    motion.first_toi(flight.body, is_static).map(|(time, _)| time)
 }
 
 /// Finds the first time of impact of each fast body, and its pair.
 fn find_first_impacts(motion: SweptMotion<'_>, fast: &mut [FastBody]) {
     for flight in fast {
-        let first = motion.first_toi(flight.body as usize, |_| true);
+        let first = motion.first_toi(flight.body, |_| true);
         (flight.toi, flight.pair) = first.map_or((1.0, None), |(time, pair)| (time, Some(pair)));
     }
 }
@@ -119,7 +119,7 @@ fn find_carried_motion(motion: SweptMotion<'_>, fast: &mut [FastBody]) {
 pub(crate) fn end_paths(bodies: &mut BodySet, fast: &mut Vec<FastBody>, substeps: f32) {
     fast.retain(|flight| flight.toi < 1.0);
     for &FastBody { body, toi: time, carried_motion: carried, is_joined, .. } in &*fast {
-        let body = body as usize;
+        let body = body;
         for (component, carried) in bodies.delta_pose[body].iter_mut().zip(carried) {
             *component = *component * time + carried;
         }
@@ -145,16 +145,14 @@ fn record_sensor_passthroughs(
     let SweptMotion { proxies, pairs, .. } = motion;
     let number = |proxy: ProxyIndex| proxies.proxy(proxy).creation_number;
     for &FastBody { body, toi: time, .. } in fast {
-        for pair in proxies.proxies_of(body as usize).flat_map(|proxy| pairs.pairs_of(proxy)) {
+        for pair in proxies.proxies_of(body).flat_map(|proxy| pairs.pairs_of(proxy)) {
             let state = pairs.state(pair);
             if state.responds || state.is_touching || state.is_vetoed {
                 continue;
             }
             let two = pairs.proxies_of(pair);
             let impact_time = motion.time_of_impact(two, TOI_PENETRATION_RATIO);
-            if impact_time.is_some_and(|met| met < time)
-                && motion.is_separated_after(pair, body as usize, time)
-            {
+            if impact_time.is_some_and(|met| met < time) && motion.is_separated_after(pair, body, time) {
                 let [a, b] = two;
                 passthroughs.push(if number(a) < number(b) { [a, b] } else { [b, a] });
             }

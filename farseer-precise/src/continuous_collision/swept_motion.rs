@@ -10,7 +10,7 @@ use crate::continuous_collision::fast_body::FastBody;
 use crate::continuous_collision::time_of_impact::{SweptPair, SweptShape, conservative_advancement};
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
-use crate::index::{IndexedVec, PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::plane::{difference, rotate, sum, translation};
 use crate::math::scalar;
@@ -38,8 +38,8 @@ pub(crate) struct SweptMotion<'a> {
 impl<'a> SweptMotion<'a> {
     /// Returns the displacement of a body in the step: x, y (length units), rotation (radians), z (length units). Zeros for a
     /// static body.
-    fn displacement(&self, body: u32) -> [f32; 4] {
-        self.bodies.delta_pose.get(body as usize).copied().unwrap_or_default()
+    fn displacement(&self, body: BodyIndex) -> [f32; 4] {
+        self.bodies.delta_pose.at(body).copied().unwrap_or_default()
     }
 
     /// Returns the convex shape of a proxy on its path through the step, with `fraction` of its displacement.
@@ -48,7 +48,7 @@ impl<'a> SweptMotion<'a> {
         let outline = self.proxies.vertices.shape_ref(shape);
         SweptShape {
             shape: outline,
-            pose: self.bodies.poses[body as usize],
+            pose: self.bodies.poses[body],
             displacement: self.displacement(body).map(|way| way * fraction),
         }
     }
@@ -69,7 +69,7 @@ impl<'a> SweptMotion<'a> {
     ) {
         let stoppers = self.stopper_levels();
         for &FastBody { body, .. } in fast_bodies {
-            for proxy in self.proxies.proxies_of(body as usize) {
+            for proxy in self.proxies.proxies_of(body) {
                 let levels = if self.proxies.proxy(proxy).responds { stoppers } else { !0 };
                 if levels != 0 {
                     self.query_sweep(proxy, self.displacement(body), levels, (is_known, pairs));
@@ -110,9 +110,9 @@ impl<'a> SweptMotion<'a> {
     /// Returns whether `other` may stop the fast body of `proxy`, or is a sensor that reports it. Both are indices of proxies.
     fn is_ccd_candidate(&self, proxy: ProxyIndex, other: ProxyIndex) -> bool {
         let [one, other] = [proxy, other].map(|proxy| self.proxies.proxy(proxy));
-        let is_bullet = |proxy: &Proxy| self.bodies.are_bullets.get(proxy.body as usize) == Some(&true);
+        let is_bullet = |proxy: &Proxy| self.bodies.are_bullets.at(proxy.body) == Some(&true);
         let may_stop = other.may_stop()
-            || self.sleep.is_asleep(other.body as usize)
+            || self.sleep.is_asleep(other.body)
             || is_bullet(one)
             || is_bullet(other)
             || !one.responds;
@@ -123,7 +123,7 @@ impl<'a> SweptMotion<'a> {
     /// `accepts` returns false are ignored. `None` without an impact.
     pub(crate) fn first_toi(
         &self,
-        body: usize,
+        body: BodyIndex,
         accepts: impl Fn(PairIndex) -> bool,
     ) -> Option<(f32, PairIndex)> {
         let mut first: Option<(f32, PairIndex)> = None;
@@ -143,12 +143,12 @@ impl<'a> SweptMotion<'a> {
     }
 
     /// Returns whether continuous collision stops `body` at the other body of the pair.
-    fn is_ccd_pair(&self, pair: PairIndex, body: usize) -> bool {
+    fn is_ccd_pair(&self, pair: PairIndex, body: BodyIndex) -> bool {
         let state = self.pairs.state(pair);
         let [(a, body_type), (b, _)] = self.pairs.bodies_of(self.proxies, pair);
         let other = if a == body { b } else { a };
         // A body that moves towards a bullet would pass it where the bullet stops.
-        let is_bullet = [body, other].iter().any(|&side| self.bodies.are_bullets.get(side) == Some(&true));
+        let is_bullet = [body, other].iter().any(|&side| self.bodies.are_bullets.at(side) == Some(&true));
         let is_immovable = body_type != BodyType::Dynamic || self.sleep.is_asleep(other);
         // With a depth axis, the solver keeps bodies apart that are already in contact.
         let is_in_contact = self.depth.is_some() && self.pairs.manifold(pair).count > 0;
@@ -255,11 +255,10 @@ impl<'a> SweptMotion<'a> {
         let &FastBody { body, toi, pair: Some(pair), hit_body, .. } = fast_body else { return [0.0; 4] };
         let proxies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let other = if proxies[0].body == hit_body { proxies[1] } else { proxies[0] };
-        let pose = self.bodies.poses[body as usize];
-        let displacement = self.bodies.delta_pose[body as usize];
+        let pose = self.bodies.poses[body];
+        let displacement = self.bodies.delta_pose[body];
         if let Some(space) = self.depth.as_ref().filter(|_| other.is_world) {
-            let at =
-                [pose[0] + toi * displacement[0], space.z_positions[body as usize] + toi * displacement[3]];
+            let at = [pose[0] + toi * displacement[0], space.z_positions[body] + toi * displacement[3]];
             return space.velocity_at(other, at, self.bodies).map(|way| way * (1.0 - toi) * self.dt);
         }
         let displacement_of_other = self.displacement(other.body);
@@ -270,10 +269,8 @@ impl<'a> SweptMotion<'a> {
         let [dx, dy, turned, dz] = displacement_of_other.map(|way| way * remaining_time);
         let at =
             |pose: [f32; 4], path: [f32; 4]| sum(translation(pose), translation(path.map(|way| way * toi)));
-        let arm = difference(
-            at(pose, displacement),
-            at(self.bodies.poses[other.body as usize], displacement_of_other),
-        );
+        let arm =
+            difference(at(pose, displacement), at(self.bodies.poses[other.body], displacement_of_other));
         let (sine, cosine) = if turned == 0.0 { (0.0, 1.0) } else { scalar::sin_cos(turned) };
         let [x, y] = difference(rotate([cosine, sine], arm), arm);
         [dx + x, dy + y, turned, dz]
@@ -281,7 +278,7 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns whether the shapes of a pair are separated at the end of the step, if the path of `body` ends at `fraction` of
     /// its displacement.
-    pub(crate) fn is_separated_after(&self, pair: PairIndex, body: usize, fraction: f32) -> bool {
+    pub(crate) fn is_separated_after(&self, pair: PairIndex, body: BodyIndex, fraction: f32) -> bool {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| {
             let is_stopped = self.proxies.body_of(proxy) == body;
             self.swept_shape(proxy, if is_stopped { fraction } else { 1.0 })

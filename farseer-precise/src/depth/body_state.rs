@@ -7,6 +7,7 @@ use super::state::DepthState;
 use super::state::{NO_STATE, entry, entry_mut};
 use super::world_box_shape::origin_of;
 use crate::bodies::BodySet;
+use crate::index::BodyIndex;
 use crate::integration::BodyForces;
 use crate::math::decay;
 use crate::scaled_parameters::StepContext;
@@ -89,7 +90,7 @@ impl DepthState {
         let movable = slots.take(bodies.states.len());
         state_slots.extend(movable.map(|slot| slot.map_or(NO_STATE, |slot| slot as u32)));
         for (&number, world_box) in box_bodies.iter().zip(world_boxes) {
-            z_positions[number as usize] = origin_of(world_box).z;
+            z_positions[number] = origin_of(world_box).z;
         }
         spins.clear();
         spins.resize(bodies.states.len(), BallSpin::default());
@@ -99,28 +100,28 @@ impl DepthState {
     }
 
     /// Adds the depth data of a new body at this body index, with its z position as the engine above has set it.
-    pub fn add_body(&mut self, body_index: usize, slot: usize) {
+    pub fn add_body(&mut self, body_index: BodyIndex, slot: usize) {
         let state = self.body(slot);
-        *entry_mut(&mut self.z_positions, body_index) = state.z;
-        *entry_mut(&mut self.ball_spins, body_index) = BallSpin::default();
-        *entry_mut(&mut self.state_slots, body_index) = slot as u32;
-        *entry_mut(&mut self.is_ball, body_index) = false;
-        *entry_mut(&mut self.has_fixed_rotation, body_index) = false;
+        *self.z_positions.at_or_grow(body_index) = state.z;
+        *self.ball_spins.at_or_grow(body_index) = BallSpin::default();
+        *self.state_slots.at_or_grow(body_index) = slot as u32;
+        *self.is_ball.at_or_grow(body_index) = false;
+        *self.has_fixed_rotation.at_or_grow(body_index) = false;
     }
 }
 
 /// Import of edits at the start of a step.
 impl DepthState {
     /// Returns whether the game has moved a body along z since the last step.
-    pub fn was_moved_along_z(&self, body_index: usize, slot: usize) -> bool {
+    pub fn was_moved_along_z(&self, body_index: BodyIndex, slot: usize) -> bool {
         self.z_positions[body_index] != self.body(slot).z
     }
 
     /// Copies z, velocity along z and ball spin of an edited body to the solver.
-    pub fn import_body(&mut self, bodies: &mut BodySet, body_index: usize, slot: usize) {
+    pub fn import_body(&mut self, bodies: &mut BodySet, body_index: BodyIndex, slot: usize) {
         let state = self.body(slot);
         self.z_positions[body_index] = state.z;
-        if let Some(hot) = bodies.states.get_mut(body_index) {
+        if let Some(hot) = bodies.states.at_mut(body_index) {
             hot.velocity[3] = state.velocity;
             let [x, y] = state.angular_velocity;
             self.ball_spins[body_index] = BallSpin { velocity: [x, y, 0.0, 0.0], ..BallSpin::default() };
@@ -129,7 +130,7 @@ impl DepthState {
     }
 
     /// Returns whether a body has no velocity along z and, if it is a sphere, no angular velocity about x and y.
-    pub fn is_at_rest(&self, number: Option<usize>, slot: usize) -> bool {
+    pub fn is_at_rest(&self, number: Option<BodyIndex>, slot: usize) -> bool {
         let DepthBodyState { velocity, angular_velocity, .. } = self.body(slot);
         let is_ball = number.is_some_and(|number| self.is_ball[number]);
         velocity == 0.0 && (angular_velocity == [0.0; 2] || !is_ball)
@@ -143,7 +144,7 @@ impl DepthState {
     /// `ball_spins`.
     pub fn begin_velocity(
         &mut self,
-        (body_index, slot): (usize, usize),
+        (body_index, slot): (BodyIndex, usize),
         drag: &BodyDrag,
         read: &mut BodyForces,
         step: &StepContext,
@@ -173,7 +174,7 @@ impl DepthState {
     /// units), rotation (radians) and z.
     pub fn store_position(
         &mut self,
-        body_index: usize,
+        body_index: BodyIndex,
         slot: usize,
         [x_displacement, y_displacement, _, z_displacement]: [f32; 4],
         velocity: f32,
@@ -219,7 +220,7 @@ impl DepthState {
     }
 
     /// Sets velocity, acceleration, displacement and ball spin of a body that falls asleep to 0.
-    pub fn put_to_rest(&mut self, body_index: usize, slot: usize) {
+    pub fn put_to_rest(&mut self, body_index: BodyIndex, slot: usize) {
         self.ball_spins[body_index] = BallSpin::default();
         let state = self.body_mut(slot);
         (state.velocity, state.acceleration, state.angular_velocity) = (0.0, 0.0, [0.0; 2]);

@@ -78,7 +78,7 @@ impl DepthState {
         let proxy: &Proxy = proxies.proxy(at);
         let plane = SweptShape {
             shape: proxies.vertices.shape_ref(proxy.shape),
-            pose: bodies.poses[proxy.body as usize],
+            pose: bodies.poses[proxy.body],
             displacement: path,
         };
         let solid = self.posed_solid(at, proxy, plane.shape, (bodies, 0.0));
@@ -124,8 +124,7 @@ impl DepthState {
         let [(a, way_a), (b, way_b)] = [(a, paths[0]), (b, paths[1])].map(|(at, path)| {
             let proxy = proxies.proxy(at);
             let outline = proxies.vertices.shape_ref(proxy.shape);
-            let plane =
-                SweptShape { shape: outline, pose: bodies.poses[proxy.body as usize], displacement: path };
+            let plane = SweptShape { shape: outline, pose: bodies.poses[proxy.body], displacement: path };
             let mut solid = self.posed_solid(at, proxy, outline, (bodies, 0.0));
             (solid.pose, solid.z) = (plane.pose_at(fraction), solid.z + fraction * path[3]);
             (solid, path)

@@ -6,13 +6,13 @@
 use super::state::DepthState;
 use crate::bodies::BodySet;
 use crate::broad_phase::proxies::{Proxies, Proxy};
-use crate::index::ProxyIndex;
+use crate::index::{BodyIndex, DenseIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 
 impl DepthState {
     /// Returns whether a body has a vertical shape and so a fixed rotation.
-    pub(crate) fn is_rotation_fixed(&self, body_index: usize) -> bool {
-        self.any_fixed_rotation && super::state::entry(&self.has_fixed_rotation, body_index)
+    pub(crate) fn is_rotation_fixed(&self, body_index: BodyIndex) -> bool {
+        self.any_fixed_rotation && self.has_fixed_rotation.at(body_index).copied().unwrap_or_default()
     }
 
     /// Start of a step: sets the angular velocity of awake bodies with a fixed rotation to 0, and also the changes of angular
@@ -40,8 +40,8 @@ impl DepthState {
     pub fn reset_fixed_rotation_poses(&self, bodies: &mut BodySet, sleep: &SleepState) {
         if self.any_fixed_rotation {
             // The runs of awake bodies may contain sleeping ones, whose poses were computed as well.
-            let renewed = sleep.awake_body_runs.iter().cloned().flatten();
-            for number in renewed.filter(|&number| super::state::entry(&self.has_fixed_rotation, number)) {
+            let renewed = sleep.awake_body_runs.iter().cloned().flatten().map(BodyIndex::new);
+            for number in renewed.filter(|&number| self.is_rotation_fixed(number)) {
                 let [x, y, ..] = bodies.poses[number];
                 bodies.poses[number] = [x, y, 1.0, 0.0];
                 bodies.states[number].velocity[2] = 0.0;
@@ -51,7 +51,7 @@ impl DepthState {
 
     /// Returns the inverse mass (1/mass units) and the inverse moment of inertia about z (1/(mass units * length units^2)) of a
     /// body, of which both are given. The inverse moment of inertia is 0 if the rotation of the body is fixed.
-    pub fn without_fixed_inertia(&self, body_index: usize, [mass, inertia]: [f32; 2]) -> [f32; 2] {
+    pub fn without_fixed_inertia(&self, body_index: BodyIndex, [mass, inertia]: [f32; 2]) -> [f32; 2] {
         [mass, if self.is_rotation_fixed(body_index) { 0.0 } else { inertia }]
     }
 
@@ -59,10 +59,8 @@ impl DepthState {
     pub fn fix_rotation_of_proxy(&mut self, proxy: ProxyIndex, proxies: &Proxies, bodies: &mut BodySet) {
         let Proxy { is_world, body, .. } = *proxies.proxy(proxy);
         if self.is_vertical(proxy) && !is_world {
-            let number = body as usize;
-            (*super::state::entry_mut(&mut self.has_fixed_rotation, number), self.any_fixed_rotation) =
-                (true, true);
-            fix_rotation(bodies, number);
+            (*self.has_fixed_rotation.at_or_grow(body), self.any_fixed_rotation) = (true, true);
+            fix_rotation(bodies, body);
         }
     }
 
@@ -72,7 +70,7 @@ impl DepthState {
     }
 
     /// Fixes the rotation of an imported body if it has a vertical shape.
-    pub(crate) fn fix_rotation_if_vertical(&self, bodies: &mut BodySet, body_index: usize) {
+    pub(crate) fn fix_rotation_if_vertical(&self, bodies: &mut BodySet, body_index: BodyIndex) {
         if self.is_rotation_fixed(body_index) {
             fix_rotation(bodies, body_index);
         }
@@ -80,11 +78,11 @@ impl DepthState {
 }
 
 /// Sets the inverse moment of inertia, the angle and the angular velocity about z of a body to 0.
-fn fix_rotation(bodies: &mut BodySet, body_index: usize) {
+fn fix_rotation(bodies: &mut BodySet, body_index: BodyIndex) {
     bodies.inverse_mass_inertia[body_index][1] = 0.0;
     let [x, y, ..] = bodies.poses[body_index];
     bodies.poses[body_index] = [x, y, 1.0, 0.0];
-    if let Some(hot) = bodies.states.get_mut(body_index) {
+    if let Some(hot) = bodies.states.at_mut(body_index) {
         hot.velocity[2] = 0.0;
     }
 }

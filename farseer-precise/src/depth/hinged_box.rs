@@ -21,6 +21,7 @@ use crate::broad_phase::pairs::{Pair, Pairs};
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ColorUsage, ConstraintGraph};
 use crate::contact_solver::iterative_solver::IterativeSolver;
+use crate::index::{BodyIndex, DenseIndex, IndexRange};
 use crate::island::sleep::SleepState;
 use crate::parameters::depth::{HINGE_REST_MAX_DISTANCE, HINGE_STOP_MAX_ANGLE};
 use crate::scaled_parameters::StepContext;
@@ -104,13 +105,13 @@ pub(crate) fn list_hinged_boxes(
 ) {
     let DepthState { moving_boxes, world_boxes, hinged_boxes, .. } = space;
     hinged_boxes.clear();
-    for (body_index, &box_index) in (1..).zip(&*empty_if_disabled(moving_boxes)) {
+    for (body_index, &box_index) in (1..).map(BodyIndex).zip(&*empty_if_disabled(moving_boxes)) {
         let world_box = &world_boxes[box_index as usize];
-        let Some(&hinge) = world_box.hinge().filter(|_| !sleep.is_asleep(body_index as usize)) else {
+        let Some(&hinge) = world_box.hinge().filter(|_| !sleep.is_asleep(body_index)) else {
             continue;
         };
         let angle = world_box.yaw.unwrap_or_default();
-        let initial = [angle, bodies.states[body_index as usize].velocity[2]];
+        let initial = [angle, bodies.states[body_index].velocity[2]];
         hinged_boxes.push(HingedBoxState {
             body: body_index,
             box_index,
@@ -139,7 +140,7 @@ pub(crate) fn brace_at_stops(
             distance < HINGE_STOP_MAX_ANGLE && away * angular_velocity <= 0.0 && away * pull <= 0.0
         };
         let at_stop = [rests(angle - least, 1.0), rests(greatest - angle, -1.0)];
-        let of_box = || pairs.pairs_of_body(proxies, body as usize).map(|pair| pairs.state(pair));
+        let of_box = || pairs.pairs_of_body(proxies, body).map(|pair| pairs.state(pair));
         let is_pressed = |side: usize| {
             of_box().any(|pair| pair.is_touching && drives_towards_stop(constraints, pair, side))
         };
@@ -193,7 +194,7 @@ pub(crate) fn finish_hinges(
     for HingedBoxState { body, box_index, hinge, initial, constraint_impulse, .. } in
         empty_if_disabled(hinged_boxes)
     {
-        let at = *body as usize;
+        let at = *body;
         let mut torque = *constraint_impulse / step.h;
         let now = if color_usage.hinged_has_no_constraint(at) && !has_overflow {
             torque = 0.0;
@@ -228,32 +229,35 @@ pub(crate) fn finish_hinges(
 /// Sleep of hinged boxes.
 impl DepthState {
     /// Returns whether the body with this index is a hinged box.
-    pub fn is_hinged(&self, body_index: usize) -> bool {
+    pub fn is_hinged(&self, body_index: BodyIndex) -> bool {
         HingeFeature::ENABLED && self.hinge_of(body_index).is_some()
     }
 
     /// Returns the body index of the hinged box with this id; `None` if there is none.
-    pub fn hinged_body(&self, id: u32) -> Option<usize> {
+    pub fn hinged_body(&self, id: u32) -> Option<BodyIndex> {
         let (place, world_box) = self.world_box_by_id(id)?;
         world_box.hinge()?;
-        Some(self.moving_boxes.binary_search(&(place as u32)).ok()? + 1)
+        Some(BodyIndex::new(self.moving_boxes.binary_search(&(place as u32)).ok()? + 1))
+    }
+
+    /// Iterates over the body indices of the moving boxes; over none in builds without hinges.
+    fn hinge_bodies(&self) -> IndexRange<BodyIndex> {
+        IndexRange::new(BodyIndex(1), if HingeFeature::ENABLED { self.moving_boxes.len() } else { 0 })
     }
 
     /// Returns the number of sleeping hinged boxes.
     pub(crate) fn sleeping_hinged_boxes(&self, sleep: &SleepState) -> usize {
-        let moving = if HingeFeature::ENABLED { self.moving_boxes.len() } else { 0 };
-        (1..=moving).filter(|&body_index| sleep.is_asleep(body_index)).count()
+        self.hinge_bodies().filter(|&body_index| sleep.is_asleep(body_index)).count()
     }
 
     /// Marks hinged boxes in `color_usage`, so that no solver treats them as bodies with a single contact.
     pub(crate) fn mark_hinged_boxes(&self, color_usage: &mut ColorUsage) {
-        let moving = if HingeFeature::ENABLED { self.moving_boxes.len() } else { 0 };
-        let numbers = (1..=moving).filter(|&body_index| self.hinge_of(body_index).is_some());
+        let numbers = self.hinge_bodies().filter(|&body_index| self.hinge_of(body_index).is_some());
         numbers.for_each(|body_index| color_usage.mark_hinged(body_index));
     }
 
     /// Returns whether a sleeping hinged box may stay asleep: its angular velocity is 0 and the game has not edited its hinge.
-    pub fn may_hinge_stay_asleep(&self, body_index: usize) -> bool {
+    pub fn may_hinge_stay_asleep(&self, body_index: BodyIndex) -> bool {
         HingeFeature::ENABLED
             && self.hinged_box(body_index).and_then(|world_box| world_box.motion).is_some_and(|motion| {
                 motion.yaw_rate == 0.0 && motion.hinge().is_some_and(|hinged_box| !hinged_box.is_edited)
@@ -262,7 +266,7 @@ impl DepthState {
 
     /// Copies the yaw rate that the game has set (rad/s) to the solver's velocity of a hinged box that wakes. Other bodies stay
     /// unchanged.
-    pub fn import_hinge_velocity(&self, bodies: &mut BodySet, body_index: usize) {
+    pub fn import_hinge_velocity(&self, bodies: &mut BodySet, body_index: BodyIndex) {
         if !HingeFeature::ENABLED {
             return;
         }
@@ -272,21 +276,21 @@ impl DepthState {
     }
 
     /// Sets the stored yaw rate of a hinged box that fell asleep to 0. Other bodies stay unchanged.
-    pub fn put_hinge_to_rest(&mut self, body_index: usize) {
+    pub fn put_hinge_to_rest(&mut self, body_index: BodyIndex) {
         if self.is_hinged(body_index) {
-            let place = self.moving_boxes[body_index - 1] as usize;
+            let place = self.moving_boxes[body_index.position() - 1] as usize;
             self.world_boxes[place].motion.iter_mut().for_each(|motion| motion.yaw_rate = 0.0);
         }
     }
 
     /// Returns the world box with this body index; `None` if the body is not a hinged box.
-    fn hinged_box(&self, body_index: usize) -> Option<&interface::WorldBox> {
-        let place = *self.moving_boxes.get(body_index.checked_sub(1)?)?;
+    fn hinged_box(&self, body_index: BodyIndex) -> Option<&interface::WorldBox> {
+        let place = *self.moving_boxes.get(body_index.position().checked_sub(1)?)?;
         self.world_boxes.get(place as usize).filter(|world_box| world_box.hinge().is_some())
     }
 
     /// Returns the hinge of the box with this body index; `None` if the body is not a hinged box.
-    fn hinge_of(&self, body_index: usize) -> Option<&WorldBoxHinge> {
+    fn hinge_of(&self, body_index: BodyIndex) -> Option<&WorldBoxHinge> {
         self.hinged_box(body_index)?.hinge()
     }
 }
@@ -297,8 +301,7 @@ impl IterativeSolver<'_> {
     /// awake hinged box.
     pub(crate) fn warm_start_hinges(&mut self) {
         self.for_each_hinged_box(|hinged_box, bodies| {
-            bodies.warm_start[hinged_box.body as usize][2] +=
-                hinged_box.constraint_impulse / hinged_box.hinge.inertia;
+            bodies.warm_start[hinged_box.body][2] += hinged_box.constraint_impulse / hinged_box.hinge.inertia;
         });
     }
 
@@ -307,7 +310,7 @@ impl IterativeSolver<'_> {
     #[inline(always)]
     pub(crate) fn apply_hinge_springs(&mut self, h: f32, is_first: bool) {
         self.for_each_hinged_box(|hinged_box, bodies| {
-            let at = hinged_box.body as usize;
+            let at = hinged_box.body;
             let turned = if is_first { 0.0 } else { bodies.delta_pose[at][2] };
             (hinged_box.angle, hinged_box.is_integrated) = (hinged_box.initial[0] + turned, false);
             let WorldBoxHinge { stiffness, inertia, rest_angle, .. } = hinged_box.hinge;
@@ -320,7 +323,7 @@ impl IterativeSolver<'_> {
     #[inline(always)]
     pub(crate) fn update_hinge_angles(&mut self) {
         self.for_each_hinged_box(|hinged_box, bodies| {
-            hinged_box.angle = hinged_box.initial[0] + bodies.delta_pose[hinged_box.body as usize][2];
+            hinged_box.angle = hinged_box.initial[0] + bodies.delta_pose[hinged_box.body][2];
             hinged_box.is_integrated = true;
         });
     }
@@ -330,7 +333,7 @@ impl IterativeSolver<'_> {
     #[inline(always)]
     pub(crate) fn solve_hinge_stops(&mut self, h: f32) {
         self.for_each_hinged_box(|hinged_box, bodies| {
-            hinged_box.solve_damping_and_stops(&mut bodies.states[hinged_box.body as usize].velocity[2], h);
+            hinged_box.solve_damping_and_stops(&mut bodies.states[hinged_box.body].velocity[2], h);
         });
     }
 

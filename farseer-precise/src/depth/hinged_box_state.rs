@@ -2,12 +2,13 @@
 
 use super::interface::WorldBoxHinge;
 use super::vertical_shapes::clamp_any;
+use crate::index::BodyIndex;
 
 /// State of an awake hinged box during one step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HingedBoxState {
     /// Body index of the box: index into `BodySet`.
-    pub(super) body: u32,
+    pub(super) body: BodyIndex,
     /// Index of the box into `DepthState::world_boxes`.
     pub(super) box_index: u32,
     /// Hinge of the box: spring, damper, stops and inertia, as they are at the start of the step.

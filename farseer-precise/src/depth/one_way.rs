@@ -38,9 +38,8 @@ impl DepthState {
                 ..self.posed_solid(at, proxy(at), outline, (bodies, 0.0))
             }
         };
-        let path = |at: ProxyIndex| {
-            bodies.delta_pose.get(proxy(at).body as usize).map_or([0.0; 2], |path| [path[0], path[1]])
-        };
+        let path =
+            |at: ProxyIndex| bodies.delta_pose.at(proxy(at).body).map_or([0.0; 2], |path| [path[0], path[1]]);
         let falls = dot(difference(path(b), path(a)), top_normal(solid(a))) < 0.0;
         !(falls && will_land(solid(a), solid(b), contact_margin))
     }

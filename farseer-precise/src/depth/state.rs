@@ -12,7 +12,7 @@ use super::vertical_shapes::{self, VerticalSolid};
 use crate::bodies::BodySet;
 use crate::broad_phase::hash_grid::PackedAabb;
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
-use crate::index::{DenseIndex, IndexedVec, ProxyIndex};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::scalar::nearest_finite;
 use crate::reusing_clone;
@@ -32,7 +32,7 @@ pub struct DepthState {
     /// World boxes in ascending order of their ids.
     pub(crate) world_boxes: Vec<WorldBox>,
     /// Body indices of the world boxes, by index into `world_boxes`. Moving boxes have the indices from 1 on.
-    pub(super) box_bodies: Vec<u32>,
+    pub(super) box_bodies: Vec<BodyIndex>,
     /// Proxy indices of the world boxes, by index into `world_boxes`.
     pub(super) box_proxies: Vec<ProxyIndex>,
     /// Indices into `world_boxes` of the boxes that move, ascending. Box `i` of this list has body index `i + 1`.
@@ -42,17 +42,17 @@ pub struct DepthState {
     /// Whether any world box is one-way: solid from above only.
     pub(super) has_one_way: bool,
     /// World positions of bodies along z in length units, by body index.
-    pub z_positions: Vec<f32>,
+    pub z_positions: IndexedVec<BodyIndex, f32>,
     /// Angular velocities of spheres about x and y in rad/s, with their warm start, by body index.
-    pub(crate) ball_spins: Vec<BallSpin>,
+    pub(crate) ball_spins: IndexedVec<BodyIndex, BallSpin>,
     /// Index into `bodies` of each dynamic or kinematic body, by body index; [`NO_STATE`] for world boxes and static bodies.
-    pub(super) state_slots: Vec<u32>,
+    pub(super) state_slots: IndexedVec<BodyIndex, u32>,
     /// Whether a body is a sphere about its origin and so rotates about all axes, by body index.
-    pub(crate) is_ball: Vec<bool>,
+    pub(crate) is_ball: IndexedVec<BodyIndex, bool>,
     /// Whether `is_ball` holds for any body.
     pub(crate) has_balls: bool,
     /// Whether a body has a vertical shape and so never rotates, by body index.
-    pub(crate) has_fixed_rotation: Vec<bool>,
+    pub(crate) has_fixed_rotation: IndexedVec<BodyIndex, bool>,
     /// Whether `has_fixed_rotation` holds for any body.
     pub(crate) any_fixed_rotation: bool,
     /// Vertical shapes of geoms and world boxes. `DepthExtent::vertical` refers to them.
@@ -113,15 +113,15 @@ impl DepthState {
     }
 
     /// Returns the depth state of a dynamic or kinematic body by its body index; `None` for world boxes and static bodies.
-    pub(super) fn state_of(&self, body_index: usize) -> Option<DepthBodyState> {
-        let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
+    pub(super) fn state_of(&self, body_index: BodyIndex) -> Option<DepthBodyState> {
+        let slot = *self.state_slots.at(body_index).filter(|&&slot| slot != NO_STATE)?;
         Some(entry(&self.bodies, slot as usize))
     }
 
     /// Returns the depth state of a dynamic or kinematic body by its body index, to be changed; `None` for world boxes and
     /// static bodies.
-    pub(super) fn state_mut_of(&mut self, body_index: usize) -> Option<&mut DepthBodyState> {
-        let slot = *self.state_slots.get(body_index).filter(|&&slot| slot != NO_STATE)?;
+    pub(super) fn state_mut_of(&mut self, body_index: BodyIndex) -> Option<&mut DepthBodyState> {
+        let slot = *self.state_slots.at(body_index).filter(|&&slot| slot != NO_STATE)?;
         Some(entry_mut(&mut self.bodies, slot as usize))
     }
 }
@@ -129,7 +129,7 @@ impl DepthState {
 /// Depth data by body index.
 impl DepthState {
     /// Sets `is_ball` of a body: true if all of its geoms are spheres centred at the origin of the body.
-    pub fn update_is_ball(&mut self, body_index: usize, proxies: &Proxies) {
+    pub fn update_is_ball(&mut self, body_index: BodyIndex, proxies: &Proxies) {
         let is_centred = |at: ProxyIndex| self.is_sphere(at) && proxies.proxy(at).shape.centre == [0.0; 2];
         let mut of_body = proxies.proxies_of(body_index).peekable();
         self.is_ball[body_index] = of_body.peek().is_some() && of_body.all(is_centred);
@@ -205,7 +205,7 @@ impl DepthState {
     }
 
     /// Returns the penetration of a body when its last contact with a static body ended, length units, >= 0.
-    pub(crate) fn residual_penetration(&self, body_index: usize) -> f32 {
+    pub(crate) fn residual_penetration(&self, body_index: BodyIndex) -> f32 {
         self.state_of(body_index).map_or(0.0, |state| state.residual_penetration)
     }
 
@@ -213,26 +213,30 @@ impl DepthState {
     /// the face, and clears `ended`. Sleeping bodies keep their stored value, because they have not moved.
     ///
     /// `ended`: body index, and penetration in length units.
-    pub(crate) fn store_residual_penetrations(&mut self, ended: &mut Vec<(u32, f32)>, sleep: &SleepState) {
-        ended.retain(|&(body, _)| !sleep.is_asleep(body as usize));
+    pub(crate) fn store_residual_penetrations(
+        &mut self,
+        ended: &mut Vec<(BodyIndex, f32)>,
+        sleep: &SleepState,
+    ) {
+        ended.retain(|&(body, _)| !sleep.is_asleep(body));
         for &(body, _) in &*ended {
-            if let Some(state) = self.state_mut_of(body as usize) {
+            if let Some(state) = self.state_mut_of(body) {
                 state.residual_penetration = 0.0;
             }
         }
         for (body, depth) in ended.drain(..) {
-            if let Some(state) = self.state_mut_of(body as usize) {
+            if let Some(state) = self.state_mut_of(body) {
                 state.residual_penetration = state.residual_penetration.max(depth);
             }
         }
     }
 
-    pub(crate) fn is_spin_finite(&self, body_index: usize) -> bool {
+    pub(crate) fn is_spin_finite(&self, body_index: BodyIndex) -> bool {
         self.ball_spins[body_index].velocity.iter().all(|velocity| velocity.is_finite())
     }
 
     /// Sets the ball spin of a body to 0 if its angular velocity is not finite.
-    pub(crate) fn reset_non_finite_spin(&mut self, body_index: usize) {
+    pub(crate) fn reset_non_finite_spin(&mut self, body_index: BodyIndex) {
         if !self.is_spin_finite(body_index) {
             self.ball_spins[body_index] = BallSpin::default();
         }
@@ -249,10 +253,9 @@ impl DepthState {
     }
 
     /// Returns the middle of the overlap of two proxies along z, in world coordinates, length units.
-    pub fn overlap_middle_z(&self, proxies: [ProxyIndex; 2], bodies: [u32; 2]) -> f32 {
+    pub fn overlap_middle_z(&self, proxies: [ProxyIndex; 2], bodies: [BodyIndex; 2]) -> f32 {
         let interval = |at: usize| {
-            let (z, half_depth) =
-                (self.z_positions[bodies[at] as usize], self.extents[proxies[at]].half_depth);
+            let (z, half_depth) = (self.z_positions[bodies[at]], self.extents[proxies[at]].half_depth);
             [nearest_finite(z - half_depth), nearest_finite(z + half_depth)]
         };
         let ([near1, far1], [near2, far2]) = (interval(0), interval(1));
@@ -267,7 +270,7 @@ impl DepthState {
     pub(crate) fn set_fat_interval(
         &mut self,
         proxy: ProxyIndex,
-        body: u32,
+        body: BodyIndex,
         displacement: f32,
         widening: AabbMargin,
         extra_margin: f32,
@@ -276,7 +279,7 @@ impl DepthState {
             self.intervals[proxy] = DepthInterval { low: f32::MIN, high: f32::MAX };
             return;
         }
-        let (z, half) = (self.z_positions[body as usize], self.extents[proxy].half_depth);
+        let (z, half) = (self.z_positions[body], self.extents[proxy].half_depth);
         let margin = widening.margin + extra_margin;
         let ahead = widening.prediction(displacement);
         let (below, above) = if ahead < 0.0 { (ahead, 0.0) } else { (0.0, ahead) };
@@ -288,11 +291,11 @@ impl DepthState {
     pub(crate) fn swept_interval(
         &self,
         proxy: ProxyIndex,
-        body: u32,
+        body: BodyIndex,
         displacement: f32,
         extra_margin: f32,
     ) -> DepthInterval {
-        let (z, half) = (self.z_positions[body as usize], self.extents[proxy].half_depth + extra_margin);
+        let (z, half) = (self.z_positions[body], self.extents[proxy].half_depth + extra_margin);
         let (below, above) = if displacement < 0.0 { (displacement, 0.0) } else { (0.0, displacement) };
         DepthInterval::new(z - half + below, z + half + above)
     }
@@ -313,7 +316,7 @@ impl DepthState {
             let z = self.z_positions[body];
             let half = self.extents[at].half_depth + tuning.speculative_distance;
             let DepthInterval { low, high } = self.intervals[at];
-            if bodies.delta_pose.get(body).is_some_and(|path| path[3] != 0.0)
+            if bodies.delta_pose.at(body).is_some_and(|path| path[3] != 0.0)
                 && (z - half < low || z + half > high)
             {
                 proxies.search_pairs_of(at);
@@ -336,7 +339,7 @@ impl DepthState {
         outline: ShapeRef<'a>,
         (bodies, dt): (&BodySet, f32),
     ) -> PosedSolid<'a> {
-        let body = proxy.body as usize;
+        let body = proxy.body;
         let DepthExtent { half_depth, is_sphere, vertical, .. } = self.extents[proxy_index];
         let vertical = vertical.checked_sub(1).map(|at| &self.vertical_solids[at as usize]);
         let kind = match (proxy_index == self.ground_proxy, is_sphere) {
@@ -356,7 +359,7 @@ impl DepthState {
             kind,
             z: self.z_positions[body],
             last_displacement: motion.unwrap_or_default(),
-            predicted_displacement: bodies.states.get(body).map_or([0.0; 3], |hot| {
+            predicted_displacement: bodies.states.at(body).map_or([0.0; 3], |hot| {
                 let [x, y, _, z] = hot.velocity;
                 [x * dt, y * dt, z * dt]
             }),
@@ -384,12 +387,12 @@ impl DepthState {
 
     /// Returns z of the body of proxy B relative to the body of proxy A, in length units.
     pub(crate) fn relative_z(&self, a: &Proxy, b: &Proxy) -> f32 {
-        self.z_positions[b.body as usize] - self.z_positions[a.body as usize]
+        self.z_positions[b.body] - self.z_positions[a.body]
     }
 
     /// Returns the radius of a proxy if it is a sphere that rotates about all axes, in length units; 0 for all other shapes.
     pub(crate) fn rolling_radius(&self, proxy_index: ProxyIndex, proxy: &Proxy) -> f32 {
-        let rolls = self.extents[proxy_index].is_sphere && self.is_ball[proxy.body as usize];
+        let rolls = self.extents[proxy_index].is_sphere && self.is_ball[proxy.body];
         if rolls { proxy.shape.radius } else { 0.0 }
     }
 
@@ -411,7 +414,7 @@ impl DepthState {
     ) -> Option<[Sphere; 2]> {
         let is_ball = |at: usize| self.is_sphere(proxies[at]) && two[at].body_type == BodyType::Dynamic;
         let ball = |proxy: &Proxy| {
-            let body = proxy.body as usize;
+            let body = proxy.body;
             let [x, y, _, z] = bodies.states[body].velocity;
             Sphere::new(proxy.shape, bodies.poses[body], self.z_positions[body], [x * dt, y * dt, z * dt])
         };

@@ -26,7 +26,7 @@ impl IterativeSolver<'_> {
         };
         let learning = (&step.load_adaptation, joints.iterative_body_masks());
         let (warm, hot) = (&mut bodies.warm_start, &bodies.states);
-        let spins = &mut space.ball_spins[..];
+        let spins = &mut space.ball_spins;
         spins.iter_mut().for_each(|spin| spin.warm_start = [0.0; 4]);
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut rows.depth;

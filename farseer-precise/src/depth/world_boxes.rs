@@ -15,7 +15,7 @@ use crate::broad_phase::fat_aabbs::FatAabbs;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::fingerprint::Fingerprint;
-use crate::index::ProxyIndex;
+use crate::index::{BodyIndex, DenseIndex, IndexRange, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
@@ -43,11 +43,11 @@ impl DepthState {
 
     /// Sets the motion of the moving box with this id. Returns its body index, and whether its motion or its hinge has changed;
     /// `None` for an unknown id and for a static box.
-    pub fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) -> Option<(usize, bool)> {
+    pub fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) -> Option<(BodyIndex, bool)> {
         let (place, _) = self.world_box_by_id(id)?;
         let known = self.world_boxes[place].motion.replace(motion);
         let at = self.moving_boxes.binary_search(&(place as u32)).ok()?;
-        Some((at + 1, known != Some(motion)))
+        Some((BodyIndex::new(at + 1), known != Some(motion)))
     }
 
     /// Iterates over the moving boxes: id, centre (world coordinates, length units), yaw (radians; `None` if the box never
@@ -97,7 +97,7 @@ impl DepthState {
         let (x, z) = (other.shape_centre()[0] - solid.pose[0], other.z - solid.z);
         let middle = world_box.hinge().map_or(0.0, |hinge| hinge.box_offset[0]);
         let along = clamp_any(cos * x + sin * z, middle - half, middle + half)
-            * bodies.states[proxy.body as usize].velocity[2]
+            * bodies.states[proxy.body].velocity[2]
             * dt;
         solid.predicted_displacement[0] -= along * sin;
         solid.predicted_displacement[2] += along * cos;
@@ -107,7 +107,7 @@ impl DepthState {
     /// Returns the velocity of a moving box at the point `at` (world coordinates x and z): x, y, 0 in place of rotation, and z,
     /// in length units/s. All components are 0 for other proxies.
     pub(crate) fn velocity_at(&self, proxy: &Proxy, at: [f32; 2], bodies: &BodySet) -> [f32; 4] {
-        let body = proxy.body as usize;
+        let body = proxy.body;
         let Some(motion) = self.world_box_of(proxy).and_then(|world_box| world_box.motion) else {
             return [0.0; 4];
         };
@@ -129,7 +129,7 @@ impl DepthState {
         let Some(world_box) = self.world_box_of(proxy).filter(|world_box| world_box.motion.is_some()) else {
             return 0.0;
         };
-        let [x, y, angular_velocity, z] = bodies.states[proxy.body as usize].velocity;
+        let [x, y, angular_velocity, z] = bodies.states[proxy.body].velocity;
         let displacement =
             (length([length([x, y]), z]) + angular_velocity.abs() * yaw_extent(world_box)) * dt;
         let sweeps = displacement > tuning.speculative_distance
@@ -138,8 +138,8 @@ impl DepthState {
     }
 
     /// Returns whether the next step moves the world box with this body index.
-    pub fn is_world_box_moving(&self, body_index: usize) -> bool {
-        let place = body_index.checked_sub(1).and_then(|at| self.moving_boxes.get(at));
+    pub fn is_world_box_moving(&self, body_index: BodyIndex) -> bool {
+        let place = body_index.position().checked_sub(1).and_then(|at| self.moving_boxes.get(at));
         let motion = place.and_then(|&place| self.world_boxes[place as usize].motion);
         motion.is_some_and(|motion| motion.is_moving())
     }
@@ -151,28 +151,28 @@ impl DepthState {
     /// moving boxes.
     pub fn add_box_bodies(&mut self, bodies: &mut BodySet) {
         bodies.add_world_box([0.0, 0.0, 1.0, 0.0], 0.0);
-        let mut moving = 0;
+        let mut moving = BodyIndex::PLACEHOLDER;
         self.box_bodies.clear();
         for world_box in &self.world_boxes {
             let body_index = if let Some(motion) = world_box.motion {
-                moving += 1;
+                moving = moving.next();
                 bodies.states[moving].velocity = solver_velocity(&motion);
                 if let Some(hinge) = motion.hinge() {
                     bodies.inverse_mass_inertia[moving] = [0.0, hinge.inverse_inertia()];
-                    bodies.kinematic.retain(|&body_index| body_index as usize != moving);
+                    bodies.kinematic.retain(|&body_index| body_index != moving);
                 }
                 moving
             } else {
-                bodies.add_world_box(pose_of(world_box), world_box.rotation);
-                bodies.poses.len() - 1
+                bodies.add_world_box(pose_of(world_box), world_box.rotation)
             };
-            self.box_bodies.push(body_index as u32);
+            self.box_bodies.push(body_index);
         }
     }
 
     /// Adds the moving boxes to the awake bodies. Only hinged boxes can fall asleep.
     pub fn keep_moving_boxes_awake(&self, sleep: &mut SleepState) {
-        (1..=self.moving_boxes.len()).for_each(|body_index| sleep.add_body(body_index));
+        IndexRange::new(BodyIndex(1), self.moving_boxes.len())
+            .for_each(|body_index| sleep.add_body(body_index));
     }
 
     /// Adds the proxies of moving boxes, before those of geoms. Returns whether a box has a restitution coefficient above 0.
@@ -185,8 +185,10 @@ impl DepthState {
     pub fn add_ground_and_static_proxies(&mut self, proxies: &mut Proxies, body_count: usize) -> bool {
         let still = self.world_boxes.len() - self.moving_boxes.len();
         self.ground_proxy = proxies.next_index();
-        let ground =
-            Proxy { list_key: NO_WORLD_BOX, ..world_proxy(ground_numbers(), body_count - still - 1) };
+        let ground = Proxy {
+            list_key: NO_WORLD_BOX,
+            ..world_proxy(ground_numbers(), BodyIndex::new(body_count - still - 1))
+        };
         proxies.push(ground);
         let any_box_bounces = self.add_box_proxies(proxies, false);
         self.rebuild_proxies(proxies);
@@ -226,7 +228,7 @@ impl DepthState {
                 responds: filter.responds,
                 filter: filter.of_proxy(),
                 surface_velocity: [*vx, *vy, 0.0, *vz],
-                ..world_proxy(world_box_numbers(world_box), body_index as usize)
+                ..world_proxy(world_box_numbers(world_box), body_index)
             });
         }
         any_bounces
@@ -249,7 +251,7 @@ impl DepthState {
     /// Start of a step: sets the velocities of moving boxes in `BodySet::states`, so that the broad phase uses the velocities
     /// of this step. `dt` is the step in seconds.
     pub(crate) fn begin_world_boxes(&mut self, bodies: &mut BodySet, dt: f32) {
-        for (body_index, &place) in (1..).zip(&self.moving_boxes) {
+        for (body_index, &place) in (1..).map(BodyIndex).zip(&self.moving_boxes) {
             let world_box = &mut self.world_boxes[place as usize];
             let WorldBox { shape, yaw, motion: Some(motion), .. } = world_box else { continue };
             motion.begin_step(shape.centre, yaw.unwrap_or_default(), dt);
@@ -262,7 +264,7 @@ impl DepthState {
 
     /// Start of solving: sets the velocities of moving boxes in the solver; forces do not change these velocities.
     pub fn begin_world_box_velocities(&self, bodies: &mut BodySet) {
-        for (body_index, &place) in (1..).zip(&self.moving_boxes) {
+        for (body_index, &place) in (1..).map(BodyIndex).zip(&self.moving_boxes) {
             let Some(motion) = &self.world_boxes[place as usize].motion else { continue };
             let velocity = solver_velocity(motion);
             bodies.states[body_index] = MotionState { velocity, ..MotionState::default() };
@@ -274,7 +276,7 @@ impl DepthState {
     /// End of a step: stores centre, yaw and velocity of each moving box in `world_boxes`, and its pose in `BodySet` and
     /// `z_positions`.
     pub fn store_world_boxes(&mut self, bodies: &mut BodySet, proxies: &mut Proxies) {
-        for (body_index, &place) in (1..).zip(&self.moving_boxes) {
+        for (body_index, &place) in (1..).map(BodyIndex).zip(&self.moving_boxes) {
             let world_box = &mut self.world_boxes[place as usize];
             let Some(motion) = &mut world_box.motion else { continue };
             let [x, y, turned, z] = bodies.delta_pose[body_index];
@@ -322,7 +324,7 @@ impl FatAabbs<'_> {
         if space.sweep_distance(one, self.bodies, self.parameters, self.dt) == 0.0 {
             return;
         }
-        let [x, y, _, z] = self.bodies.states[one.body as usize].velocity.map(|velocity| velocity * self.dt);
+        let [x, y, _, z] = self.bodies.states[one.body].velocity.map(|velocity| velocity * self.dt);
         if !self.contains_sweep(proxy, [x, y, 0.0, z]) {
             self.insert(proxy);
         }
@@ -335,11 +337,11 @@ impl FatAabbs<'_> {
 }
 
 /// Returns a static proxy without a shape, for the ground or a world box with these numbers and this body index.
-fn world_proxy((owner, creation_number): (u64, u32), body: usize) -> Proxy {
+fn world_proxy((owner, creation_number): (u64, u32), body: BodyIndex) -> Proxy {
     Proxy {
         owner,
         creation_number,
-        body: body as u32,
+        body,
         body_type: BodyType::Fixed,
         shape: Shape::default(),
         responds: true,

@@ -14,7 +14,6 @@ use super::island_body::max_or_nan;
 use super::island_io::{DirectIsland, RowReader};
 use super::island_newton::{IslandSystem, SolveStats};
 use super::island_solver::IslandSolver;
-use crate::index::DenseIndex;
 use crate::joints::JointSystem;
 use crate::joints::island_rows::StepInterval;
 use crate::joints::substep_plan::{SubstepPlan, momentum_conserving_stiffness};
@@ -44,17 +43,13 @@ impl DirectIsland {
         let (substeps, at_once) = (f64::from(step.substeps), 2.0 / f64::from(step.dt));
         let at_beginning = if is_first { 1.0 - share } else { -share };
         for member in self.system.members.iter_mut() {
-            let (push, forced) = (
-                bodies.force_delta[member.body.position()],
-                bodies.force_position_delta[member.body.position()],
-            );
+            let (push, forced) = (bodies.force_delta[member.body], bodies.force_position_delta[member.body]);
             for axis in 0..3 {
                 let kick = share * substeps * f64::from(push[axis]);
                 member.velocity[axis] += kick + at_beginning * at_once * f64::from(forced[axis]);
             }
             member.velocity_change = [0.0; 3];
-            [member.mass, member.inertia] =
-                bodies.inverse_mass_inertia[member.body.position()].map(mass_of_inverse);
+            [member.mass, member.inertia] = bodies.inverse_mass_inertia[member.body].map(mass_of_inverse);
         }
     }
 

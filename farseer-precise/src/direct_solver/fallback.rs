@@ -40,7 +40,7 @@ impl DirectSolver {
             let body = pairs.bodies_of(proxies, pair)[1].0;
             let (is_direct, was_direct) = (self.is_direct(body), handle.is_in_direct_solver());
             if is_direct != was_direct {
-                let body = BodyIndex::new(body);
+                let body = BodyIndex::new(body.position());
                 let IslandHistory { formed_by_motion, has_accepted_solution, .. } = self.history[body];
                 let may_rock = has_accepted_solution
                     || (formed_by_motion && self.census.stats_of(body).has_contact_cycles());

@@ -93,9 +93,9 @@ impl RestingBody {
     pub(super) fn of(bodies: &BodySet, body: BodyIndex) -> Self {
         let number = body.position();
         RestingBody {
-            pose: bodies.poses[number],
-            velocity_delta: bodies.force_delta[number],
-            inverse_masses: bodies.inverse_mass_inertia[number],
+            pose: bodies.poses[BodyIndex::new(number)],
+            velocity_delta: bodies.force_delta[BodyIndex::new(number)],
+            inverse_masses: bodies.inverse_mass_inertia[BodyIndex::new(number)],
         }
     }
 }
@@ -182,7 +182,7 @@ impl<'a> RowReader<'a> {
     #[inline(always)]
     fn kinematic_velocity(&self, row: &ParkedConstraint, bodies: BodyIndices) -> Option<[f64; 4]> {
         has_kinematic_a(row, bodies)
-            .then(|| self.bodies.states[BodyIndex(row.constraint.a).position()].velocity.map(f64::from))
+            .then(|| self.bodies.states[BodyIndex(row.constraint.a.0)].velocity.map(f64::from))
     }
 
     /// Returns the result of [`residual`](Self::residual) without building contact rows; `None` if the contact needs the full
@@ -244,7 +244,7 @@ impl<'a> RowReader<'a> {
 /// Returns whether body A of a contact is kinematic.
 #[inline(always)]
 fn has_kinematic_a(row: &ParkedConstraint, bodies: BodyIndices) -> bool {
-    bodies.bodies[0] == FIXED && row.constraint.a != 0
+    bodies.bodies[0] == FIXED && row.constraint.a != BodyIndex::PLACEHOLDER
 }
 
 impl DirectIsland {
@@ -266,13 +266,14 @@ impl DirectIsland {
         let mut max_coordinate = 0.0;
         for member in self.system.members.iter_mut() {
             let at = member.body.position();
-            let [x, y, ..] = bodies.poses[at];
+            let [x, y, ..] = bodies.poses[BodyIndex::new(at)];
             max_coordinate =
                 [x, y].iter().fold(max_coordinate, |far: f32, x| if x.abs() > far { x.abs() } else { far });
             let [x, y, spin, depth] = free_velocity(bodies, member.body, substeps);
             (member.velocity, member.depth_velocity) = ([x, y, spin], depth);
             member.velocity_change = [0.0; 3];
-            [member.mass, member.inertia] = bodies.inverse_mass_inertia[at].map(mass_of_inverse);
+            [member.mass, member.inertia] =
+                bodies.inverse_mass_inertia[BodyIndex::new(at)].map(mass_of_inverse);
         }
         let slop = PENETRATION_SLOP_PER_COORDINATE * f64::from(max_coordinate);
         if slop > PENETRATION_SLOP * unit { slop } else { PENETRATION_SLOP * unit }
@@ -394,7 +395,8 @@ impl DirectIsland {
 #[inline(always)]
 pub(super) fn free_velocity(bodies: &BodySet, body: BodyIndex, substeps: f64) -> [f64; 4] {
     let at = body.position();
-    let (velocity, velocity_delta) = (bodies.states[at].velocity, bodies.force_delta[at]);
+    let (velocity, velocity_delta) =
+        (bodies.states[BodyIndex::new(at)].velocity, bodies.force_delta[BodyIndex::new(at)]);
     std::array::from_fn(|axis| f64::from(velocity[axis]) + f64::from(velocity_delta[axis]) * substeps)
 }
 

@@ -42,10 +42,10 @@ impl DirectSolver {
     /// Lists the awake bodies of the islands that the direct solver gets, up to the body index `last_movable`. With `selects`
     /// solvers are selected anew, otherwise each island keeps its solver. Starts the pauses of islands that the direct solver
     /// gives up, and starts or ends the friction checks of the others.
-    pub(crate) fn choose_members(&mut self, selects: bool, sleep: &SleepState, last_movable: usize) {
+    pub(crate) fn choose_members(&mut self, selects: bool, sleep: &SleepState, last_movable: BodyIndex) {
         let DirectSolver { census, keyed_bodies, history, timer, .. } = self;
         keyed_bodies.clear();
-        for body in sleep.awake_bodies(last_movable).map(BodyIndex::new) {
+        for body in sleep.awake_bodies(last_movable) {
             let root = census.root_of(body);
             let (stats, history) = (&census.stats[root], &mut history[body]);
             let is_wanted =
@@ -135,7 +135,7 @@ impl DirectSolver {
             .filter(|&pair| pairs.constraint(pair).is_some_and(|(_, handle)| handle.is_in_direct_solver()));
         keyed_pairs.extend(all.map(|pair| {
             let [_, (body, _)] = pairs.bodies_of(proxies, pair);
-            let island = census.stats_of(BodyIndex::new(body)).island_index;
+            let island = census.stats_of(BodyIndex::new(body.position())).island_index;
             (island.unwrap_or_default(), pair)
         }));
         // Island by island, and within an island by creation numbers.
@@ -152,7 +152,7 @@ impl DirectSolver {
             let ContactConstraint { a, b, .. } = *contact;
             let member_of =
                 |body: BodyIndex| system.members.binary_search_by_key(&body, |member| member.body);
-            let bodies = [a, b].map(|body| member_of(BodyIndex(body)).map_or(FIXED, MemberIndex::new));
+            let bodies = [a, b].map(|body| member_of(BodyIndex(body.0)).map_or(FIXED, MemberIndex::new));
             let are_dynamic = bodies.iter().all(|&member| member != FIXED);
             let entry = are_dynamic.then(|| system.factor.block_index(bodies[0], bodies[1]));
             contact_handles.push(handle);
@@ -231,8 +231,8 @@ pub(super) fn list_contact_edges(
     let place = |body: BodyIndex| members.binary_search_by_key(&body, |member| member.1).ok();
     edges.clear();
     for (one, &(_, body)) in members.iter().enumerate() {
-        for pair in pairs.pairs_of_body(proxies, body.position()) {
-            let [a, b] = pairs.bodies_of(proxies, pair).map(|(body, _)| BodyIndex::new(body));
+        for pair in pairs.pairs_of_body(proxies, body) {
+            let [a, b] = pairs.bodies_of(proxies, pair).map(|(body, _)| BodyIndex::new(body.position()));
             let other = if a == body { b } else { a };
             if pairs.has_constraint(pair) && body < other {
                 edges.extend(place(other).map(|other| [one, other].map(MemberIndex::new)));
@@ -247,14 +247,14 @@ pub(super) fn list_contact_edges(
 /// the island and two body indices; items are sorted by root. `order` is scratch of the sorting.
 pub(super) fn list_jointed_bodies(
     (joints, springs): (&JointSystem, &SpringRows),
-    union_find: &mut UnionFind,
+    union_find: &mut UnionFind<BodyIndex>,
     jointed_bodies: &mut Vec<(BodyIndex, [BodyIndex; 2])>,
     order: &mut Vec<(u128, u32)>,
 ) {
     jointed_bodies.clear();
     let all = joints.candidates().chain(springs.candidates());
     let of_two = all.filter_map(|joint| joint.dynamic_pair());
-    jointed_bodies.extend(of_two.map(|bodies| (BodyIndex(union_find.find(bodies[0].0)), bodies)));
+    jointed_bodies.extend(of_two.map(|bodies| (BodyIndex(union_find.find(bodies[0]).0), bodies)));
     sort_by_number_in(order, jointed_bodies, |&(root, _)| root.0.into());
 }
 

@@ -11,7 +11,6 @@ use super::island_io::{DirectIsland, RowReader, free_velocity};
 use super::island_newton::{SolveStats, Tolerances};
 use crate::bodies::BodySet;
 use crate::constraint_graph::ConstraintGraph;
-use crate::index::DenseIndex;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
 use crate::parameters::direct::{
@@ -63,9 +62,9 @@ impl DirectSolver {
                 // has.
                 let [x, y, spin] = member.velocity.map(|velocity| velocity as f32 + 0.0);
                 let depth = member.depth_velocity as f32 + 0.0;
-                bodies.states[member.body.position()].velocity = [x, y, spin, depth];
+                bodies.states[member.body].velocity = [x, y, spin, depth];
                 let [x, y, turned] = displacement.map(|component| component as f32);
-                bodies.delta_pose[member.body.position()] = [x, y, turned, depth * dt];
+                bodies.delta_pose[member.body] = [x, y, turned, depth * dt];
             }
         }
     }
@@ -129,7 +128,7 @@ impl IslandSolver<'_> {
         system.solve(&contact_tolerances(residual, unit));
         let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
         system.members.iter().any(|member| {
-            let [x0, y0, ..] = bodies.states[member.body.position()].velocity.map(f64::from);
+            let [x0, y0, ..] = bodies.states[member.body].velocity.map(f64::from);
             let [x, y, ..] = free_velocity(bodies, member.body, reader.substeps);
             let most = speed([x0, y0]) + FRICTIONLESS_SPEED_GAIN * speed([x - x0, y - y0]);
             speed([member.velocity[0], member.velocity[1]]) > most + reader.velocity_tolerance

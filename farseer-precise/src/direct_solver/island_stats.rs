@@ -20,7 +20,7 @@ index_type! {
 #[derive(Debug, Default)]
 pub struct IslandCensus {
     /// Union-find of body indices: one set per island.
-    pub(super) union_find: UnionFind,
+    pub(super) union_find: UnionFind<BodyIndex>,
     /// Facts about each island, by the body index that is its union-find root.
     pub(super) stats: IndexedVec<BodyIndex, IslandStats>,
     /// Ranges of body indices with awake bodies in the last census. Outside of them each body is an island without facts, but
@@ -63,7 +63,7 @@ impl IslandCensus {
     /// Returns the body that is the union-find root of the island of a body.
     #[inline(always)]
     pub(super) fn root_of(&mut self, body: BodyIndex) -> BodyIndex {
-        BodyIndex(self.union_find.find(body.0))
+        BodyIndex(self.union_find.find(body).0)
     }
 }
 

@@ -17,7 +17,7 @@ use super::joint::JointRows;
 use super::mat3::Vec3;
 use crate::bodies::BodySet;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint};
-use crate::index::{BodyIndex, DenseIndex};
+use crate::index::BodyIndex;
 use crate::joints::JointSystem;
 use crate::joints::island_rows::StepInterval;
 use crate::joints::springs::SpringRows;
@@ -157,15 +157,14 @@ impl DirectIsland {
             && self.has_impulse_sum
             && self.joints.iter().all(|&at| !joints.constraint(at).has_moved())
             && of_members.map(|(member, stood)| (member.body, stood)).all(|(body, stood)| {
-                *stood == RestingBody::of(bodies, body) && bodies.states[body.position()].velocity == [0.0; 4]
+                *stood == RestingBody::of(bodies, body) && bodies.states[body].velocity == [0.0; 4]
             })
             && self.contact_handles.iter().zip(&self.separations).all(|(&handle, separations)| {
                 let ContactConstraint { a, points: [one, other], .. } =
                     &rows.direct_constraint(handle).constraint;
-                let is_at_rest = |body: BodyIndex| bodies.states[body.position()].velocity == [0.0; 4];
-                let a = BodyIndex(*a);
+                let is_at_rest = |body: BodyIndex| bodies.states[body].velocity == [0.0; 4];
                 [one.separation, other.separation] == *separations
-                    && (!bodies.is_kinematic(a.position()) || is_at_rest(a))
+                    && (!bodies.is_kinematic(*a) || is_at_rest(*a))
             })
     }
 
@@ -184,7 +183,7 @@ impl DirectIsland {
         }));
         displacements.iter_mut().for_each(|displacement| *displacement = [0.0; 3]);
         let RowReader { bodies, .. } = reader;
-        let is_at_rest = |member: &IslandBody| bodies.states[member.body.position()].velocity == [0.0; 4];
+        let is_at_rest = |member: &IslandBody| bodies.states[member.body].velocity == [0.0; 4];
         if system.members.iter().all(is_at_rest) {
             resting_bodies.extend(system.members.iter().map(|member| RestingBody::of(bodies, member.body)));
         }

@@ -17,7 +17,7 @@ use super::island_stats::IslandStats;
 use super::load::{exceeds_mass_ratio, is_heavy_on_light};
 use super::selection::SolverSelection;
 use crate::constraint_graph::ContactConstraint;
-use crate::index::{BodyIndex, DenseIndex};
+use crate::index::BodyIndex;
 use crate::parameters::direct::{
     CYCLIC_DEPTH_ISLAND_BODIES, HEAVY_MASS_RATIO, JAMMING_MASS_RATIO, LOADED_TOWER_BODIES,
 };
@@ -53,7 +53,7 @@ impl SolverSelection<'_> {
         }
         let light = if a < b { contact.b } else { contact.a };
         let is_heavy = exceeds_mass_ratio([a, b], self.heavy_mass_ratio())
-            && !self.color_usage.has_at_most_one_constraint(BodyIndex(light).position());
+            && !self.color_usage.has_at_most_one_constraint(BodyIndex(light.0));
         [
             is_heavy && is_heavy_on_light([a, b], contact.normal, self.gravity_delta),
             is_heavy && exceeds_mass_ratio([a, b], JAMMING_MASS_RATIO),
@@ -93,7 +93,7 @@ impl SolverSelection<'_> {
     fn has_large_mass_ratio(&self) -> bool {
         let (mut lowest, mut highest) = (f32::MAX, 0.0);
         for run in &self.sleep.awake_body_runs {
-            for &[inverse, _] in &self.bodies.inverse_mass_inertia[run.clone()] {
+            for &[inverse, _] in self.bodies.inverse_mass_inertia.slice(run.clone()) {
                 lowest = if inverse > 0.0 && inverse < lowest { inverse } else { lowest };
                 highest = if inverse > highest { inverse } else { highest };
             }

@@ -102,30 +102,29 @@ impl DirectSolver {
     }
 
     /// Clears the island history of a removed body. Makes solver selection due if its island was in the direct solver.
-    pub fn forget_body(&mut self, body: usize) {
-        let body = BodyIndex::new(body);
+    pub fn forget_body(&mut self, body: BodyIndex) {
         self.timer.is_due |= self.history[body].is_direct;
         self.history[body] = IslandHistory::default();
     }
 
     /// Returns whether the direct solver has the island of this body.
     #[inline(always)]
-    pub fn is_direct(&self, body: usize) -> bool {
-        self.history.at(BodyIndex::new(body)).is_some_and(|history| history.is_direct)
+    pub fn is_direct(&self, body: BodyIndex) -> bool {
+        self.history.at(body).is_some_and(|history| history.is_direct)
     }
 
     /// Makes solver selection due after a contact constraint between `bodies` was added or removed: in this update if one of
     /// them is in the direct solver. Otherwise selection follows within the period, in 2D only (`has_depth` is false).
     #[inline(always)]
-    pub(crate) fn note_constraint_change(&mut self, bodies: [u32; 2], has_depth: bool) {
-        self.timer.is_due |= bodies.iter().any(|&body| self.is_direct(BodyIndex(body).position()));
+    pub(crate) fn note_constraint_change(&mut self, bodies: [BodyIndex; 2], has_depth: bool) {
+        self.timer.is_due |= bodies.iter().any(|&body| self.is_direct(body));
         self.timer.may_be_due |= !has_depth;
     }
 
     /// Starts friction checks for `body`, the dynamic body B of a new contact. Has no effect in 2.5D (`has_depth`), nor if the
     /// island of the body is in the direct solver or was formed by motion.
-    pub(crate) fn watch_friction(&mut self, body: u32, has_depth: bool) {
-        let history = &mut self.history[BodyIndex(body)];
+    pub(crate) fn watch_friction(&mut self, body: BodyIndex, has_depth: bool) {
+        let history = &mut self.history[body];
         if !(has_depth || history.is_direct || history.formed_by_motion) {
             history.begin_friction_checks();
         }
@@ -157,10 +156,8 @@ impl DirectSolver {
 
     /// Returns, for each island of the direct solver, the index of its first body and its number of Newton steps in the last
     /// update.
-    pub fn newton_steps_of_islands(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let first = |island: &DirectIsland| {
-            Some((island.system.members.first()?.body.position(), island.newton_steps))
-        };
+    pub fn newton_steps_of_islands(&self) -> impl Iterator<Item = (BodyIndex, usize)> + '_ {
+        let first = |island: &DirectIsland| Some((island.system.members.first()?.body, island.newton_steps));
         self.islands.slice(..self.count).iter().filter_map(first)
     }
 
@@ -185,7 +182,7 @@ impl DirectSolver {
         let mut is_due = false;
         for run in sleep.awake_body_runs.iter().cloned() {
             for (body, history) in run.clone().zip(self.history.slice_mut(run)) {
-                if history.has_friction_check() && sleep.is_awake(body) {
+                if history.has_friction_check() && sleep.is_awake(BodyIndex::new(body)) {
                     is_due |= history.is_friction_check_due();
                 }
             }

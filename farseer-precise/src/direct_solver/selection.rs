@@ -55,7 +55,7 @@ impl SolverSelection<'_> {
     /// keep such a contact.
     pub(crate) fn has_rejected_contact(&self) -> bool {
         let is_rejected = |contact: &ContactConstraint| {
-            let velocity = |body| self.bodies.states[BodyIndex(body).position()].velocity;
+            let velocity = |body: BodyIndex| self.bodies.states[body].velocity;
             let velocities = [contact.a, contact.b].map(velocity);
             self.bounces(contact, velocities) || self.blocks_planar_solution(contact, velocities)
         };
@@ -65,7 +65,7 @@ impl SolverSelection<'_> {
     /// Returns whether changes in islands of the iterative solver make solver selection due at once, without a wait for the
     /// [period](crate::parameters::direct::RESELECTION_PERIOD). `choice` is the user's choice of solvers.
     pub(crate) fn is_quick(&self, choice: SolverChoice) -> bool {
-        let moves = |body: usize| self.exceeds_calm_speed(self.bodies.states[body].velocity);
+        let moves = |body: BodyIndex| self.exceeds_calm_speed(self.bodies.states[body].velocity);
         let is_calm = || !self.sleep.awake_bodies(self.bodies.last_movable).any(moves);
         choice == SolverChoice::Direct
             || (self.has_few_awake_bodies
@@ -86,11 +86,11 @@ impl SolverSelection<'_> {
     fn is_slipping(&self, pair: PairIndex) -> bool {
         let body = self.pairs.bodies_of(self.proxies, pair)[1].0;
         let IslandHistory { friction_checks, friction_check_in, formed_by_motion, .. } =
-            self.history[BodyIndex::new(body)];
+            self.history[BodyIndex::new(body.position())];
         let was_checked = friction_checks > 1
             && friction_check_in == 1 << (friction_checks - 1).min(FRICTION_CHECK_MAX_DOUBLINGS);
-        let velocity = |body: BodyIndex| self.bodies.states[body.position()].velocity;
-        let is_calm = || !self.exceeds_calm_speed(velocity(BodyIndex::new(body)));
+        let velocity = |body: BodyIndex| self.bodies.states[body].velocity;
+        let is_calm = || !self.exceeds_calm_speed(velocity(BodyIndex::new(body.position())));
         let constraint = self.pairs.constraint(pair).filter(|(_, handle)| {
             was_checked && !formed_by_motion && !handle.is_in_direct_solver() && is_calm()
         });
@@ -112,7 +112,7 @@ impl SolverSelection<'_> {
         for body in
             self.sleep.awake_bodies(self.bodies.last_movable).filter(|&body| !self.bodies.is_kinematic(body))
         {
-            let index = BodyIndex::new(body);
+            let index = BodyIndex::new(body.position());
             let (stats, history) = (census.stats_of(index), self.history[index]);
             stats.bodies += 1;
             stats.direct_bodies += u32::from(history.is_direct);
@@ -133,7 +133,7 @@ impl SolverSelection<'_> {
         for pair in self.pairs.awake() {
             let Some((kind, handle)) = self.pairs.constraint(pair) else { continue };
             let [(one, mobility), (body, _)] = self.pairs.bodies_of(self.proxies, pair);
-            let stats = census.stats_of(BodyIndex::new(body));
+            let stats = census.stats_of(BodyIndex::new(body.position()));
             stats.contacts += 1;
             stats.has_unsupported_joint |= mobility == BodyType::Hinged;
             stats.has_depth = self.has_depth;
@@ -145,7 +145,7 @@ impl SolverSelection<'_> {
             let inverse_masses = [one, body].map(|body| self.bodies.inverse_mass_inertia[body][0]);
             if self.has_restitution || stats.has_depth || exceeds_mass_ratio(inverse_masses, heavy_ratio) {
                 let contact = self.constraints.get(kind, handle);
-                let velocities = [contact.a, contact.b].map(|body| velocity(BodyIndex(body)));
+                let velocities = [contact.a, contact.b].map(|body| velocity(BodyIndex(body.0)));
                 stats.bounces |= self.bounces(&contact, velocities);
                 stats.has_nonplanar_contact |= self.blocks_planar_solution(&contact, velocities);
                 let [is_heavy_on_light, may_jam] = self.classify_load(&contact);
@@ -169,17 +169,17 @@ impl SolverSelection<'_> {
     }
 
     /// Unites in `union_find` the dynamic bodies that contacts connect, and in 2D also those that joints and springs connect.
-    fn unite_bodies(&self, union_find: &mut UnionFind) {
+    fn unite_bodies(&self, union_find: &mut UnionFind<BodyIndex>) {
         for pair in self.pairs.awake().filter(|&pair| self.pairs.has_constraint(pair)) {
             if let [(a, BodyType::Dynamic), (b, BodyType::Dynamic)] = self.pairs.bodies_of(self.proxies, pair)
             {
-                union_find.unite(a as u32, b as u32);
+                union_find.unite(a, b);
             }
         }
         if !self.has_depth {
             let of_joints = self.joints.candidates().chain(self.springs.candidates());
             for [a, b] in of_joints.filter_map(|joint| joint.dynamic_pair()) {
-                union_find.unite(a.0, b.0);
+                union_find.unite(a, b);
             }
         }
     }
@@ -209,7 +209,7 @@ fn bounces(contact: &ContactConstraint, [a, b]: [[f32; 4]; 2], min_speed: f32) -
 /// Returns whether a contact slides faster than `limit` (length units/s) although its friction is within the limit. `velocity`
 /// returns the velocity of a body.
 fn slips(contact: &ContactConstraint, velocity: &dyn Fn(BodyIndex) -> [f32; 4], limit: f32) -> bool {
-    let [a, b] = [contact.a, contact.b].map(|body| velocity(BodyIndex(body)).map(f64::from));
+    let [a, b] = [contact.a, contact.b].map(|body| velocity(BodyIndex(body.0)).map(f64::from));
     let [.., along] =
         Jacobian::of_contact(contact).relative_velocities([a[0], a[1], a[2]], [b[0], b[1], b[2]]);
     let friction_limit =

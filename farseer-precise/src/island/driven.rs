@@ -13,6 +13,7 @@
 
 use crate::bodies::BodySet;
 use crate::constraint_graph::ContactConstraint;
+use crate::index::BodyIndex;
 use crate::joints::JointSystem;
 use crate::parameters::sleep::STALLED_DRIVE_SPEED_FRACTION;
 
@@ -26,7 +27,7 @@ fn is_drive_effective(speed: f32, distance: f32, dt: f32) -> bool {
 /// in seconds.
 pub(super) fn is_on_running_belt(
     bodies: &BodySet,
-    body: usize,
+    body: BodyIndex,
     contact: &ContactConstraint,
     dt: f32,
 ) -> bool {
@@ -40,12 +41,12 @@ pub(super) fn is_on_running_belt(
 pub(super) fn for_each_driven(
     bodies: &BodySet,
     joints: &JointSystem,
-    springs: impl Iterator<Item = [usize; 2]>,
+    springs: impl Iterator<Item = [BodyIndex; 2]>,
     dt: f32,
-    mut visit: impl FnMut(usize),
+    mut visit: impl FnMut(BodyIndex),
 ) {
     for (ends, speed, is_along_line) in joints.motors() {
-        let [a, b] = ends.map(|body| bodies.delta_pose.get(body).copied().unwrap_or_default());
+        let [a, b] = ends.map(|body| bodies.delta_pose.at(body).copied().unwrap_or_default());
         let [x, y, rotation] = [0, 1, 2].map(|axis: usize| (b[axis] - a[axis]).abs());
         if is_drive_effective(speed, if is_along_line { x + y } else { rotation }, dt) {
             ends.into_iter().filter(|&body| bodies.is_dynamic(body)).for_each(&mut visit);

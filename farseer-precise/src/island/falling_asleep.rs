@@ -8,6 +8,7 @@ use crate::bodies::BodySet;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::ConstraintGraph;
+use crate::index::{BodyIndex, IndexedVec};
 use crate::joints::JointSystem;
 use crate::parameters::sleep::{SLEEP_RETEST_FRACTION, TIME_TO_SLEEP};
 use crate::scaled_parameters::LoadAdaptation;
@@ -15,22 +16,22 @@ use crate::scaled_parameters::LoadAdaptation;
 /// Unites in `islands` the awake bodies that contact constraints or `links` connect. `links`: body indices at both ends of each
 /// joint and each enabled spring, 0 for the world.
 pub fn unite_islands(
-    islands: &mut UnionFind,
+    islands: &mut UnionFind<BodyIndex>,
     bodies: &BodySet,
     proxies: &Proxies,
     pairs: &Pairs,
-    links: impl Iterator<Item = [usize; 2]>,
+    links: impl Iterator<Item = [BodyIndex; 2]>,
 ) {
     islands.reset(bodies.states.len());
     for pair in pairs.awake().filter(|&pair| pairs.has_constraint(pair)) {
         let [(a, of_a), (b, of_b)] = pairs.bodies_of(proxies, pair);
         if of_a.takes_impulses() && of_b.takes_impulses() {
-            islands.unite(a as u32, b as u32);
+            islands.unite(a, b);
         }
     }
     for [a, b] in links {
         if bodies.is_dynamic(a) && bodies.is_dynamic(b) {
-            islands.unite(a as u32, b as u32);
+            islands.unite(a, b);
         }
     }
 }
@@ -46,8 +47,9 @@ impl SleepState {
         let mut is_due = false;
         let SleepState { awake_body_runs: runs, rest_time: rest, .. } = self;
         for run in runs.iter().cloned() {
-            let motions = bodies.delta_pose[run.clone()].iter().zip(&bodies.max_extents[run.clone()]);
-            for (([x, y, rotation, z], reach), rest) in motions.zip(&mut rest[run]) {
+            let motions =
+                bodies.delta_pose.slice(run.clone()).iter().zip(bodies.max_extents.slice(run.clone()));
+            for (([x, y, rotation, z], reach), rest) in motions.zip(rest.slice_mut(run)) {
                 let is_slow = x.abs() + y.abs() + z.abs() + reach * rotation.abs() < max_distance;
                 // Blocks of four may contain sleeping bodies, which keep their rest time of negative infinity.
                 *rest = if is_slow { (*rest + dt).min(TIME_TO_SLEEP) } else { rest.min(0.0) };
@@ -62,8 +64,8 @@ impl SleepState {
     pub fn sleep_bodies(&mut self, bodies: &mut BodySet, dt: f32) {
         let falling_asleep = std::mem::take(&mut self.falling_asleep);
         for &number in &falling_asleep {
-            let body = number as usize;
-            let island = self.islands.find(number) as usize;
+            let body = number;
+            let island = self.islands.find(number);
             let supported_acceleration = bodies.put_to_rest(body, dt);
             // Indices are ascending, so that the first body of an island is its representative.
             self.sleep_body(body, (island != body).then_some(island), supported_acceleration);
@@ -97,7 +99,7 @@ impl RestDetector<'_> {
     pub fn list_falling_asleep(
         &self,
         sleep: &mut SleepState,
-        springs: impl Iterator<Item = [usize; 2]> + Clone,
+        springs: impl Iterator<Item = [BodyIndex; 2]> + Clone,
     ) {
         let mut islands = std::mem::take(&mut sleep.islands);
         let links = self.joints.body_pairs().chain(springs.clone());
@@ -110,11 +112,11 @@ impl RestDetector<'_> {
             sleep
                 .awake_bodies(self.bodies.last_movable)
                 .filter(|&body| !self.bodies.is_kinematic(body))
-                .map(|body| body as u32),
+                .map(|body| body),
         );
         falling_asleep.retain(|&body| {
-            let rest = min_rest_time[islands.find(body) as usize];
-            sleep.rest_time[body as usize] = rest;
+            let rest = min_rest_time[islands.find(body)];
+            sleep.rest_time[body] = rest;
             rest >= TIME_TO_SLEEP
         });
         (sleep.islands, sleep.min_rest_time, sleep.falling_asleep) = (islands, min_rest_time, falling_asleep);
@@ -127,14 +129,14 @@ impl RestDetector<'_> {
     fn find_min_rest_time(
         &self,
         sleep: &SleepState,
-        springs: impl Iterator<Item = [usize; 2]>,
-        islands: &mut UnionFind,
-        min_rest_time: &mut Vec<f32>,
+        springs: impl Iterator<Item = [BodyIndex; 2]>,
+        islands: &mut UnionFind<BodyIndex>,
+        min_rest_time: &mut IndexedVec<BodyIndex, f32>,
     ) {
         min_rest_time.clear();
         min_rest_time.resize(self.bodies.states.len(), f32::INFINITY);
-        let mut limit = |body: usize, rest: f32| {
-            let least = &mut min_rest_time[islands.find(body as u32) as usize];
+        let mut limit = |body: BodyIndex, rest: f32| {
+            let least = &mut min_rest_time[islands.find(body)];
             *least = if rest < *least { rest } else { *least };
         };
         sleep.awake_bodies(self.bodies.last_movable).for_each(|body| limit(body, sleep.rest_time[body]));
@@ -149,7 +151,7 @@ impl RestDetector<'_> {
     }
 
     /// Calls `limit` with each body whose island a contact keeps awake, and the greatest rest time of that island, seconds.
-    fn limit_by_contacts(&self, limit: &mut impl FnMut(usize, f32)) {
+    fn limit_by_contacts(&self, limit: &mut impl FnMut(BodyIndex, f32)) {
         for pair in self.pairs.awake() {
             let state = self.pairs.state(pair);
             let Some(constraint) = state.constraint else { continue };

@@ -17,7 +17,7 @@
 //! - a joint of it is edited;
 //! - gravity changes.
 
-use crate::index::{BodyIndex, DenseIndex, PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use std::ops::Range;
 
 use crate::broad_phase::pairs::Pairs;
@@ -28,9 +28,9 @@ use crate::parameters::sleep::{SLEEP_SPEED_PER_FALL, SLEEP_SPEED_WEIGHTLESS};
 use crate::reusing_clone;
 
 /// Index in [`SleepState::next_in_ring`] that marks an awake body. It is no index of a body.
-const AWAKE: u32 = u32::MAX;
+const AWAKE: BodyIndex = BodyIndex(u32::MAX);
 /// Index in [`SleepState::next_in_ring`] that marks a list position without a body. It is no index of a body.
-const ABSENT: u32 = u32::MAX - 1;
+const ABSENT: BodyIndex = BodyIndex(u32::MAX - 1);
 
 /// Number of bodies for each changed body or proxy from which on the ranges of awake bodies are updated one by one, instead of
 /// computed anew. Value chosen.
@@ -44,17 +44,17 @@ pub struct SleepState {
     /// Gravity under which the sleeping bodies fell asleep, length units/s^2.
     pub gravity: Vector,
     /// Time for which each body has been at rest, seconds, 0..=[`TIME_TO_SLEEP`](crate::parameters::sleep::TIME_TO_SLEEP); negative infinity for sleeping bodies.
-    pub rest_time: Vec<f32>,
+    pub rest_time: IndexedVec<BodyIndex, f32>,
     /// For each sleeping body, the index of the next body of its ring, the circle of bodies that fell asleep together. Else
     /// [`AWAKE`] or [`ABSENT`].
-    next_in_ring: Vec<u32>,
+    next_in_ring: IndexedVec<BodyIndex, BodyIndex>,
     /// For each sleeping body, the accelerations by forces and torque under which it fell asleep: x, y (length units/s^2),
     /// angular (radians/s^2), z (length units/s^2).
-    pub supported_acceleration: Vec<[f32; 4]>,
+    pub supported_acceleration: IndexedVec<BodyIndex, [f32; 4]>,
     /// Indices of sleeping bodies whose supported acceleration is not 0.
-    pub loaded_bodies: Vec<u32>,
+    pub loaded_bodies: Vec<BodyIndex>,
     /// Indices of the bodies in `loaded_bodies` that fell asleep in the last step. Their forces are measured once more.
-    pub newly_asleep: Vec<u32>,
+    pub newly_asleep: Vec<BodyIndex>,
     /// Number of sleeping bodies.
     pub count: usize,
     /// Ranges of body indices with awake movable bodies. Their ends are multiples of four; blocks of four bodies that all sleep
@@ -64,17 +64,17 @@ pub struct SleepState {
     /// whose bodies all sleep are left out.
     pub(crate) awake_proxy_runs: Vec<Range<usize>>,
     /// Indices of sleeping bodies that are to wake in this update. Empty between the stages of a step.
-    pub wake_requests: Vec<u32>,
+    pub wake_requests: Vec<BodyIndex>,
     /// Indices of pairs that got a contact constraint with a sleeping body. Empty between the stages of a step.
     pub touched_pairs: Vec<PairIndex>,
     /// Indices of sleeping bodies to which forces may have been applied in this update. Empty between the stages of a step.
-    pub forced_bodies: Vec<u32>,
+    pub forced_bodies: Vec<BodyIndex>,
     /// Workspace: the islands of awake bodies in this step.
-    pub(super) islands: UnionFind,
+    pub(super) islands: UnionFind<BodyIndex>,
     /// Workspace: smallest rest time of the bodies of each island, seconds, at the index of the island's representative.
-    pub(super) min_rest_time: Vec<f32>,
+    pub(super) min_rest_time: IndexedVec<BodyIndex, f32>,
     /// Workspace: indices of the bodies that fall asleep in this step.
-    pub falling_asleep: Vec<u32>,
+    pub falling_asleep: Vec<BodyIndex>,
 }
 
 reusing_clone! {
@@ -86,46 +86,46 @@ reusing_clone! {
 
 /// Returns whether the body sleeps, by [`SleepState::next_in_ring`].
 #[inline(always)]
-fn is_asleep(next_in_ring: &[u32], body: usize) -> bool {
-    next_in_ring.get(body).is_some_and(|&next| next < ABSENT)
+fn is_asleep(next_in_ring: &IndexedVec<BodyIndex, BodyIndex>, body: BodyIndex) -> bool {
+    next_in_ring.at(body).is_some_and(|&next| next < ABSENT)
 }
 
 /// Returns whether the body is there and awake, by [`SleepState::next_in_ring`].
 #[inline(always)]
-fn is_awake(next_in_ring: &[u32], body: u32) -> bool {
-    next_in_ring.get(body as usize) == Some(&AWAKE)
+fn is_awake(next_in_ring: &IndexedVec<BodyIndex, BodyIndex>, body: BodyIndex) -> bool {
+    next_in_ring.at(body) == Some(&AWAKE)
 }
 
 impl SleepState {
     /// Returns whether the body sleeps.
     #[inline(always)]
-    pub fn is_asleep(&self, body: usize) -> bool {
+    pub fn is_asleep(&self, body: BodyIndex) -> bool {
         is_asleep(&self.next_in_ring, body)
     }
 
     /// Returns whether `body` is the index of an awake body.
     #[inline(always)]
-    pub(crate) fn is_awake(&self, body: usize) -> bool {
-        self.next_in_ring.get(body) == Some(&AWAKE)
+    pub(crate) fn is_awake(&self, body: BodyIndex) -> bool {
+        self.next_in_ring.at(body) == Some(&AWAKE)
     }
 
     /// Returns the states of the bodies in a range of indices, for [`is_asleep_state`](Self::is_asleep_state).
     #[inline(always)]
-    pub fn states(&self, run: Range<usize>) -> &[u32] {
-        &self.next_in_ring[run]
+    pub fn states(&self, run: Range<usize>) -> &[BodyIndex] {
+        self.next_in_ring.slice(run)
     }
 
     /// Returns whether a body with this state is asleep. An absent body is not.
     #[inline(always)]
-    pub fn is_asleep_state(state: u32) -> bool {
+    pub fn is_asleep_state(state: BodyIndex) -> bool {
         state < ABSENT
     }
 
-    /// Returns the indices of the awake bodies with indices up to `count`.
+    /// Returns the indices of the awake bodies with indices up to `last`.
     #[inline(always)]
-    pub fn awake_bodies(&self, count: usize) -> impl Iterator<Item = usize> + '_ {
-        let numbers = self.awake_body_runs.iter().cloned().flatten();
-        numbers.filter(move |&number| number <= count && self.next_in_ring[number] == AWAKE)
+    pub fn awake_bodies(&self, last: BodyIndex) -> impl Iterator<Item = BodyIndex> + '_ {
+        let numbers = self.awake_body_runs.iter().cloned().flatten().map(BodyIndex::new);
+        numbers.filter(move |&number| number <= last && self.next_in_ring[number] == AWAKE)
     }
 
     /// Returns whether bodies may sleep.
@@ -160,14 +160,14 @@ impl SleepState {
     }
 
     /// Appends a body to `wake_requests`, if it sleeps. [`wake_requested`](super::wake::wake_requested) wakes it.
-    pub fn request_wake(&mut self, body: usize) {
+    pub fn request_wake(&mut self, body: BodyIndex) {
         if self.is_asleep(body) {
-            self.wake_requests.push(body as u32);
+            self.wake_requests.push(body);
         }
     }
 
     /// Requests that the sleeping bodies of a pair wake. `bodies`: body index and body type of A and of B.
-    pub(crate) fn request_wake_of_pair(&mut self, bodies: [(usize, BodyType); 2]) {
+    pub(crate) fn request_wake_of_pair(&mut self, bodies: [(BodyIndex, BodyType); 2]) {
         for (body, body_type) in bodies {
             if body_type.takes_impulses() {
                 self.request_wake(body);
@@ -177,7 +177,7 @@ impl SleepState {
 
     /// Notes for both bodies of a pair that their support may have been removed: sleeping bodies are asked to wake, and rest
     /// times reset to 0.
-    pub fn support_of_pair_removed(&mut self, bodies: [(usize, BodyType); 2]) {
+    pub fn support_of_pair_removed(&mut self, bodies: [(BodyIndex, BodyType); 2]) {
         bodies.into_iter().for_each(|(body, _)| self.support_removed(body));
     }
 
@@ -202,18 +202,18 @@ impl SleepState {
 
     /// Notes that the support of a body may have been removed: a sleeping body is asked to wake, and the rest time of an awake
     /// one is reset to 0.
-    pub fn support_removed(&mut self, body: usize) {
+    pub fn support_removed(&mut self, body: BodyIndex) {
         self.request_wake(body);
-        if let Some(rest) = self.rest_time.get_mut(body) {
+        if let Some(rest) = self.rest_time.at_mut(body) {
             *rest = 0.0;
         }
     }
 
     /// Appends a sleeping body to `forced_bodies`, because forces may have been applied to it. The adapter
     /// compares the forces.
-    pub fn record_force(&mut self, body: usize) {
+    pub fn record_force(&mut self, body: BodyIndex) {
         if self.is_asleep(body) {
-            self.forced_bodies.push(body as u32);
+            self.forced_bodies.push(body);
         }
     }
 
@@ -236,7 +236,7 @@ impl SleepState {
     }
 
     /// Makes all bodies awake with rest time 0, after the list of bodies was rebuilt. `has_body`: [`BodySet::has_body`](crate::bodies::BodySet::has_body).
-    pub fn reset(&mut self, has_body: &[bool]) {
+    pub fn reset(&mut self, has_body: &IndexedVec<BodyIndex, bool>) {
         let bodies = has_body.len();
         self.rest_time.clear();
         self.rest_time.resize(bodies, 0.0);
@@ -253,30 +253,30 @@ impl SleepState {
     }
 
     /// Adds a body at the index `body`, awake.
-    pub fn add_body(&mut self, body: usize) {
+    pub fn add_body(&mut self, body: BodyIndex) {
         (self.next_in_ring[body], self.rest_time[body]) = (AWAKE, 0.0);
     }
 
     /// Removes a body. The bodies that fell asleep with it continue to sleep.
-    pub fn remove_body(&mut self, body: usize) {
+    pub fn remove_body(&mut self, body: BodyIndex) {
         if self.is_asleep(body) {
             let mut before = body;
-            while self.next_in_ring[before] as usize != body {
-                before = self.next_in_ring[before] as usize;
+            while self.next_in_ring[before] != body {
+                before = self.next_in_ring[before];
             }
             self.next_in_ring[before] = self.next_in_ring[body];
             self.count -= 1;
         }
         (self.next_in_ring[body], self.rest_time[body], self.supported_acceleration[body]) =
             (ABSENT, 0.0, [0.0; 4]);
-        self.loaded_bodies.retain(|&other| other as usize != body);
-        self.newly_asleep.retain(|&other| other as usize != body);
+        self.loaded_bodies.retain(|&other| other != body);
+        self.newly_asleep.retain(|&other| other != body);
     }
 
     /// Computes the index ranges of awake bodies and of their proxies. It is called after bodies have fallen asleep or woken.
     pub fn update_runs(&mut self, proxies: &Proxies) {
         let SleepState { next_in_ring, awake_body_runs, awake_proxy_runs, .. } = self;
-        runs(next_in_ring.len(), |body: BodyIndex| is_awake(next_in_ring, body.0), awake_body_runs);
+        runs(next_in_ring.len(), |body: BodyIndex| is_awake(next_in_ring, body), awake_body_runs);
         runs(
             proxies.first_fixed.position(),
             |at| is_awake(next_in_ring, proxies.proxy(at).body),
@@ -286,17 +286,18 @@ impl SleepState {
 
     /// Updates the index ranges of awake bodies and of their proxies, where some of these `bodies` or `changed_proxies` were added
     /// or removed. Both are indices.
-    pub fn update_runs_at(&mut self, bodies: &[usize], changed_proxies: &[ProxyIndex], proxies: &Proxies) {
+    pub fn update_runs_at(
+        &mut self,
+        bodies: &[BodyIndex],
+        changed_proxies: &[ProxyIndex],
+        proxies: &Proxies,
+    ) {
         let SleepState { next_in_ring, awake_body_runs, awake_proxy_runs, .. } = self;
         if bodies.len() + changed_proxies.len() > next_in_ring.len() / BODIES_PER_RUN_UPDATE {
             return self.update_runs(proxies);
         }
         for &body in bodies {
-            update_run(
-                BodyIndex::new(body),
-                |body: BodyIndex| is_awake(next_in_ring, body.0),
-                awake_body_runs,
-            );
+            update_run(body, |body: BodyIndex| is_awake(next_in_ring, body), awake_body_runs);
         }
         for &proxy in changed_proxies.iter().filter(|&&proxy| proxy < proxies.first_fixed) {
             update_run(proxy, |at| is_awake(next_in_ring, proxies.proxy(at).body), awake_proxy_runs);
@@ -307,7 +308,7 @@ impl SleepState {
     pub fn drop_woken(&mut self, proxies: &Proxies) {
         let SleepState { loaded_bodies, newly_asleep, next_in_ring, .. } = self;
         for list in [loaded_bodies, newly_asleep] {
-            list.retain(|&body| is_asleep(next_in_ring, body as usize));
+            list.retain(|&body| is_asleep(next_in_ring, body));
         }
         self.update_runs(proxies);
     }
@@ -316,34 +317,34 @@ impl SleepState {
     ///
     /// `supported_acceleration`: accelerations by forces and torque under which the body sleeps: x, y (length units/s^2),
     /// angular (radians/s^2), z (length units/s^2).
-    pub fn sleep_body(&mut self, body: usize, ring: Option<usize>, supported_acceleration: [f32; 4]) {
+    pub fn sleep_body(&mut self, body: BodyIndex, ring: Option<BodyIndex>, supported_acceleration: [f32; 4]) {
         self.rest_time[body] = f32::NEG_INFINITY;
         self.supported_acceleration[body] = supported_acceleration;
-        self.loaded_bodies.extend((supported_acceleration != [0.0; 4]).then_some(body as u32));
+        self.loaded_bodies.extend((supported_acceleration != [0.0; 4]).then_some(body));
         let other = ring.unwrap_or(body);
-        self.next_in_ring[body] = body as u32;
+        self.next_in_ring[body] = body;
         self.next_in_ring.swap(body, other);
         self.count += 1;
     }
 
     /// Wakes a body and all bodies that fell asleep together with it. Calls `woken` with the index of each.
-    pub(crate) fn wake_ring(&mut self, body: usize, mut woken: impl FnMut(u32)) {
+    pub(crate) fn wake_ring(&mut self, body: BodyIndex, mut woken: impl FnMut(BodyIndex)) {
         let mut member = body;
         while self.is_asleep(member) {
-            let next = std::mem::replace(&mut self.next_in_ring[member], AWAKE) as usize;
+            let next = std::mem::replace(&mut self.next_in_ring[member], AWAKE);
             self.rest_time[member] = 0.0;
             self.count -= 1;
-            woken(member as u32);
+            woken(member);
             member = next;
         }
     }
 
     /// Returns the smallest index among a sleeping body and the bodies that fell asleep together with it.
-    pub fn first_of_ring(&self, body: usize) -> usize {
-        let (mut first, mut member) = (body, self.next_in_ring[body] as usize);
+    pub fn first_of_ring(&self, body: BodyIndex) -> BodyIndex {
+        let (mut first, mut member) = (body, self.next_in_ring[body]);
         while member != body {
             first = first.min(member);
-            member = self.next_in_ring[member] as usize;
+            member = self.next_in_ring[member];
         }
         first
     }

@@ -5,6 +5,7 @@ use super::sleep::SleepState;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::ConstraintGraph;
+use crate::index::BodyIndex;
 use crate::narrow_phase::NarrowPhase;
 use crate::storage::order::sort_by_number;
 
@@ -20,7 +21,7 @@ pub fn wake_touched(sleep: &mut SleepState, pairs: &Pairs, proxies: &Proxies) {
 }
 
 /// Requests that the sleeping bodies wake with which a body has contact constraints.
-pub fn wake_partners(sleep: &mut SleepState, pairs: &Pairs, proxies: &Proxies, body: usize) {
+pub fn wake_partners(sleep: &mut SleepState, pairs: &Pairs, proxies: &Proxies, body: BodyIndex) {
     for pair in pairs.pairs_of_body(proxies, body).filter(|&pair| pairs.has_constraint(pair)) {
         sleep.request_wake_of_pair(pairs.bodies_of(proxies, pair));
     }
@@ -51,7 +52,7 @@ pub fn sleep_pairs(narrow_phase: &mut NarrowPhase<'_>, h: f32) {
     for pair in narrow_phase.pairs.awake().rev() {
         let NarrowPhase { sleep, pairs, proxies, .. } = narrow_phase;
         let is_awake =
-            |&(body, body_type): &(usize, BodyType)| body_type.takes_impulses() && !sleep.is_asleep(body);
+            |&(body, body_type): &(BodyIndex, BodyType)| body_type.takes_impulses() && !sleep.is_asleep(body);
         if pairs.bodies_of(proxies, pair).iter().any(is_awake) {
             continue;
         }
@@ -69,7 +70,7 @@ pub fn wake_requested(narrow_phase: &mut NarrowPhase<'_>, h: f32) {
     let sleep = &mut *narrow_phase.sleep;
     let mut requests = std::mem::take(&mut sleep.wake_requests);
     let mut woken = Vec::new();
-    requests.drain(..).for_each(|body| sleep.wake_ring(body as usize, |body| woken.push(body)));
+    requests.drain(..).for_each(|body| sleep.wake_ring(body, |body| woken.push(body)));
     sleep.wake_requests = requests;
     wake_pairs(narrow_phase, &woken, h);
 }
@@ -78,11 +79,11 @@ pub fn wake_requested(narrow_phase: &mut NarrowPhase<'_>, h: f32) {
 /// constraint graph. `h`: length of the present substeps, seconds.
 ///
 /// The pairs are taken in the order of creation numbers, because the order of constraints in the overflow colour depends on it.
-fn wake_pairs(narrow_phase: &mut NarrowPhase<'_>, woken_bodies: &[u32], h: f32) {
+fn wake_pairs(narrow_phase: &mut NarrowPhase<'_>, woken_bodies: &[BodyIndex], h: f32) {
     let (all, proxies) = (&*narrow_phase.pairs, narrow_phase.proxies);
     let mut pairs = Vec::new();
     for &body in woken_bodies {
-        pairs.extend(all.pairs_of_body(proxies, body as usize));
+        pairs.extend(all.pairs_of_body(proxies, body));
     }
     sort_by_number(&mut pairs, |&pair| all.creation_numbers(proxies, pair));
     pairs.dedup();

@@ -7,7 +7,7 @@ use super::joint_constraint::JointList;
 use super::locked_dofs::LockedDofs;
 use super::revolute_tree::{RevoluteLink, revolute_links};
 use crate::bodies::BodySet;
-use crate::index::{BodyIndex, DenseIndex};
+use crate::index::BodyIndex;
 use crate::mass::mass_of_inverse;
 use crate::reusing_clone;
 
@@ -90,7 +90,7 @@ impl Articulation {
 
 /// Returns the link of a tree entry: masses and indices of its body, and the degrees of freedom that its joint locks.
 fn link_of(entry: &TreeEntry, constraints: &JointList, bodies: &BodySet) -> ArticulatedLink {
-    let [mass, inertia] = bodies.inverse_mass_inertia[entry.body.position()].map(mass_of_inverse);
+    let [mass, inertia] = bodies.inverse_mass_inertia[entry.body].map(mass_of_inverse);
     let mut link = ArticulatedLink {
         body: entry.body,
         parent: entry.parent,

@@ -110,7 +110,7 @@ impl BodyPairLanes {
             let [mass, inertia] = if end.body == BodyIndex::PLACEHOLDER {
                 [0.0; 2]
             } else {
-                bodies.inverse_mass_inertia[end.body.position()]
+                bodies.inverse_mass_inertia[end.body]
             };
             self.movable_lanes[side] |= u8::from(mass > 0.0 || inertia > 0.0) << lane;
             set_lane_rounded(&mut self.inverse_masses[side], lane, mass.into());
@@ -125,19 +125,21 @@ impl BodyPairLanes {
 
     /// Returns the velocities of A and B in the world: x, y, angular, z, in length units/s and radians/s.
     #[inline(always)]
-    pub(super) fn velocities(&self, states: &[MotionState]) -> [VelocityLanes; 2] {
-        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| states[body.position()].velocity);
+    pub(super) fn velocities(&self, states: &IndexedVec<BodyIndex, MotionState>) -> [VelocityLanes; 2] {
+        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| states[body].velocity);
         [of_side(0), of_side(1)]
     }
 
     /// Stores the velocities of A and B (x, y, angular, z) in `states`, for the dynamic bodies.
     #[inline(always)]
-    pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [VelocityLanes; 2]) {
+    pub(super) fn store_velocities(
+        &self,
+        states: &mut IndexedVec<BodyIndex, MotionState>,
+        velocities: [VelocityLanes; 2],
+    ) {
         for (side, velocities) in velocities.into_iter().enumerate() {
             let rows = f32x4::transpose(velocities);
-            self.for_each_movable_body(side, |lane, body| {
-                states[body.position()].velocity = rows[lane].to_array()
-            });
+            self.for_each_movable_body(side, |lane, body| states[body].velocity = rows[lane].to_array());
         }
     }
 
@@ -283,8 +285,7 @@ impl BodyPairLanes {
     /// normals after the motion. With the arms and normals before it, the impulses would add energy to bodies that rotate.
     pub(super) fn advance_poses(&mut self, bodies: &mut BodySet, impulses: RowLanes) {
         let before = self.velocity_changes(impulses);
-        let of_side =
-            |side: usize| lanes_of(&self.bodies[side], |body| bodies.states[body.position()].displacement);
+        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| bodies.states[body].displacement);
         let (a, b) = (of_side(0), of_side(1));
         for (arm, turn) in self.arms.iter_mut().zip([a[2], b[2]]) {
             *arm = rotated(*arm, sin_cos_of_rotations(turn));

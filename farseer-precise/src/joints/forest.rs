@@ -112,8 +112,8 @@ impl SpanningForest {
         let (mut in_trees, mut in_articulations) = (UnionFind::new(bodies), UnionFind::new(bodies));
         let mut is_non_tree = IndexedVec::of_copies(false, edges.len());
         for (at, edge) in edges.enumerated() {
-            let [a, b] = edge.bodies.map(|body| body.0);
-            if a != 0 && b != 0 {
+            let [a, b] = edge.bodies;
+            if a != BodyIndex::PLACEHOLDER && b != BodyIndex::PLACEHOLDER {
                 in_articulations.unite(a, b);
             }
             is_non_tree[at] = edge.is_bounded || !in_trees.unite(a, b);
@@ -122,7 +122,7 @@ impl SpanningForest {
         let mut members_of: Vec<Vec<JointIndex>> = Vec::new();
         let mut articulation_of = IndexedVec::of_copies(None, bodies);
         for (at, key) in edges.enumerated() {
-            let root = BodyIndex(in_articulations.find(key.bodies[0].max(key.bodies[1]).0));
+            let root = in_articulations.find(key.bodies[0].max(key.bodies[1]));
             let articulation = *articulation_of[root].get_or_insert_with(|| {
                 members_of.push(Vec::new());
                 members_of.len() - 1

@@ -41,7 +41,7 @@ impl JointAnchor {
             return false;
         }
         let before = (self.position, self.arm, self.velocity);
-        let [x, y, c, s] = bodies.poses[self.pose_body.position()].map(f64::from);
+        let [x, y, c, s] = bodies.poses[self.pose_body].map(f64::from);
         self.position = [x, y];
         self.arm = [
             c * self.local_anchor[0] - s * self.local_anchor[1],

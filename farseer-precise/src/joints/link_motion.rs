@@ -7,7 +7,7 @@ use super::rotation::cos_sin;
 use super::substep_plan::{momentum_conserving_stiffness, predict_spin_change, stable_stiffness};
 use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use crate::bodies::BodySet;
-use crate::index::{BodyIndex, DenseIndex};
+use crate::index::BodyIndex;
 use crate::parameters::joints::MAX_ROTATION_ROUNDING;
 
 impl ArticulatedLink {
@@ -64,7 +64,7 @@ impl ArticulatedLink {
         self.added_stiffness = self.excess_stiffness();
         if self.body != BodyIndex::PLACEHOLDER {
             let (force_delta, force_position_delta) =
-                (bodies.force_delta[self.body.position()], bodies.force_position_delta[self.body.position()]);
+                (bodies.force_delta[self.body], bodies.force_position_delta[self.body]);
             let (per_half_dt, share) = (2.0 / dt, 1.0 / substeps);
             for i in 0..3 {
                 let initial_kick = f64::from(force_position_delta[i]) * per_half_dt;

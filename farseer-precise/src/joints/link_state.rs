@@ -5,7 +5,7 @@ use super::joint_constraint::{JointAnchor, JointConstraint, JointList};
 use super::locked_dofs::LockedDofs;
 use super::vec2::dot;
 use crate::bodies::BodySet;
-use crate::index::DenseIndex;
+use crate::index::{BodyIndex, DenseIndex};
 
 /// Copies poses and velocities of bodies, and anchors and forces of joints, to the links at the start of a step. `h` is the
 /// solver's substep in seconds.
@@ -45,7 +45,8 @@ impl ArticulatedLink {
     #[inline(always)]
     fn begin_step(&mut self, bodies: &BodySet) {
         let body = self.body.position();
-        let ([x, y, ..], [vx, vy, spin, _]) = (bodies.poses[body], bodies.states[body].velocity);
+        let ([x, y, ..], [vx, vy, spin, _]) =
+            (bodies.poses[BodyIndex::new(body)], bodies.states[BodyIndex::new(body)].velocity);
         self.position = [f64::from(x), f64::from(y)];
         self.velocity = [vx, vy, spin].map(f64::from);
         (self.delta_pose, self.max_arm_squared) = ([0.0; 3], 0.0);

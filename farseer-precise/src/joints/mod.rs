@@ -174,8 +174,8 @@ impl JointSystem {
 
     /// Returns whether some joint holds the body with the index `body`.
     #[inline(always)]
-    pub fn has_joint(&self, body: usize) -> bool {
-        self.tree_index_of.at(BodyIndex::new(body)).is_some_and(|&index| index != NO_TREE_INDEX)
+    pub fn has_joint(&self, body: BodyIndex) -> bool {
+        self.tree_index_of.at(body).is_some_and(|&index| index != NO_TREE_INDEX)
     }
 
     /// Returns whether joints, or springs of the iterative solver, act on any body in this update.
@@ -185,7 +185,7 @@ impl JointSystem {
 
     /// Returns the body indices of all free articulations (those without contacts), each with the number of substeps into which
     /// the articulation divides its step. `substeps` is the number of the solver's substeps.
-    pub fn free_articulations(&self, substeps: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
+    pub fn free_articulations(&self, substeps: u32) -> impl Iterator<Item = (BodyIndex, u32)> + '_ {
         let free = self.articulation_list.iter().filter(|group| group.is_free());
         let in_plane = free.flat_map(|group| group.bodies.iter().map(|&body| (body, group.substeps)));
         let apart = self.spatial.iter().filter(|group| group.is_contact_free());
@@ -193,21 +193,21 @@ impl JointSystem {
             let parts = substeps * group.substep_parts();
             group.bodies().iter().map(move |&body| (body, parts))
         });
-        in_plane.chain(in_space).map(|(body, parts)| (body.position(), parts))
+        in_plane.chain(in_space)
     }
 
     /// Returns the indices of both bodies of each active joint, whatever their body types; 0 for the world.
-    pub fn body_pairs(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        self.constraints.iter().map(|constraint| constraint.anchors.map(|anchor| anchor.pose_body.position()))
+    pub fn body_pairs(&self) -> impl Iterator<Item = [BodyIndex; 2]> + '_ {
+        self.constraints.iter().map(|constraint| constraint.anchors.map(|anchor| anchor.pose_body))
     }
 
     /// Returns for each running motor: the indices of both bodies (0 for the world), the target speed, and whether the motor is
     /// linear. The unit of the speed is length units/s for linear motors and radians/s for rotary ones.
-    pub(crate) fn motors(&self) -> impl Iterator<Item = ([usize; 2], f32, bool)> + '_ {
+    pub(crate) fn motors(&self) -> impl Iterator<Item = ([BodyIndex; 2], f32, bool)> + '_ {
         self.constraints.iter().filter_map(|constraint| {
             let motor = constraint.drive?.motor.filter(|motor| motor.greatest_effort > 0.0)?;
             Some((
-                constraint.anchors.map(|anchor| anchor.pose_body.position()),
+                constraint.anchors.map(|anchor| anchor.pose_body),
                 motor.speed,
                 constraint.locked == LockedDofs::Line,
             ))
@@ -243,10 +243,10 @@ impl JointSystem {
         }
         let edges: EdgeList = in_plane.iter().map(|&at| self.constraints[at].edge()).collect();
         let SpanningForest { articulations: mut plans, mut tree_index_of } =
-            SpanningForest::new(&edges, bodies.first_static());
+            SpanningForest::new(&edges, bodies.first_static().position());
         plans.iter_mut().for_each(|group| group.map_joint_indices(&in_plane));
         if !self.spatial.is_empty() {
-            tree_index_of.resize(bodies.first_static(), NO_TREE_INDEX);
+            tree_index_of.resize(bodies.first_static().position(), NO_TREE_INDEX);
         }
         for &body in self.spatial.iter().flat_map(SpatialJointGroup::bodies) {
             // A mark that some joint holds the body; the index itself is not used.
@@ -260,7 +260,7 @@ impl JointSystem {
             group.joints.iter().for_each(|&hold| self.articulation_of[hold] = at);
         }
         self.tree_index_of = tree_index_of;
-        self.soft.plan(&self.constraints, &in_plane, bodies.first_static());
+        self.soft.plan(&self.constraints, &in_plane, bodies.first_static().position());
     }
 
     /// Updates the joints in the plane to the poses of the bodies at the start of a step, and determines which articulations
@@ -271,15 +271,15 @@ impl JointSystem {
     pub fn prepare(
         &mut self,
         bodies: &BodySet,
-        is_touched: Option<impl Fn(usize) -> bool>,
+        is_touched: Option<impl Fn(BodyIndex) -> bool>,
         read: impl Fn(JointIndex, &mut JointConstraint),
     ) {
         let JointSystem { articulation_list: articulations, constraints, .. } = self;
         for articulation in articulations {
             articulation.is_contact_free = !articulation.is_soft
-                && is_touched.as_ref().is_none_or(|is_touched| {
-                    !articulation.bodies.iter().any(|&body| is_touched(body.position()))
-                });
+                && is_touched
+                    .as_ref()
+                    .is_none_or(|is_touched| !articulation.bodies.iter().any(|&body| is_touched(body)));
             articulation.is_solved = false;
             if !articulation.is_free_revolute_tree() {
                 for &at in &articulation.joints {
@@ -296,7 +296,7 @@ impl JointSystem {
         &mut self,
         bodies: &BodySet,
         step: &StepContext,
-        is_touched: impl Fn(usize) -> bool,
+        is_touched: impl Fn(BodyIndex) -> bool,
         read: impl Fn(JointIndex, &mut JointConstraint),
         depth_of: impl Fn(JointIndex, usize) -> f32,
     ) {
@@ -380,13 +380,13 @@ impl JointSystem {
 
     /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0. Returns
     /// `None` if the iterative solver has neither joints nor springs in this update.
-    pub(crate) fn iterative_body_masks(&self) -> Option<&[u32]> {
-        (!self.soft.is_empty()).then(|| self.soft.body_masks().slice(..))
+    pub(crate) fn iterative_body_masks(&self) -> Option<&IndexedVec<BodyIndex, u32>> {
+        (!self.soft.is_empty()).then(|| self.soft.body_masks())
     }
 
     /// Returns whether the iterative solver has a joint or spring of the body with the index `body` in this update.
-    pub(crate) fn has_iterative_joint(&self, body: usize) -> bool {
-        self.soft.body_masks().at(BodyIndex::new(body)).is_some_and(|&mask| mask != 0)
+    pub(crate) fn has_iterative_joint(&self, body: BodyIndex) -> bool {
+        self.soft.body_masks().at(body).is_some_and(|&mask| mask != 0)
     }
 
     /// Solves joints and springs of the iterative solver with bias, before the positions of a substep of `h` seconds are
@@ -456,10 +456,8 @@ impl JointSystem {
             for node in group.links.iter().filter(|node| node.body != BodyIndex::PLACEHOLDER) {
                 let ([vx, vy, spin], [x, y, rotation]) = (node.velocity, node.delta_pose);
                 // Joints in the plane leave the velocity along the depth axis as it is.
-                let (velocity, delta_pose) = (
-                    &mut bodies.states[node.body.position()].velocity,
-                    &mut bodies.delta_pose[node.body.position()],
-                );
+                let (velocity, delta_pose) =
+                    (&mut bodies.states[node.body].velocity, &mut bodies.delta_pose[node.body]);
                 *velocity = [vx as f32, vy as f32, spin as f32, velocity[3]];
                 *delta_pose = [x as f32, y as f32, rotation as f32, delta_pose[3]];
             }

@@ -6,7 +6,7 @@ use super::super::direct_solver::joint::ANGLE;
 use super::super::direct_solver::mat3::Vec3;
 use super::frame::JointFrame;
 use super::joint_constraint::JointAnchor;
-use crate::index::{BodyIndex, DenseIndex};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec};
 
 /// Bodies A and B of a spring. Impulses are those of one substep on B, in the rows of [`JointFrame::jacobian`]: along the
 /// normal, of the angle, along the tangent.
@@ -32,7 +32,7 @@ impl SpringBodyPair {
                 .map(|pose| if is_listed(pose) { pose } else { BodyIndex::PLACEHOLDER }),
             inverses: [0, 1].map(|side| match anchors[side].body {
                 BodyIndex::PLACEHOLDER => [0.0; 2],
-                body => bodies.inverse_mass_inertia[body.position()].map(f64::from),
+                body => bodies.inverse_mass_inertia[body].map(f64::from),
             }),
             frame,
             jacobian: frame.jacobian(),
@@ -41,19 +41,23 @@ impl SpringBodyPair {
 
     /// Returns the velocities of A and B in the world: x and y in length units/s, angular in radians/s.
     #[inline(always)]
-    pub(super) fn velocities(&self, states: &[MotionState]) -> [Vec3; 2] {
+    pub(super) fn velocities(&self, states: &IndexedVec<BodyIndex, MotionState>) -> [Vec3; 2] {
         self.bodies.map(|body| {
-            let [x, y, spin, _] = states[body.position()].velocity.map(f64::from);
+            let [x, y, spin, _] = states[body].velocity.map(f64::from);
             [x, y, spin]
         })
     }
 
     /// Stores the velocities of A and B in `states`, for the dynamic ones: x and y in length units/s, angular in radians/s.
     #[inline(always)]
-    pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [Vec3; 2]) {
+    pub(super) fn store_velocities(
+        &self,
+        states: &mut IndexedVec<BodyIndex, MotionState>,
+        velocities: [Vec3; 2],
+    ) {
         for (side, [x, y, spin]) in velocities.into_iter().enumerate() {
             if self.is_movable(side) {
-                let velocity = &mut states[self.bodies[side].position()].velocity;
+                let velocity = &mut states[self.bodies[side]].velocity;
                 (velocity[0], velocity[1], velocity[2]) = (x as f32, y as f32, spin as f32);
             }
         }
@@ -127,14 +131,14 @@ impl SpringBodyPair {
     pub(super) fn advance(&mut self, bodies: &mut BodySet, impulses: Vec3) {
         let before = self.velocity_changes(impulses);
         let steps = self.bodies.map(|body| {
-            let [x, y, turned, _] = bodies.states[body.position()].displacement.map(f64::from);
+            let [x, y, turned, _] = bodies.states[body].displacement.map(f64::from);
             [x, y, turned]
         });
         self.frame = self.frame.displaced(steps);
         self.jacobian = self.frame.jacobian();
         let after = self.velocity_changes(impulses);
         for side in [0, 1].into_iter().filter(|&side| self.is_movable(side)) {
-            let begun = &mut bodies.warm_started_velocity[self.bodies[side].position()];
+            let begun = &mut bodies.warm_started_velocity[self.bodies[side]];
             (0..3).for_each(|i| begun[i] -= (after[side][i] - before[side][i]) as f32);
         }
     }

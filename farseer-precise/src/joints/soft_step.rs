@@ -186,10 +186,13 @@ impl SoftJoints {
     /// that contradict each other would otherwise accelerate their bodies without bound.
     pub(super) fn limit_speeds(&self, bodies: &mut BodySet, length_unit: f32, h: f32) {
         let (max_speed, max_angular_speed) = (JOINTED_BODY_SPEED * length_unit, JOINTED_BODY_ROTATION / h);
-        for body in
-            self.jointed_bodies.iter().map(|body| body.position()).filter(|&body| !bodies.are_bullets[body])
+        for body in self
+            .jointed_bodies
+            .iter()
+            .map(|body| body.position())
+            .filter(|&body| !bodies.are_bullets[BodyIndex::new(body)])
         {
-            let [x, y, spin, _] = bodies.states[body].velocity;
+            let [x, y, spin, _] = bodies.states[BodyIndex::new(body)].velocity;
             let (squared_speed, angular_speed) = (x * x + y * y, spin.abs());
             if squared_speed > max_speed * max_speed || angular_speed > max_angular_speed {
                 let scale = if squared_speed > max_speed * max_speed {
@@ -203,8 +206,8 @@ impl SoftJoints {
                     [(x, scale), (y, scale), (spin, angular_scale)].into_iter().enumerate()
                 {
                     // The removed velocity is no impulse, so the next warm start must not apply it again.
-                    bodies.states[body].velocity[axis] = old * part;
-                    bodies.warm_started_velocity[body][axis] += old * part - old;
+                    bodies.states[BodyIndex::new(body)].velocity[axis] = old * part;
+                    bodies.warm_started_velocity[BodyIndex::new(body)][axis] += old * part - old;
                 }
             }
         }
@@ -219,7 +222,7 @@ impl SoftJoints {
     /// `lanes` has one bit for each of the four lanes of `row`.
     pub(super) fn record_restitution<const P: usize>(&mut self, row: &ContactConstraintSimd<P>, lanes: u32) {
         for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
-            for body in [row.a[lane], row.b[lane]].map(BodyIndex) {
+            for body in [row.a[lane], row.b[lane]] {
                 let is_jointed = self.jointed_masks.at(body).is_some_and(|&mask| mask != 0);
                 if is_jointed && std::mem::replace(&mut self.impacted_masks[body], !0) == 0 {
                     self.impacted_bodies.push(body);

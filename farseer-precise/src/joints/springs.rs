@@ -27,7 +27,7 @@ use super::frame::JointFrame;
 use super::indices::{CandidateIndex, SpringIndex};
 use super::joint_constraint::{JointAnchor, JointCandidate};
 use super::locked_dofs::LockedDofs;
-use crate::index::{BodyIndex, DenseIndex, IndexedVec};
+use crate::index::{BodyIndex, IndexedVec};
 use crate::reusing_clone;
 
 /// Springs that solvers treat as rows in this update, instead of explicit forces.
@@ -97,7 +97,7 @@ impl SpringRows {
             for (end, accelerations) in hold.ends.iter().zip(hold.accelerations) {
                 if end.body != BodyIndex::PLACEHOLDER {
                     is_body_attached[end.body] = true;
-                    let position_delta = &mut bodies.force_position_delta[end.body.position()];
+                    let position_delta = &mut bodies.force_position_delta[end.body];
                     (0..3).for_each(|axis| position_delta[axis] += accelerations[axis] * (0.5 * dt * dt));
                 }
             }
@@ -136,8 +136,8 @@ impl SpringRows {
     }
 
     /// Returns whether a spring of this step acts on the body with the index `body`.
-    pub fn is_attached_to(&self, body: usize) -> bool {
-        self.is_body_attached.get(body) == Some(&true)
+    pub fn is_attached_to(&self, body: BodyIndex) -> bool {
+        self.is_body_attached.at(body) == Some(&true)
     }
 }
 

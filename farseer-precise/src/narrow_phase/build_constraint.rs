@@ -10,7 +10,7 @@ use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::constraint_graph::{ContactConstraint, ContactConstraintZ, ContactPoint, tangents};
 use crate::depth::interface::HingeFeature;
 use crate::depth::state::DepthState;
-use crate::index::PairIndex;
+use crate::index::{BodyIndex, PairIndex};
 use crate::math::plane::{Vector, cross, difference, dot, rotate, scaled, sum};
 use crate::surface::{mix_friction, mix_restitution};
 
@@ -20,7 +20,7 @@ impl NarrowPhase<'_> {
         let cached = self.pairs.manifold(pair);
         let is_fixed = self.is_fixed(two.a);
         let [[mass_a, inertia_a], [mass_b, inertia_b]] =
-            [two.a, two.b].map(|proxy| self.bodies.inverse_mass_inertia[proxy.body as usize]);
+            [two.a, two.b].map(|proxy| self.bodies.inverse_mass_inertia[proxy.body]);
         let normal = cached.normal;
         let effective_mass = |arm_a: f32, arm_b: f32| {
             let inverse = mass_a + mass_b + inertia_a * arm_a * arm_a + inertia_b * arm_b * arm_b;
@@ -50,7 +50,7 @@ impl NarrowPhase<'_> {
         let inverse_count = 1.0 / cached.count as f32;
         let tangent_arms = [tangent_a * inverse_count, tangent_b * inverse_count];
         let constraint = ContactConstraint {
-            a: if is_fixed { 0 } else { two.a.body },
+            a: if is_fixed { BodyIndex::PLACEHOLDER } else { two.a.body },
             b: two.b.body,
             pair: pair,
             normal,

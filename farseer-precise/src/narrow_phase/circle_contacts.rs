@@ -33,10 +33,9 @@ impl NarrowPhase<'_> {
     /// then acts along the line of centres at that time, which differs from the lines at either end of the step.
     pub(super) fn circle_contact_at_toi(&self, two: ProxyPair<'_>, manifold: Manifold) -> Manifold {
         let displacement = |proxy: &Proxy| {
-            let (body, gravity_scale) =
-                (proxy.body as usize, self.bodies.gravity_scales[proxy.body as usize]);
+            let (body, gravity_scale) = (proxy.body, self.bodies.gravity_scales[proxy.body]);
             let gravity_displacement = scaled(self.gravity_delta, 0.5 * gravity_scale * self.dt);
-            self.bodies.states.get(body).map_or([0.0; 2], |state| {
+            self.bodies.states.at(body).map_or([0.0; 2], |state| {
                 sum(gravity_displacement, scaled([state.velocity[0], state.velocity[1]], self.dt))
             })
         };
@@ -51,8 +50,7 @@ impl NarrowPhase<'_> {
         if self.depth.is_some() {
             return false;
         }
-        let is_circle =
-            |proxy: &Proxy| self.bodies.circles.get(proxy.body as usize).is_some_and(|row| row[3] > 0.0);
+        let is_circle = |proxy: &Proxy| self.bodies.circles.at(proxy.body).is_some_and(|row| row[3] > 0.0);
         is_circle(two.a) && is_circle(two.b)
     }
 

@@ -9,7 +9,7 @@ use crate::constraint_graph::{
     Color, ConstraintGraph, ConstraintHandle, ContactConstraint, ParkedConstraint,
 };
 use crate::direct_solver::load::{is_heavy_on_light, is_support_normal};
-use crate::index::PairIndex;
+use crate::index::{BodyIndex, PairIndex};
 use crate::math::plane::Vector;
 
 impl NarrowPhase<'_> {
@@ -23,7 +23,7 @@ impl NarrowPhase<'_> {
         self.direct.note_constraint_change([constraint.a, constraint.b], self.depth.is_some());
         self.direct.watch_friction(constraint.b, self.depth.is_some());
         self.pairs.state_mut(pair).constraint = Some(self.constraints.add(kind, color, constraint));
-        if [constraint.a, constraint.b].into_iter().any(|body| self.sleep.is_asleep(body as usize)) {
+        if [constraint.a, constraint.b].into_iter().any(|body| self.sleep.is_asleep(body)) {
             self.sleep.record_touch(pair);
         }
     }
@@ -55,7 +55,7 @@ impl NarrowPhase<'_> {
     fn test_heavy_on_light(&self, pair: PairIndex, normal: Vector) -> bool {
         let inverse_masses = self.pairs.proxies_of(pair).map(|proxy| {
             let body = self.proxies.proxy(proxy).body;
-            self.bodies.inverse_mass_inertia[body as usize][0]
+            self.bodies.inverse_mass_inertia[body][0]
         });
         is_heavy_on_light(inverse_masses, normal, self.gravity_delta)
     }
@@ -65,7 +65,7 @@ impl NarrowPhase<'_> {
     pub(crate) fn remove_pair(&mut self, pair: PairIndex) {
         if !self.pairs.is_awake(pair) && self.pairs.has_constraint(pair) {
             let bodies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy).body);
-            bodies.into_iter().for_each(|body| self.sleep.request_wake(body as usize));
+            bodies.into_iter().for_each(|body| self.sleep.request_wake(body));
         }
         self.end_touch_event(pair);
         self.delete_pair(pair);
@@ -175,8 +175,8 @@ impl NarrowPhase<'_> {
         let color = self.palette.reserve_color(kind, [constraint.a, constraint.b], Color(color));
         self.palette.set_color(kind, [constraint.a, constraint.b], color, true);
         // A damaged snapshot may declare a constraint of awake bodies asleep.
-        let is_still = |&body: &u32| {
-            body == 0 || self.sleep.is_asleep(body as usize) || self.bodies.is_kinematic(body as usize)
+        let is_still = |&body: &BodyIndex| {
+            body == BodyIndex::PLACEHOLDER || self.sleep.is_asleep(body) || self.bodies.is_kinematic(body)
         };
         let is_valid = |&(_, exact): &(f32, Option<[f64; 3]>)| {
             exact.is_some() || [constraint.a, constraint.b].iter().all(is_still)
@@ -188,8 +188,8 @@ impl NarrowPhase<'_> {
                 self.constraints.push_parked(parked_constraint, exact.is_some())
             }
             None => {
-                self.sleep.request_wake(constraint.a as usize);
-                self.sleep.request_wake(constraint.b as usize);
+                self.sleep.request_wake(constraint.a);
+                self.sleep.request_wake(constraint.b);
                 self.constraints.add(kind, color, &constraint)
             }
         };

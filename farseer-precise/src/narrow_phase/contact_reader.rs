@@ -75,7 +75,7 @@ impl ContactReader<'_> {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
         let manifold = self.pairs.manifold(pair);
         let constraint = self.constraint(pair);
-        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body as usize]);
+        let [pose_a, pose_b] = [a, b].map(|proxy| self.bodies.poses[proxy.body]);
         let [ca, sa, cb, sb] = manifold.rotations;
         let (turned_a, turned_b) =
             (rotate_inverse([ca, sa], rotation(pose_a)), rotate_inverse([cb, sb], rotation(pose_b)));
@@ -113,7 +113,7 @@ impl ContactReader<'_> {
         let lane = self.constraint(pair);
         // The surfaces as they are now: a constraint takes an edit over only in the next step.
         let surface = lane.map(|_| space.combined_surface(proxies, [a, b], self.friction));
-        let origin = translation(self.bodies.poses[a.body as usize]);
+        let origin = translation(self.bodies.poses[a.body]);
         let mut points = [DepthContactPoint::default(); 2];
         for (at, point) in points.iter_mut().enumerate().take(*count as usize) {
             let [ax, ay, ..] = anchors[at];

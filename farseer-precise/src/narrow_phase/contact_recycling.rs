@@ -105,7 +105,7 @@ impl NarrowPhase<'_> {
         let ConstraintKind { has_two_points, is_static, .. } = self.pairs.state(pair).kind;
         if has_two_points && is_static {
             // In a pair with a sensor both bodies may be static.
-            self.bodies.states.get(two.b.body as usize).map_or(0.0, |state| state.velocity[2] * self.dt)
+            self.bodies.states.at(two.b.body).map_or(0.0, |state| state.velocity[2] * self.dt)
         } else {
             0.0
         }
@@ -132,7 +132,7 @@ impl NarrowPhase<'_> {
     /// the centre of mass of B is r, and the height of that centre above the point y. Capsules, and bodies with contacts on
     /// other bodies than static ones, count as unable to topple.
     fn has_energy_to_topple(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
-        let (body, cached) = (two.b.body as usize, self.pairs.manifold(pair));
+        let (body, cached) = (two.b.body, self.pairs.manifold(pair));
         let [mass, inertia] = self.bodies.inverse_mass_inertia[body];
         if !(self.palette.touches_only_static(body)
             && mass > 0.0

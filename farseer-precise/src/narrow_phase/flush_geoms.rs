@@ -135,8 +135,8 @@ impl<'a> FlushFilter<'a> {
 
     /// Returns the world pose of a proxy's body at the time of the filter, `self.time`.
     fn pose(&self, proxy: &Proxy) -> Pose {
-        let pose = self.bodies.poses[proxy.body as usize];
-        match self.bodies.delta_pose.get(proxy.body as usize) {
+        let pose = self.bodies.poses[proxy.body];
+        match self.bodies.delta_pose.at(proxy.body) {
             Some(&displacement) if self.time > 0.0 => {
                 SweptShape { shape: self.shape_ref(proxy), pose, displacement }.pose_at(self.time)
             }
@@ -221,7 +221,7 @@ impl<'a> FlushFilter<'a> {
     fn move_together(&self, filtered: &FilteredPair<'_>, c: &Proxy, point: Vector) -> bool {
         let position = sum(translation(filtered.poses[0]), point);
         let velocity = |proxy: &Proxy| {
-            let Some(state) = self.bodies.states.get(proxy.body as usize) else { return [0.0; 2] };
+            let Some(state) = self.bodies.states.at(proxy.body) else { return [0.0; 2] };
             let ([x, y, spin, _], arm) =
                 (state.velocity, difference(position, translation(self.pose(proxy))));
             [x - spin * arm[1], y + spin * arm[0]]

@@ -53,7 +53,7 @@ impl<'a> NarrowPhase<'a> {
     fn find_contacts_ahead_of_any(&mut self) {
         let mut ahead = std::mem::take(self.dirty_pairs);
         let NarrowPhase { bodies, proxies, pairs, parameters, dt, .. } = self;
-        for proxy in bodies.kinematic.iter().flat_map(|&number| proxies.proxies_of(number as usize)) {
+        for proxy in bodies.kinematic.iter().flat_map(|&number| proxies.proxies_of(number)) {
             if is_fast_kinematic(proxies.proxy(proxy), bodies, parameters, *dt) {
                 ahead.extend(pairs.pairs_of(proxy));
             }
@@ -103,7 +103,7 @@ impl<'a> NarrowPhase<'a> {
     /// Returns whether two kinematic bodies move relative to each other in this step by at most `separation_refresh_distance`,
     /// the distance after which contacts are updated.
     fn move_together(&self, one: &Proxy, other: &Proxy) -> bool {
-        let [a, b] = [one, other].map(|proxy| self.bodies.states[proxy.body as usize].velocity);
+        let [a, b] = [one, other].map(|proxy| self.bodies.states[proxy.body].velocity);
         let [x, y, spin, z] = std::array::from_fn(|axis| (b[axis] - a[axis]).abs() * self.dt);
         let rotation = spin * (one.shape.max_extent + other.shape.max_extent);
         one.body == other.body || x + y + z + rotation <= self.parameters.separation_refresh_distance
@@ -112,7 +112,7 @@ impl<'a> NarrowPhase<'a> {
     /// Returns the predicted displacement of a proxy's body in this step: x and y in length units, angle in radians, z in
     /// length units. Gravity accelerates a falling body during the step, so half of its velocity change counts.
     fn predicted_displacement(&self, proxy: &Proxy) -> [f32; 4] {
-        let body = proxy.body as usize;
+        let body = proxy.body;
         let [x, y, spin, z] = self.bodies.states[body].velocity.map(|velocity| velocity * self.dt);
         let [fall_x, fall_y] = scaled(self.gravity_delta, 0.5 * self.bodies.gravity_scales[body] * self.dt);
         let falls = proxy.body_type == BodyType::Dynamic && !self.sleep.is_asleep(body);

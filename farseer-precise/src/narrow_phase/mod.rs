@@ -44,7 +44,7 @@ use super::scaled_parameters::Parameters;
 use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ, Pairs, RecheckTrigger, UPDATED_BY_SOLVER};
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::contact_solver::rolling::RollingContact;
-use crate::index::{PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, PairIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::plane::{Pose, Vector, difference, length, rotate_inverse, rotation, translation};
 use crate::math::scalar::nearest_finite;
@@ -80,7 +80,7 @@ pub struct NarrowPhase<'a> {
     pub(crate) touch_events: &'a mut Vec<TouchEvent>,
     /// Contacts with static or kinematic bodies that have ended, in worlds with a depth axis: index of the dynamic body, and
     /// the penetration at the end in length units, >= 0.
-    pub(crate) ended_static_contacts: &'a mut Vec<(u32, f32)>,
+    pub(crate) ended_static_contacts: &'a mut Vec<(BodyIndex, f32)>,
     pub(crate) stats: &'a mut NarrowPhaseStats,
     /// Workspace: indices of the pairs to update; empty between updates of contacts.
     pub(crate) dirty_pairs: &'a mut Vec<PairIndex>,
@@ -126,7 +126,7 @@ impl<'a> NarrowPhase<'a> {
     #[inline(always)]
     fn proxy_pair(&self, pair: PairIndex) -> ProxyPair<'a> {
         let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
-        let pose = |proxy: &Proxy| self.bodies.poses[proxy.body as usize];
+        let pose = |proxy: &Proxy| self.bodies.poses[proxy.body];
         ProxyPair { a, b, pose_a: pose(a), pose_b: pose(b) }
     }
 
@@ -213,7 +213,7 @@ impl<'a> NarrowPhase<'a> {
         };
         let sweep_of_a = space.sweep_distance(two.a, self.bodies, self.parameters, self.dt);
         let displacement_of_b = || {
-            let [x, y, _, z] = self.bodies.states[two.b.body as usize].velocity;
+            let [x, y, _, z] = self.bodies.states[two.b.body].velocity;
             length([length([x, y]), z]) * self.dt
         };
         self.parameters.speculative_distance
@@ -323,6 +323,6 @@ impl<'a> NarrowPhase<'a> {
 
     /// Returns whether the body of a proxy is static.
     fn is_fixed(&self, proxy: &Proxy) -> bool {
-        proxy.body as usize >= self.bodies.first_static()
+        proxy.body >= self.bodies.first_static()
     }
 }

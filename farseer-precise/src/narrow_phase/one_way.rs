@@ -44,8 +44,8 @@ impl PairMotion<'_> {
     /// Returns the shapes of a pair with their poses before the motion and their displacements.
     fn swept_pair(&self, pair: PairIndex) -> SweptPair<'_> {
         let swept_shape = |proxy: &Proxy| {
-            let displacement = self.bodies.delta_pose.get(proxy.body as usize).copied().unwrap_or_default();
-            let pose = self.bodies.poses[proxy.body as usize];
+            let displacement = self.bodies.delta_pose.at(proxy.body).copied().unwrap_or_default();
+            let pose = self.bodies.poses[proxy.body];
             let pose = if self.is_after_step { pose_before(pose, displacement) } else { pose };
             SweptShape { shape: self.proxies.vertices.shape_ref(proxy.shape), pose, displacement }
         };
@@ -57,7 +57,7 @@ impl PairMotion<'_> {
     fn current_pair(&self, pair: PairIndex) -> SweptPair<'_> {
         let swept_shape = |proxy: &Proxy| SweptShape {
             shape: self.proxies.vertices.shape_ref(proxy.shape),
-            pose: self.bodies.poses[proxy.body as usize],
+            pose: self.bodies.poses[proxy.body],
             displacement: [0.0; 4],
         };
         let [a, b] = self.proxies_of_pair(pair).map(swept_shape);

@@ -7,7 +7,7 @@
 use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::pairs::Pair;
 use crate::broad_phase::proxies::BodyType;
-use crate::index::PairIndex;
+use crate::index::{BodyIndex, PairIndex};
 
 impl NarrowPhase<'_> {
     /// Returns the largest penetration of B in its present contacts and in the last static contact that ended, in length
@@ -18,16 +18,12 @@ impl NarrowPhase<'_> {
         if !state.kind.has_two_points || state.is_on_ground {
             return 0.0;
         }
-        if two.a.body_type == BodyType::Dynamic {
-            f32::MAX
-        } else {
-            self.body_penetration(two.b.body as usize)
-        }
+        if two.a.body_type == BodyType::Dynamic { f32::MAX } else { self.body_penetration(two.b.body) }
     }
 
     /// Returns the largest penetration of a body in its present contacts and in the last static contact that ended, in length
     /// units, >= 0.
-    fn body_penetration(&self, body: usize) -> f32 {
+    fn body_penetration(&self, body: BodyIndex) -> f32 {
         let stored = self.depth.map_or(0.0, |space| space.residual_penetration(body));
         let depths = self.pairs.pairs_of_body(self.proxies, body).map(|pair| self.pair_penetration(pair));
         depths.fold(stored, |deepest, depth| if depth > deepest { depth } else { deepest })

@@ -23,7 +23,7 @@ impl NarrowPhase<'_> {
             dirty.extend(self.pairs.pairs_of(proxy).filter(is_static_sensor));
         }
         for &number in &self.bodies.kinematic {
-            let body_pairs = self.pairs.pairs_of_body(self.proxies, number as usize);
+            let body_pairs = self.pairs.pairs_of_body(self.proxies, number);
             dirty.extend(body_pairs.filter(is_static_sensor).filter(|&pair| self.pair_has_moved(pair)));
         }
         dirty.sort_unstable();

@@ -67,11 +67,8 @@ impl NarrowPhase<'_> {
         let cached = self.pairs.manifold(pair);
         let count = cached.count as usize;
         let velocity_z = self.normal_velocity_z(two, cached.depth.normal_z);
-        let angular_velocity_y = if self.rotates_about_y(two.a) {
-            self.bodies.states[two.a.body as usize].velocity[2]
-        } else {
-            0.0
-        };
+        let angular_velocity_y =
+            if self.rotates_about_y(two.a) { self.bodies.states[two.a.body].velocity[2] } else { 0.0 };
         match state.constraint {
             Some(handle) => self.constraints.get(state.kind, handle).points[..count]
                 .iter()
@@ -97,10 +94,10 @@ impl NarrowPhase<'_> {
         &[ax, ay, bx, by]: &[f32; 4],
     ) -> f32 {
         let velocity = |proxy: &Proxy, arm: Vector| {
-            let Some(state) = self.bodies.states.get(proxy.body as usize) else { return [0.0; 2] };
+            let Some(state) = self.bodies.states.at(proxy.body) else { return [0.0; 2] };
             let [x, y, spin, _] = state.velocity;
             let spin = if self.rotates_about_y(proxy) { 0.0 } else { spin };
-            let gravity_scale = self.bodies.gravity_scales[proxy.body as usize];
+            let gravity_scale = self.bodies.gravity_scales[proxy.body];
             sum(self.gravity_delta.map(|fall| fall * gravity_scale), [x - spin * arm[1], y + spin * arm[0]])
         };
         dot(difference(velocity(two.b, [bx, by]), velocity(two.a, [ax, ay])), normal)
@@ -118,9 +115,8 @@ impl NarrowPhase<'_> {
         if normal_z == 0.0 {
             return 0.0;
         }
-        let velocity = |proxy: &Proxy| {
-            self.bodies.states.get(proxy.body as usize).map_or(0.0, |state| state.velocity[3])
-        };
+        let velocity =
+            |proxy: &Proxy| self.bodies.states.at(proxy.body).map_or(0.0, |state| state.velocity[3]);
         normal_z * (velocity(two.b) - velocity(two.a))
     }
 

@@ -109,7 +109,7 @@ impl SavedSleepingBody {
     /// Returns whether all numbers of the saved body are finite and its index is in range. `count`: number of saved sleeping
     /// bodies.
     fn is_valid(&self, count: usize) -> bool {
-        let is_there = (self.first as usize) < count;
+        let is_there = self.first.position() < count;
         is_there
             && finite(&self.pose)
             && finite(&self.supported_acceleration)

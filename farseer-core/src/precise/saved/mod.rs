@@ -90,7 +90,7 @@ struct SavedSleepingBody {
     /// Id of the body, or the id that stands for a hinged box.
     body: BodyId,
     /// Index into `Saved::sleeping_bodies` of the first body of the sleeping island.
-    first: u32,
+    first: SavedSleeperIndex,
     /// Pose of the body in the world frame: x, y (length units), rotation (radians), z (length units).
     #[serde(rename = "place")]
     pose: [f32; 4],
@@ -179,6 +179,10 @@ impl SavedTouchEvent {
     }
 }
 
+farseer_precise::index_type! {
+    /// Index of a sleeping body in `Saved::sleeping_bodies`.
+    pub struct SavedSleeperIndex;
+}
 farseer_precise::index_type! {
     /// Index of a proxy in `Saved::proxies`.
     pub struct SavedProxyIndex;

@@ -5,7 +5,7 @@
 
 use super::{
     EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
-    SavedSleepingBody, SavedTouchEvent,
+    SavedSleeperIndex, SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
 use crate::objects::Objects;
@@ -20,7 +20,7 @@ use farseer_precise::broad_phase::pair_finder::order_pair;
 use farseer_precise::broad_phase::pairs::OneWayState;
 use farseer_precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
 use farseer_precise::depth::feature_gate::FeatureGate;
-use farseer_precise::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
+use farseer_precise::index::{BodyIndex, IndexedVec, PairIndex, ProxyIndex};
 use farseer_precise::narrow_phase::TouchEvent;
 
 impl From<Saved> for Precise {
@@ -171,7 +171,7 @@ impl Precise {
         self.solver.direct_solver.timer = saved.reselection_timer;
         for &(body, history) in &saved.solver_history {
             match self.body_index(body).filter(|&number| self.solver.bodies.is_dynamic(number)) {
-                Some(number) => self.solver.direct_solver.history[BodyIndex::new(number)] = history,
+                Some(number) => self.solver.direct_solver.history[number] = history,
                 None => self.solver.direct_solver.timer.is_due |= history.is_direct,
             }
         }
@@ -179,7 +179,7 @@ impl Precise {
 
     /// Sets the velocity that a body was given since the save, which the narrow phase uses. A hinged box has no body with this
     /// id.
-    fn restore_edited_velocity(&mut self, number: usize, id: BodyId, objects: &Objects) {
+    fn restore_edited_velocity(&mut self, number: BodyIndex, id: BodyId, objects: &Objects) {
         if let Some(space) = &self.solver.depth {
             space.import_hinge_velocity(&mut self.solver.bodies, number);
         }
@@ -204,7 +204,8 @@ impl Precise {
             }
         }
         // By index of the first body of an island: the last of its bodies that sleeps again.
-        let mut ring_member = vec![None; saved.sleeping_bodies.len()];
+        let mut ring_member =
+            IndexedVec::<SavedSleeperIndex, _>::of_copies(None, saved.sleeping_bodies.len());
         for &SavedSleepingBody {
             body,
             first,
@@ -214,15 +215,15 @@ impl Precise {
             is_newly_asleep,
         } in &saved.sleeping_bodies
         {
-            let may_sleep = |&number: &usize| {
+            let may_sleep = |&number: &BodyIndex| {
                 let is_hinged = || self.solver.depth.as_ref().is_some_and(|space| space.is_hinged(number));
                 (self.solver.bodies.is_dynamic(number) || is_hinged()) && !self.solver.sleep.is_asleep(number)
             };
             let Some(number) = self.body_of_saved_id(body).filter(may_sleep) else { continue };
             self.solver.bodies.put_to_rest(number, 1.0);
-            self.solver.sleep.sleep_body(number, ring_member[first as usize], supported_acceleration);
-            ring_member[first as usize] = Some(number);
-            self.solver.sleep.newly_asleep.extend(is_newly_asleep.then_some(number as u32));
+            self.solver.sleep.sleep_body(number, ring_member[first], supported_acceleration);
+            ring_member[first] = Some(number);
+            self.solver.sleep.newly_asleep.extend(is_newly_asleep.then_some(number));
             // Forces may have been applied since the save.
             self.solver.sleep.record_force(number);
             let may_hinge_stay =

@@ -2,7 +2,7 @@
 
 use super::{
     ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
-    SavedSleepingBody, SavedTouchEvent,
+    SavedSleeperIndex, SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
 use crate::math::scalar::nearest_finite;
@@ -82,8 +82,9 @@ impl Precise {
     /// rotation (radians), z (length units). Bodies without geoms are left out, since an edit of such a body's pose would not
     /// be detected.
     fn save_delta_poses(&self) -> impl Iterator<Item = (BodyId, [f32; 4])> + '_ {
-        let count = if self.solver.proxies.one_way_count > 0 { self.solver.bodies.last_movable } else { 0 };
-        let delta_poses = (1..=count).map(|number| (number, self.solver.bodies.delta_pose[number]));
+        let has_one_way = self.solver.proxies.one_way_count > 0;
+        let bodies = self.solver.bodies.movable().filter(move |_| has_one_way);
+        let delta_poses = bodies.map(|number| (number, self.solver.bodies.delta_pose[number]));
         let ways = delta_poses.filter(|&(number, delta_pose)| {
             delta_pose != [0.0; 4] && self.solver.proxies.proxies_of(number).next().is_some()
         });
@@ -102,8 +103,8 @@ impl Precise {
 
     /// Returns the histories of the solver selection that differ from the default, by body.
     fn save_solver_history(&self) -> impl Iterator<Item = (BodyId, IslandHistory)> + '_ {
-        let histories = (1..=self.solver.bodies.last_movable)
-            .map(|number| (number, self.solver.direct_solver.history[BodyIndex::new(number)]));
+        let histories =
+            self.solver.bodies.movable().map(|number| (number, self.solver.direct_solver.history[number]));
         let worn = histories.filter(|&(_, history)| history != IslandHistory::default());
         worn.filter_map(|(number, wear)| Some((self.ids.bodies[number]?, wear)))
     }
@@ -112,12 +113,13 @@ impl Precise {
     fn save_sleeping_bodies(&self) -> Vec<SavedSleepingBody> {
         let solver = &self.solver;
         let mut sleepers = Vec::with_capacity(solver.sleep.count);
-        let mut places = vec![0; solver.bodies.last_movable + 1];
-        let mut are_fresh = vec![false; solver.bodies.last_movable + 1];
-        solver.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body as usize] = true);
-        for number in (1..=solver.bodies.last_movable).filter(|&number| solver.sleep.is_asleep(number)) {
+        let count = solver.bodies.states.len();
+        let mut places = IndexedVec::<BodyIndex, _>::of_copies(SavedSleeperIndex::default(), count);
+        let mut are_fresh = IndexedVec::<BodyIndex, _>::of_copies(false, count);
+        solver.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body] = true);
+        for number in solver.bodies.movable().filter(|&number| solver.sleep.is_asleep(number)) {
             let Some(body) = self.saved_body_id(number) else { continue };
-            places[number] = sleepers.len() as u32;
+            places[number] = SavedSleeperIndex::new(sleepers.len());
             let first = places[solver.sleep.first_of_ring(number)];
             sleepers.push(SavedSleepingBody {
                 body,
@@ -133,13 +135,13 @@ impl Precise {
 
     /// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, and
     /// its gravity scale (dimensionless).
-    pub(super) fn mass_and_gravity_of(&self, number: usize) -> [f32; 3] {
+    pub(super) fn mass_and_gravity_of(&self, number: BodyIndex) -> [f32; 3] {
         let [mass, inertia] = self.solver.bodies.inverse_mass_inertia[number];
         [mass, inertia, self.solver.bodies.gravity_scales[number]]
     }
 
     /// Returns the pose of a body in the world frame: x, y (length units), rotation (radians), z (length units).
-    pub(super) fn pose_of(&self, number: usize) -> [f32; 4] {
+    pub(super) fn pose_of(&self, number: BodyIndex) -> [f32; 4] {
         let ([x, y, ..], rotation) = (self.solver.bodies.poses[number], self.solver.bodies.rotations[number]);
         [x, y, rotation, self.solver.depth.as_ref().map_or(0.0, |space| space.z_positions[number])]
     }
@@ -158,10 +160,10 @@ impl Precise {
             ..
         } = *self.solver.proxies.proxy(proxy);
         let ([mass, inertia], [vx, vy, spin, vz]) =
-            (self.solver.bodies.inverse_mass_inertia[body as usize], surface_velocity);
+            (self.solver.bodies.inverse_mass_inertia[body], surface_velocity);
         let [is, with, group, enabled, ignores] = filter;
         ImportedState {
-            pose: self.pose_of(body as usize),
+            pose: self.pose_of(body),
             contact_properties: [mass, inertia, vx, vy, spin, vz, friction, restitution],
             filter: [is, with, group, enabled, ignores, i32::from(responds)],
             one_way,
@@ -262,6 +264,5 @@ fn saved_proxy_order(proxies: &Proxies) -> Vec<ProxyIndex> {
 
 /// Iterates over the ids of the bodies that wake at the next import, without those that the game has woken.
 fn wake_requests<'a>(ids: &'a IdTable, sleep: &'a SleepState) -> impl Iterator<Item = BodyId> + 'a {
-    let indices = sleep.wake_requests.iter().filter_map(|&body| usize::try_from(body).ok());
-    indices.filter_map(|body| *ids.bodies.get(body)?)
+    sleep.wake_requests.iter().filter_map(|&body| *ids.bodies.at(body)?)
 }

@@ -6,7 +6,7 @@ use wide::f32x4;
 
 use super::Proxies;
 use crate::bodies::BodySet;
-use crate::index::{DenseIndex, ProxyIndex};
+use crate::index::{BodyIndex, DenseIndex, ProxyIndex};
 use crate::math::lanes::{columns, gather, select};
 use crate::scaled_parameters::Parameters;
 
@@ -32,7 +32,7 @@ impl Proxies {
         } = self;
         for four in runs.iter().flat_map(|run| run.clone().step_by(4)) {
             let of = all.slice(four..four + 4);
-            let places: [u32; 4] = std::array::from_fn(|lane| of[lane].body);
+            let places: [BodyIndex; 4] = std::array::from_fn(|lane| of[lane].body);
             let [x, y, c, s] = gather(&bodies.poses, &places);
             let [dx, dy, turned, dz] = gather(&bodies.delta_pose, &places);
             let [Some(boxes), Some(bounds)] =

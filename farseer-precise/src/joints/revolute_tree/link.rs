@@ -49,8 +49,8 @@ impl RevoluteLink {
     pub(super) fn load_body(&mut self, bodies: &BodySet) {
         let body = self.body.position();
         if self.body != BodyIndex::PLACEHOLDER {
-            let [x, y, c, s] = bodies.poses[body].map(f64::from);
-            let [vx, vy, spin, _] = bodies.initial_velocity[body];
+            let [x, y, c, s] = bodies.poses[BodyIndex::new(body)].map(f64::from);
+            let [vx, vy, spin, _] = bodies.initial_velocity[BodyIndex::new(body)];
             (self.position, self.rotation) = ([x, y], [c, s]);
             self.velocity = [vx, vy, spin].map(f64::from);
         }
@@ -102,8 +102,8 @@ impl RevoluteLink {
         }
         self.set_added_stiffness(self.excess_stiffness());
         if self.body != BodyIndex::PLACEHOLDER {
-            let [force_delta, force_position_delta] = [&bodies.force_delta, &bodies.force_position_delta]
-                .map(|of| f32x4::new(of[self.body.position()]));
+            let [force_delta, force_position_delta] =
+                [&bodies.force_delta, &bodies.force_position_delta].map(|of| f32x4::new(of[self.body]));
             let initial_kick = force_position_delta * f32x4::splat(2.0 / dt);
             let push = (force_delta * f32x4::splat(substeps) - initial_kick) * f32x4::splat(1.0 / parts);
             let ([x, y, spin, _], at_once) = (push.to_array().map(f64::from), initial_kick.to_array());
@@ -297,8 +297,10 @@ impl RevoluteLink {
         if self.body != BodyIndex::PLACEHOLDER {
             let body = self.body.position();
             // Joints in the plane leave the velocity along the depth axis as it is.
-            let (stored_velocity, stored_delta_pose) =
-                (&mut bodies.states[body].velocity, &mut bodies.delta_pose[body]);
+            let (stored_velocity, stored_delta_pose) = (
+                &mut bodies.states[BodyIndex::new(body)].velocity,
+                &mut bodies.delta_pose[BodyIndex::new(body)],
+            );
             for i in 0..3 {
                 (stored_velocity[i], stored_delta_pose[i]) = (velocity[i] as f32, delta_pose[i] as f32);
             }

@@ -9,7 +9,7 @@ use super::group_solver::{OffDiagonal, SpatialJointGroup};
 use super::joint_state::{JointState, NodeIndex};
 use super::row_kind::RowKind;
 use super::sparse_ldlt::SparseLdlt;
-use crate::index::{BodyIndex, DenseIndex, IndexedVec};
+use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
 use crate::island::union_find::UnionFind;
 use crate::minimum_degree::RowIndex;
 use crate::parameters::spatial_joints::GROUP_MAX_FACTOR_PRODUCTS;
@@ -25,16 +25,16 @@ pub(in super::super) fn spatial_groups(
     bodies: &BodySet,
 ) -> (Vec<SpatialJointGroup>, Vec<JointIndex>) {
     let mut unions = UnionFind::new(bodies.states.len());
-    for [a, b] in joints.iter().map(|hold| hold.anchors.map(|end| end.body.0)) {
-        if a != 0 && b != 0 {
+    for [a, b] in joints.iter().map(|hold| hold.anchors.map(|end| end.body)) {
+        if a != BodyIndex::PLACEHOLDER && b != BodyIndex::PLACEHOLDER {
             unions.unite(a, b);
         }
     }
-    let mut root_of = |hold: &JointConstraint| unions.find(hold.anchors[0].body.max(hold.anchors[1].body).0);
-    let roots: Vec<u32> = joints.iter().map(&mut root_of).collect();
+    let mut root_of = |hold: &JointConstraint| unions.find(hold.anchors[0].body.max(hold.anchors[1].body));
+    let roots: Vec<BodyIndex> = joints.iter().map(&mut root_of).collect();
     let mut groups: Vec<Vec<JointIndex>> = Vec::new();
     let distances = joints.iter().zip(&roots).filter(|(hold, _)| hold.locked == LockedDofs::Distance);
-    let mut has_distance: Vec<u32> = distances.map(|(_, &root)| root).collect();
+    let mut has_distance: Vec<BodyIndex> = distances.map(|(_, &root)| root).collect();
     has_distance.sort_unstable();
     has_distance.dedup();
     let (mut group_of, mut others) = (vec![None; has_distance.len()], Vec::new());
@@ -81,7 +81,7 @@ impl SpatialJointGroup {
             group.rows.extend(kinds.map(|kind| SpatialJointRow::new(of_joint, kind, closes_loop)));
         }
         let inverses = body_indices.iter().map(|&body| {
-            let [mass, inertia] = bodies.inverse_mass_inertia[body.position()].map(f64::from);
+            let [mass, inertia] = bodies.inverse_mass_inertia[body].map(f64::from);
             [mass, mass, inertia, mass]
         });
         group.inverse_masses = inverses.chain(std::iter::repeat_n([0.0; 4], ground_sides)).collect();
@@ -135,12 +135,18 @@ impl SpatialJointGroup {
     }
 }
 
+index_type! {
+    /// Index of a node of the joint graph: 0 for all static and kinematic bodies, then the other bodies.
+    struct GraphNode;
+}
+
 /// Returns for each joint of `members` whether it closes a loop of the joint graph, in which all static and kinematic bodies
 /// are one node.
 fn find_loop_closures(members: &[JointIndex], joints: &JointList, bodies: &[BodyIndex]) -> Vec<bool> {
     let mut unions = UnionFind::new(bodies.len() + 1);
     // Node 0 is the world.
-    let node_of = |body: BodyIndex| bodies.binary_search(&body).map_or(0, |place| place as u32 + 1);
+    let node_of =
+        |body: BodyIndex| bodies.binary_search(&body).map_or(GraphNode(0), |place| GraphNode::new(place + 1));
     let ends = members.iter().map(|&at| joints[at].anchors.map(|end| node_of(end.body)));
     let closes_loop = ends.map(|[a, b]| {
         let is_joined = unions.find(a) == unions.find(b);

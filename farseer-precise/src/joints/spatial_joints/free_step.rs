@@ -12,7 +12,6 @@ use super::group_solver::SpatialJointGroup;
 use super::joint_state::Velocity4;
 use super::row_kind::RowKind;
 use super::sparse_ldlt::SparseLdlt;
-use crate::index::DenseIndex;
 use crate::parameters::spatial_joints::{
     ROPE_MAX_ENERGY_GAIN, ROPE_MAX_STEP_PARTS, ROPE_MAX_SUBSTEP_PARTS, ROPE_MAX_SUBSTEP_PRODUCTS,
     ROPE_RETRY_FACTOR, ROPE_STABLE_LIMIT_FRACTION, ROPE_TENSION_MARGIN,
@@ -106,7 +105,7 @@ impl SpatialJointGroup {
     /// Adds a fraction (0..=1) of the velocity changes by forces in a substep to the velocities.
     fn apply_forces(&mut self, bodies: &BodySet, fraction: f64) {
         for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
-            let push = bodies.force_delta[body.position()];
+            let push = bodies.force_delta[body];
             (0..4).for_each(|i| velocity[i] += f64::from(push[i]) * fraction);
         }
     }
@@ -147,8 +146,8 @@ impl SpatialJointGroup {
         for ((velocity, way), &body) in
             self.velocities.iter().zip(self.displacements.iter()).zip(&self.bodies)
         {
-            bodies.states[body.position()].velocity = velocity.map(|velocity| velocity as f32);
-            bodies.delta_pose[body.position()] = way.map(|way| way as f32);
+            bodies.states[body].velocity = velocity.map(|velocity| velocity as f32);
+            bodies.delta_pose[body] = way.map(|way| way as f32);
         }
     }
 }

@@ -115,8 +115,8 @@ impl SpatialJointGroup {
     }
 
     /// Sets `is_contact_free`. `is_touched` returns whether contacts or springs act on a body.
-    pub(in super::super) fn update_contact_free(&mut self, is_touched: impl Fn(usize) -> bool) {
-        self.is_contact_free = !self.bodies.iter().any(|&body| is_touched(body.position()));
+    pub(in super::super) fn update_contact_free(&mut self, is_touched: impl Fn(BodyIndex) -> bool) {
+        self.is_contact_free = !self.bodies.iter().any(|&body| is_touched(body));
     }
 
     /// Prepares the group for a step of `dt` seconds with substeps of `h` seconds: sets poses, velocities of static and
@@ -139,8 +139,7 @@ impl SpatialJointGroup {
                 let (end, z) = (&joint.anchors[at], f64::from(depth_of(state.joint, at)));
                 (side.origin, side.arm, side.rotation) =
                     ([end.position[0], end.position[1], z], end.arm, 0.0);
-                let along_z =
-                    bodies.states.get(end.pose_body.position()).map_or(0.0, |hot| f64::from(hot.velocity[3]));
+                let along_z = bodies.states.at(end.pose_body).map_or(0.0, |hot| f64::from(hot.velocity[3]));
                 let [x, y, spin] = end.velocity;
                 let velocity =
                     [x, y, spin, if end.pose_body == BodyIndex::PLACEHOLDER { 0.0 } else { along_z }];
@@ -291,7 +290,7 @@ impl SpatialJointGroup {
     /// Copies the velocities of the bodies into `velocities` of the group.
     pub(super) fn load_velocities(&mut self, bodies: &BodySet) {
         for (velocity, &body) in self.velocities.iter_mut().zip(&self.bodies) {
-            *velocity = bodies.states[body.position()].velocity.map(f64::from);
+            *velocity = bodies.states[body].velocity.map(f64::from);
         }
     }
 
@@ -300,10 +299,7 @@ impl SpatialJointGroup {
     /// The change is added to the warm-started velocity as well, so that the next warm start does not apply it again.
     fn store_velocities(&self, bodies: &mut BodySet) {
         for (velocity, &body) in self.velocities.iter().zip(&self.bodies) {
-            let (now, begun) = (
-                &mut bodies.states[body.position()].velocity,
-                &mut bodies.warm_started_velocity[body.position()],
-            );
+            let (now, begun) = (&mut bodies.states[body].velocity, &mut bodies.warm_started_velocity[body]);
             for i in 0..4 {
                 let next = velocity[i] as f32;
                 begun[i] += next - now[i];

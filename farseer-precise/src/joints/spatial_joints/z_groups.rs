@@ -31,7 +31,7 @@ impl ZGroup {
         let mut unions = UnionFind::new(body_count);
         for [one, other] in point_joints(joints).map(|hold| hold.anchors.map(|end| end.body)) {
             if one != BodyIndex::PLACEHOLDER && other != BodyIndex::PLACEHOLDER {
-                unions.unite(one.0, other.0);
+                unions.unite(one, other);
             }
         }
         let mut bodies: Vec<BodyIndex> =
@@ -39,9 +39,9 @@ impl ZGroup {
         bodies.sort_unstable();
         bodies.dedup();
         // The representative of a component is its smallest index, so that it occurs first.
-        let mut all: Vec<(u32, ZGroup)> = Vec::new();
+        let mut all: Vec<(BodyIndex, ZGroup)> = Vec::new();
         for body in bodies.into_iter().filter(|&body| body != BodyIndex::PLACEHOLDER) {
-            let root = unions.find(body.0);
+            let root = unions.find(body);
             match all.binary_search_by_key(&root, |(of, _)| *of) {
                 Ok(at) => all[at].1.bodies.push(body),
                 Err(at) => all.insert(at, (root, ZGroup { bodies: vec![body], carrier: None })),
@@ -52,11 +52,11 @@ impl ZGroup {
     }
 
     /// Returns the mean of `value` over the bodies of the group, weighted by their masses, in the unit of `value`.
-    fn mass_weighted_mean(&self, bodies: &BodySet, value: impl Fn(usize) -> f32) -> f32 {
+    fn mass_weighted_mean(&self, bodies: &BodySet, value: impl Fn(BodyIndex) -> f32) -> f32 {
         let (mut sum, mut mass) = (0.0, 0.0);
         for &body in &self.bodies {
-            let weight = mass_of_inverse(bodies.inverse_mass_inertia[body.position()][0]);
-            (sum, mass) = (sum + weight * f64::from(value(body.position())), mass + weight);
+            let weight = mass_of_inverse(bodies.inverse_mass_inertia[body][0]);
+            (sum, mass) = (sum + weight * f64::from(value(body)), mass + weight);
         }
         (sum / mass) as f32
     }
@@ -66,7 +66,9 @@ impl ZGroup {
     fn z_velocity(&self, bodies: &BodySet) -> f32 {
         match self.carrier {
             Some(carrier) => bodies.states.get(carrier.position()).map_or(0.0, |hot| hot.velocity[3]),
-            None => self.mass_weighted_mean(bodies, |body| bodies.states[body].velocity[3]),
+            None => self.mass_weighted_mean(bodies, |body| {
+                bodies.states[BodyIndex::new(body.position())].velocity[3]
+            }),
         }
     }
 
@@ -76,8 +78,8 @@ impl ZGroup {
     pub(in super::super) fn equalize_z_velocity(&self, bodies: &mut BodySet) {
         let velocity = self.z_velocity(bodies);
         for &body in &self.bodies {
-            let now = &mut bodies.states[body.position()].velocity[3];
-            bodies.warm_started_velocity[body.position()][3] += velocity - *now;
+            let now = &mut bodies.states[body].velocity[3];
+            bodies.warm_started_velocity[body][3] += velocity - *now;
             *now = velocity;
         }
     }
@@ -88,11 +90,13 @@ impl ZGroup {
         let velocity = self.z_velocity(bodies);
         let way = match self.carrier {
             Some(_) => velocity * dt,
-            None => self.mass_weighted_mean(bodies, |body| bodies.delta_pose[body][3]),
+            None => {
+                self.mass_weighted_mean(bodies, |body| bodies.delta_pose[BodyIndex::new(body.position())][3])
+            }
         };
         for &body in &self.bodies {
-            bodies.states[body.position()].velocity[3] = velocity;
-            bodies.delta_pose[body.position()][3] = way;
+            bodies.states[body].velocity[3] = velocity;
+            bodies.delta_pose[body][3] = way;
         }
     }
 }
@@ -105,10 +109,10 @@ fn point_joints(joints: &JointList) -> impl Iterator<Item = &JointConstraint> {
 }
 
 /// Sets the carrier of each group in `all`, which is sorted by the root of its bodies in `unions`.
-fn find_carriers(joints: &JointList, unions: &mut UnionFind, all: &mut [(u32, ZGroup)]) {
+fn find_carriers(joints: &JointList, unions: &mut UnionFind<BodyIndex>, all: &mut [(BodyIndex, ZGroup)]) {
     for [one, other] in point_joints(joints).map(|hold| hold.anchors) {
         for (anchor, carrier) in [(one, other), (other, one)] {
-            let root = unions.find(anchor.body.0);
+            let root = unions.find(anchor.body);
             if carrier.body == BodyIndex::PLACEHOLDER
                 && let Ok(at) = all.binary_search_by_key(&root, |(of, _)| *of)
             {
