@@ -180,15 +180,7 @@ impl BodySet {
         movable: impl Iterator<Item = ListedBody>,
         statics: impl Iterator<Item = ListedBody>,
     ) {
-        self.has_body.clear();
-        self.kinematic.clear();
-        self.poses.clear();
-        self.rotations.clear();
-        self.inverse_mass_inertia.clear();
-        self.gravity_scales.clear();
-        self.max_extents.clear();
-        self.states.clear();
-        self.are_bullets.clear();
+        self.clear_pushed();
         self.reserve(count);
         self.push_placeholder();
         self.push_movable(MotionState::default(), f32::INFINITY, [false; 2]);
@@ -212,6 +204,24 @@ impl BodySet {
         let padded = (self.poses.len() + spare_capacity(count)).next_multiple_of(4);
         (self.poses.len()..padded).for_each(|_| self.push_placeholder());
         statics.for_each(|body| self.push_body(&body));
+        self.pad_movable(padded);
+    }
+
+    /// Clears the lists that [`rebuild`](Self::rebuild) extends body by body.
+    fn clear_pushed(&mut self) {
+        self.has_body.clear();
+        self.kinematic.clear();
+        self.poses.clear();
+        self.rotations.clear();
+        self.inverse_mass_inertia.clear();
+        self.gravity_scales.clear();
+        self.max_extents.clear();
+        self.states.clear();
+        self.are_bullets.clear();
+    }
+
+    /// Lengthens the lists of movable bodies to `padded` entries, and clears those that [`rebuild`](Self::rebuild) does not extend.
+    fn pad_movable(&mut self, padded: usize) {
         self.has_body.resize(padded, false);
         self.states.resize(padded, MotionState::default());
         self.max_extents.resize(padded, f32::INFINITY);

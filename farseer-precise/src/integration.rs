@@ -196,18 +196,16 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
     let constraint = contacts.constraint();
     let [a, b] = [constraint.a[lane], constraint.b[lane]];
     let of = |lanes: &f32x4| lanes.as_array()[lane];
-    let (mass_a, mass_b) = (of(&constraint.inverse_mass_a), of(&constraint.inverse_mass_b));
-    let normal =
-        f32x4::new([of(&constraint.normal_x), of(&constraint.normal_y), 0.0, of(&contacts.normal_z())]);
-    let normal_component = |change: f32x4| {
-        let [x, y, _, z] = (change * normal).to_array();
-        x + y + z
+    let axis = BounceAxis {
+        normal: f32x4::new([
+            of(&constraint.normal_x),
+            of(&constraint.normal_y),
+            0.0,
+            of(&contacts.normal_z()),
+        ]),
+        inverse_masses: [of(&constraint.inverse_mass_a), of(&constraint.inverse_mass_b)],
     };
-    // Changes of the positions or velocities of A and B for this change of their relative normal component.
-    let share = |amount: f32| {
-        let amount = normal * f32x4::splat(amount / (mass_a + mass_b));
-        (amount * f32x4::splat(-mass_a), amount * f32x4::splat(mass_b))
-    };
+    let mass_a = axis.inverse_masses[0];
     let half = f32x4::splat(0.5 * step.dt);
     let mean_displacement = |body: BodyIndex| {
         (f32x4::new(bodies.initial_velocity[body]) + f32x4::new(states[body].velocity)) * half
@@ -224,26 +222,49 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
     let arc = BounceArc {
         initial_separation: of(&constraint.initial_separation[0]),
         approach_velocity: of(&constraint.approach_velocity[0]),
-        acceleration: normal_component(acceleration(b) - acceleration(a)),
+        acceleration: axis.component(acceleration(b) - acceleration(a)),
         restitution: of(&constraint.restitution),
     };
     // Two dynamic bodies that have overlapped since an earlier step may have moved others in the meantime.
     let has_just_met = mass_a == 0.0 || arc.initial_separation >= 0.0;
     let bounced =
         if has_just_met && is_central_impact(constraint, lane) { arc.after_bounce(step.dt) } else { None };
-    let separation_change = normal_component(displacement_b - displacement_a) - surface_speed * step.dt;
-    let (change_a, change_b) = share(bounced.map_or(0.0, |(way, _)| way) - separation_change);
+    let separation_change = axis.component(displacement_b - displacement_a) - surface_speed * step.dt;
+    let (change_a, change_b) = axis.share(bounced.map_or(0.0, |(way, _)| way) - separation_change);
     if a != BodyIndex::PLACEHOLDER {
         bodies.delta_pose[a] = (displacement_a + change_a).to_array();
     }
     bodies.delta_pose[b] = (displacement_b + change_b).to_array();
     if let Some((_, velocity)) = bounced {
         let [now_a, now_b] = [a, b].map(|body| f32x4::new(states[body].velocity));
-        let (change_a, change_b) = share(velocity - (normal_component(now_b - now_a) - surface_speed));
+        let (change_a, change_b) = axis.share(velocity - (axis.component(now_b - now_a) - surface_speed));
         if a != BodyIndex::PLACEHOLDER {
             states[a].velocity = (now_a + change_a).to_array();
         }
         states[b].velocity = (now_b + change_b).to_array();
+    }
+}
+
+/// Normal of a bounce, and how A and B share changes along it.
+struct BounceAxis {
+    /// Unit normal from A to B: x, y, 0 in place of rotation, z. World axes.
+    normal: f32x4,
+    /// Reciprocals of the masses of A and B, 1/mass units, >= 0.
+    inverse_masses: [f32; 2],
+}
+
+impl BounceAxis {
+    /// Returns the component of a vector along the normal, in its unit.
+    fn component(&self, change: f32x4) -> f32 {
+        let [x, y, _, z] = (change * self.normal).to_array();
+        x + y + z
+    }
+
+    /// Returns the changes of the positions or velocities of A and B for a change of their relative normal component.
+    fn share(&self, amount: f32) -> (f32x4, f32x4) {
+        let [mass_a, mass_b] = self.inverse_masses;
+        let amount = self.normal * f32x4::splat(amount / (mass_a + mass_b));
+        (amount * f32x4::splat(-mass_a), amount * f32x4::splat(mass_b))
     }
 }
 

@@ -15,7 +15,7 @@ use crate::storage::order::{packed_key, sort_by_number};
 use farseer_precise::bodies::BodySet;
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::Proxies;
-use farseer_precise::direct_solver::island_stats::IslandCensus;
+use farseer_precise::direct_solver::island_stats::{IslandCensus, IslandStats};
 use farseer_precise::index::{BodyIndex, IndexedVec, PairIndex};
 use farseer_precise::island::falling_asleep::unite_islands;
 use farseer_precise::island::sleep::SleepState;
@@ -143,21 +143,7 @@ impl Precise {
             .bodies
             .states
             .indices()
-            .map(|body| {
-                let stats = census.stats_of(body);
-                if solver.sleep.is_asleep(body) {
-                    BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
-                } else if solver.direct_solver.is_direct(body) {
-                    let is_chosen = solver.direct_solver.choice() == SolverChoice::Direct;
-                    let why = if is_chosen { SolverReason::Chosen } else { SolverReason::Pays };
-                    BodyReport::new(IslandSolver::Direct, why, 1)
-                } else if stats.has_contacts() || solver.joints.has_joint(body) {
-                    let why = stats.iterative_reason(solver.direct_solver.choice());
-                    BodyReport::new(IslandSolver::Iterative, why, substeps)
-                } else {
-                    BodyReport::new(IslandSolver::Ballistic, SolverReason::NothingTouches, 1)
-                }
-            })
+            .map(|body| self.solver_report(body, census.stats_of(body), substeps))
             .collect();
         for (body, parts) in
             solver.joints.free_articulations(substeps).filter(|&(body, _)| !solver.sleep.is_asleep(body))
@@ -176,6 +162,24 @@ impl Precise {
             .newton_steps_of_islands()
             .for_each(|(body, steps)| reports[body].cost.newton_steps = steps);
         reports
+    }
+
+    /// Returns which solver has solved a body and why, without its cost. `stats`: those of its island; `substeps`: number of
+    /// substeps of the step.
+    fn solver_report(&self, body: BodyIndex, stats: &IslandStats, substeps: u32) -> BodyReport {
+        let solver = &self.solver;
+        if solver.sleep.is_asleep(body) {
+            BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
+        } else if solver.direct_solver.is_direct(body) {
+            let is_chosen = solver.direct_solver.choice() == SolverChoice::Direct;
+            let why = if is_chosen { SolverReason::Chosen } else { SolverReason::Pays };
+            BodyReport::new(IslandSolver::Direct, why, 1)
+        } else if stats.has_contacts() || solver.joints.has_joint(body) {
+            let why = stats.iterative_reason(solver.direct_solver.choice());
+            BodyReport::new(IslandSolver::Iterative, why, substeps)
+        } else {
+            BodyReport::new(IslandSolver::Ballistic, SolverReason::NothingTouches, 1)
+        }
     }
 
     /// Returns the largest errors of the contacts and joints of these bodies. Stale ids and bodies that are not dynamic

@@ -59,6 +59,20 @@ pub struct CachedManifold {
     pub depth: CachedManifoldZ,
 }
 
+impl CachedManifold {
+    /// Returns the number of contact points, 0..=2.
+    #[inline(always)]
+    pub fn point_count(&self) -> usize {
+        self.count as usize
+    }
+
+    /// Returns the anchors of the contact points: see [`anchors`](Self::anchors).
+    #[inline(always)]
+    pub(crate) fn point_anchors(&self) -> &[[f32; 4]] {
+        &self.anchors[..self.point_count()]
+    }
+}
+
 /// Depth-axis data of a [`CachedManifold`]: normal, offset and points along z.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct CachedManifoldZ {

@@ -67,54 +67,80 @@ impl IterativeSolver<'_> {
             let (mut rolling_solver, rolling) = self.rolling_solver();
             rolling_solver.prepare(rolling, step);
         }
-        let (has_rolling_contacts, has_joints) =
-            (!self.rolling_contacts.is_empty(), self.joints.act_in_substeps());
+        let has_joints = self.joints.act_in_substeps();
         for substep in 0..step.substeps {
-            self.apply_hinge_springs(step.h, substep == 0);
-            if has_rolling_contacts {
-                let (mut rolling_solver, rolling) = self.rolling_solver();
-                rolling_solver.begin_substep(rolling, step, substep == 0);
-            }
-            apply_warm_start(self.bodies, self.awake_body_runs, substep == 0);
-            self.apply_spin_warm_start(substep == 0);
-            if has_joints {
-                self.joints.solve_with_bias(self.bodies, step.h);
-            }
-            self.solve_hinge_stops(step.h);
-            match self.depth {
-                None => solve_contacts_with_bias(
-                    self.constraints,
-                    &mut self.bodies.states,
-                    self.joints.iterative_body_masks(),
-                    step,
-                    contact_substep,
-                ),
-                Some(_) => self.solve_with_bias_3d(step, contact_substep),
-            }
-            self.solve_hinge_stops(step.h);
-            if has_joints {
-                self.joints.equalize_z_velocity(self.bodies);
-                self.joints.limit_speeds(self.bodies, step.h);
-            }
+            self.begin_substep(step, substep == 0);
+            self.solve_with_bias(step, contact_substep, has_joints);
             integrate_positions(self.bodies, self.awake_body_runs, step.h, substep == 0);
-            self.update_hinge_angles();
-            if has_rolling_contacts {
-                let (mut rolling_solver, rolling) = self.rolling_solver();
-                rolling_solver.set_relax_separations(rolling);
-            }
-            if has_joints {
-                self.joints.update_anchors(self.bodies, step.h);
-                self.joints.relax(self.bodies, step.h);
-            }
-            match self.depth {
-                None => relax_contacts(self.constraints, &mut self.bodies.states, contact_substep),
-                Some(_) => self.relax_3d(contact_substep),
-            }
-            self.solve_hinge_stops(step.h);
-            if has_joints {
-                self.joints.equalize_z_velocity(self.bodies);
-            }
+            self.relax(step, contact_substep, has_joints);
         }
+        self.correct_displacements(step);
+        if may_bounce {
+            self.apply_restitution(step);
+        }
+    }
+
+    /// Start of a substep: applies the warm start of all bodies, and moves the points of rolling contacts. `is_first`: whether the
+    /// substep is the first of the step.
+    fn begin_substep(&mut self, step: &StepContext, is_first: bool) {
+        self.apply_hinge_springs(step.h, is_first);
+        if !self.rolling_contacts.is_empty() {
+            let (mut rolling_solver, rolling) = self.rolling_solver();
+            rolling_solver.begin_substep(rolling, step, is_first);
+        }
+        apply_warm_start(self.bodies, self.awake_body_runs, is_first);
+        self.apply_spin_warm_start(is_first);
+    }
+
+    /// Solves joints, hinges and contacts with bias, before positions are integrated. `has_joints`: whether joints act in the
+    /// substeps.
+    fn solve_with_bias(&mut self, step: &StepContext, substep: ContactSubstep, has_joints: bool) {
+        if has_joints {
+            self.joints.solve_with_bias(self.bodies, step.h);
+        }
+        self.solve_hinge_stops(step.h);
+        match self.depth {
+            None => solve_contacts_with_bias(
+                self.constraints,
+                &mut self.bodies.states,
+                self.joints.iterative_body_masks(),
+                step,
+                substep,
+            ),
+            Some(_) => self.solve_with_bias_3d(step, substep),
+        }
+        self.solve_hinge_stops(step.h);
+        if has_joints {
+            self.joints.equalize_z_velocity(self.bodies);
+            self.joints.limit_speeds(self.bodies, step.h);
+        }
+    }
+
+    /// Relaxation of joints, contacts and hinges, after positions are integrated: removes the velocity by which the bias resolved
+    /// errors. `has_joints`: whether joints act in the substeps.
+    fn relax(&mut self, step: &StepContext, substep: ContactSubstep, has_joints: bool) {
+        self.update_hinge_angles();
+        if !self.rolling_contacts.is_empty() {
+            let (mut rolling_solver, rolling) = self.rolling_solver();
+            rolling_solver.set_relax_separations(rolling);
+        }
+        if has_joints {
+            self.joints.update_anchors(self.bodies, step.h);
+            self.joints.relax(self.bodies, step.h);
+        }
+        match self.depth {
+            None => relax_contacts(self.constraints, &mut self.bodies.states, substep),
+            Some(_) => self.relax_3d(substep),
+        }
+        self.solve_hinge_stops(step.h);
+        if has_joints {
+            self.joints.equalize_z_velocity(self.bodies);
+        }
+    }
+
+    /// Applies the midpoint correction to the displacements of the step, except to those of rolling polygons.
+    fn correct_displacements(&mut self, step: &StepContext) {
+        let has_rolling_contacts = !self.rolling_contacts.is_empty();
         if has_rolling_contacts {
             let (rolling_solver, rolling) = self.rolling_solver();
             rolling_solver.save_delta_poses(rolling);
@@ -129,9 +155,6 @@ impl IterativeSolver<'_> {
         if has_rolling_contacts {
             let (mut rolling_solver, rolling) = self.rolling_solver();
             rolling_solver.restore_delta_poses(rolling);
-        }
-        if may_bounce {
-            self.apply_restitution(step);
         }
     }
 

@@ -167,63 +167,47 @@ impl RollingSolver<'_> {
         (roll.end_velocity_offsets, roll.initial_impulses) = ([0.0; 2], [f32::MAX; 2]);
         let Some(handle) = self.pairs.state(pair).constraint else { return };
         let [a, b] = roll.proxies.map(|proxy| self.proxies.body_of(proxy));
-        let manifold = self.pairs.manifold(pair);
-        let plane = StaticPlane::of(manifold);
-        let path = if is_first { [0.0; 4] } else { self.bodies.delta_pose[b] };
-        let half_turn = 0.5 * step.h * self.bodies.states[b].velocity[2];
-        let (sine, cosine) = scalar::sin_cos(path[2] + half_turn);
-        let q = rotate([cosine, sine], rotation(self.bodies.poses[b]));
-        let apart = difference(translation(self.bodies.poses[b]), translation(self.bodies.poses[a]));
-        let apart = sum(apart, [path[0], path[1]]);
         let outline = self.proxies.shape_of(at_b);
-        let corners = incident_edge(outline, rotate_inverse(q, plane.normal));
-        let arms = corners.map(|corner| rotate(q, outline.vertices[corner as usize]));
+        let edge = self.rolling_edge(roll, step, is_first);
+        let plane_normal = edge.plane.normal;
         let face = self.proxies.shape_of(at_a);
-        let on_face =
-            |arm: &Vector| is_over_face(face, rotation(self.bodies.poses[a]), plane.normal, sum(apart, *arm));
-        if !self.pairs.state(pair).is_on_ground && !arms.iter().all(on_face) {
+        let on_face = |arm: &Vector| {
+            is_over_face(face, rotation(self.bodies.poses[a]), plane_normal, sum(edge.apart, *arm))
+        };
+        if !self.pairs.state(pair).is_on_ground && !edge.arms.iter().all(on_face) {
             return;
         }
         let radius = outline.shape.radius;
         let kind = self.pairs.state(pair).kind;
         let old = self.constraints.get(kind, handle);
         let mut constraint = old;
-        for at in 0..2 {
-            let from = match roll.vertices.iter().position(|&corner| corner == corners[at]) {
-                Some(from) => Some(from),
-                None if roll.vertices.iter().any(|corner| corners.contains(corner)) => None,
-                None => Some(at),
-            };
-            let arm_b = cross(arms[at], plane.normal);
-            let middle = dot(sum(apart, arms[at]), plane.normal) - radius - plane.offset;
-            let kept = from.map_or(ContactPoint::default(), |from| old.points[from]);
-            constraint.points[at] = ContactPoint {
-                normal_arm_a: 0.0,
-                normal_arm_b: arm_b,
-                separation: middle - half_turn * arm_b,
-                normal_impulse: kept.normal_impulse,
-                // With a rest impulse of 0 the contact would sag at each new vertex, which loses energy.
-                rest_impulse: kept.normal_impulse,
-                normal_mass: 0.0,
-            };
-            constraint.points[at].normal_mass = constraint.effective_mass(&constraint.points[at]);
-            constraint.depth.totals[at] = from.map_or(0.0, |from| old.depth.totals[from]);
-        }
+        edge.set_points(&mut constraint, roll.vertices, &old, radius);
         let reach = self.parameters.speculative_distance;
-        constraint.tangent_arms[1] = friction_arm(&constraint, arms, plane.normal, radius, reach);
+        constraint.tangent_arms[1] = friction_arm(&constraint, edge.arms, plane_normal, radius, reach);
         let turning =
             constraint.inverse_inertias[1] * constraint.tangent_arms[1] * constraint.tangent_arms[1];
         constraint.tangent_mass = 1.0 / (constraint.inverse_masses[1] + turning);
-        let (sine, cosine) = scalar::sin_cos(half_turn);
-        let still_face = incident_edge(outline, rotate_inverse(rotate([cosine, sine], q), plane.normal));
-        roll.end_velocity_offsets = std::array::from_fn(|at| {
-            let stays = still_face.contains(&corners[at]);
-            if stays { -2.0 * half_turn * half_turn * dot(arms[at], plane.normal) } else { 0.0 }
-        });
-        roll.vertices = corners;
+        roll.end_velocity_offsets = edge.end_velocity_offsets(outline);
+        roll.vertices = edge.corners;
         roll.initial_impulses = constraint.points.map(|point| point.normal_impulse);
         self.replace_warm_start(b, &old, &constraint);
         self.constraints.set(kind, handle, &constraint);
+    }
+
+    /// Returns the edge on which a polygon rolls, in the middle of the coming substep.
+    fn rolling_edge(&self, roll: &RollingContact, step: &StepContext, is_first: bool) -> RollingEdge {
+        let [a, b] = roll.proxies.map(|proxy| self.proxies.body_of(proxy));
+        let plane = StaticPlane::of(self.pairs.manifold(roll.pair));
+        let path = if is_first { [0.0; 4] } else { self.bodies.delta_pose[b] };
+        let half_turn = 0.5 * step.h * self.bodies.states[b].velocity[2];
+        let (sine, cosine) = scalar::sin_cos(path[2] + half_turn);
+        let q = rotate([cosine, sine], rotation(self.bodies.poses[b]));
+        let apart = difference(translation(self.bodies.poses[b]), translation(self.bodies.poses[a]));
+        let apart = sum(apart, [path[0], path[1]]);
+        let outline = self.proxies.shape_of(roll.proxies[1]);
+        let corners = incident_edge(outline, rotate_inverse(q, plane.normal));
+        let arms = corners.map(|corner| rotate(q, outline.vertices[corner as usize]));
+        RollingEdge { plane, half_turn, rotation: q, apart, corners, arms }
     }
 
     /// Adjusts the warm start of body `b` after an update of its constraint. Adds the velocity change by the normal impulses
@@ -289,6 +273,69 @@ impl RollingSolver<'_> {
         for roll in rolling {
             self.bodies.delta_pose[self.proxies.body_of(roll.proxies[1])] = roll.delta_pose;
         }
+    }
+}
+
+/// Edge of a polygon that faces the plane on which the polygon rolls, in the middle of a substep. World axes.
+struct RollingEdge {
+    plane: StaticPlane,
+    /// Rotation of the polygon in half of the substep, radians.
+    half_turn: f32,
+    /// Cosine and sine of the rotation of the polygon.
+    rotation: Vector,
+    /// Position of the polygon's body relative to that of the face, length units.
+    apart: Vector,
+    /// Indices of the vertices at both ends of the edge.
+    corners: [u32; 2],
+    /// Vectors from the origin of the polygon's body to both vertices, length units.
+    arms: [Vector; 2],
+}
+
+impl RollingEdge {
+    /// Sets the two points of `constraint` to the ends of the edge. A point at a vertex of the last substep (`known`) keeps the
+    /// impulses that the point had in `old`. `radius`: rounding of the polygon, length units.
+    fn set_points(
+        &self,
+        constraint: &mut ContactConstraint,
+        known: [u32; 2],
+        old: &ContactConstraint,
+        radius: f32,
+    ) {
+        let RollingEdge { plane, half_turn, apart, corners, arms, .. } = self;
+        for at in 0..2 {
+            let from = match known.iter().position(|&corner| corner == corners[at]) {
+                Some(from) => Some(from),
+                None if known.iter().any(|corner| corners.contains(corner)) => None,
+                None => Some(at),
+            };
+            let arm_b = cross(arms[at], plane.normal);
+            let middle = dot(sum(*apart, arms[at]), plane.normal) - radius - plane.offset;
+            let kept = from.map_or(ContactPoint::default(), |from| old.points[from]);
+            constraint.points[at] = ContactPoint {
+                normal_arm_a: 0.0,
+                normal_arm_b: arm_b,
+                separation: middle - half_turn * arm_b,
+                normal_impulse: kept.normal_impulse,
+                // With a rest impulse of 0 the contact would sag at each new vertex, which loses energy.
+                rest_impulse: kept.normal_impulse,
+                normal_mass: 0.0,
+            };
+            constraint.points[at].normal_mass = constraint.effective_mass(&constraint.points[at]);
+            constraint.depth.totals[at] = from.map_or(0.0, |from| old.depth.totals[from]);
+        }
+    }
+
+    /// Returns [`RollingContact::end_velocity_offsets`] for vertices that are still on the facing edge at the end of the substep;
+    /// else 0. Length units.
+    fn end_velocity_offsets(&self, outline: ShapeRef<'_>) -> [f32; 2] {
+        let RollingEdge { plane, half_turn, rotation, corners, arms, .. } = self;
+        let (sine, cosine) = scalar::sin_cos(*half_turn);
+        let still_face =
+            incident_edge(outline, rotate_inverse(rotate([cosine, sine], *rotation), plane.normal));
+        std::array::from_fn(|at| {
+            let stays = still_face.contains(&corners[at]);
+            if stays { -2.0 * half_turn * half_turn * dot(arms[at], plane.normal) } else { 0.0 }
+        })
     }
 }
 

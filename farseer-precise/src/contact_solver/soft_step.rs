@@ -361,37 +361,47 @@ pub(crate) fn accumulate_warm_start<const FIXED: bool, const P: usize>(
                 adapt_load_with_joints::<FIXED, P, _>(constraint, &pair_velocities, speed, adaptation, masks)
             }
         }
-        let sum = |of: fn(&ContactPointSimd) -> f32x4| {
-            constraint.points[1..].iter().fold(of(&constraint.points[0]), |sum, point| sum + of(point))
-        };
-        let along = sum(|point| point.normal_impulse);
-        let turn_a = sum(|point| point.normal_impulse * point.normal_arm_a)
-            + constraint.tangent_impulse * constraint.tangent_arm_a;
-        let turn_b = sum(|point| point.normal_impulse * point.normal_arm_b)
-            + constraint.tangent_impulse * constraint.tangent_arm_b;
-        let x = along * constraint.normal_x + constraint.tangent_impulse * constraint.normal_y;
-        let y = along * constraint.normal_y - constraint.tangent_impulse * constraint.normal_x;
-        let mut add = |bodies: &[BodyIndex; 4], columns: [f32x4; 3]| {
-            let rows = f32x4::transpose([columns[0], columns[1], columns[2], ZERO]);
-            for (&body, change) in bodies.iter().zip(rows) {
-                let sum = &mut warm_start[body];
-                *sum = (f32x4::new(*sum) + change).to_array();
-            }
-        };
-        if !FIXED {
-            let (mass, inertia) = (ZERO - constraint.inverse_mass_a, ZERO - constraint.inverse_inertia_a);
-            add(&constraint.a, [mass * x, mass * y, inertia * turn_a]);
-        }
-        add(
-            &constraint.b,
-            [
-                constraint.inverse_mass_b * x,
-                constraint.inverse_mass_b * y,
-                constraint.inverse_inertia_b * turn_b,
-            ],
-        );
+        add_impulses::<FIXED, P>(constraint, warm_start);
     });
     may_bounce
+}
+
+/// Adds to `warm_start` of both bodies of each lane the velocity changes by the impulses of a block of constraints in the plane:
+/// x, y (length units/s), angular velocity (radians/s), 0.
+#[inline(always)]
+fn add_impulses<const FIXED: bool, const P: usize>(
+    constraint: &ContactConstraintSimd<P>,
+    warm_start: &mut IndexedVec<BodyIndex, [f32; 4]>,
+) {
+    let sum = |of: fn(&ContactPointSimd) -> f32x4| {
+        constraint.points[1..].iter().fold(of(&constraint.points[0]), |sum, point| sum + of(point))
+    };
+    let along = sum(|point| point.normal_impulse);
+    let turn_a = sum(|point| point.normal_impulse * point.normal_arm_a)
+        + constraint.tangent_impulse * constraint.tangent_arm_a;
+    let turn_b = sum(|point| point.normal_impulse * point.normal_arm_b)
+        + constraint.tangent_impulse * constraint.tangent_arm_b;
+    let x = along * constraint.normal_x + constraint.tangent_impulse * constraint.normal_y;
+    let y = along * constraint.normal_y - constraint.tangent_impulse * constraint.normal_x;
+    if !FIXED {
+        let (mass, inertia) = (ZERO - constraint.inverse_mass_a, ZERO - constraint.inverse_inertia_a);
+        add_columns(warm_start, &constraint.a, [mass * x, mass * y, inertia * turn_a, ZERO]);
+    }
+    let (mass, inertia) = (constraint.inverse_mass_b, constraint.inverse_inertia_b);
+    add_columns(warm_start, &constraint.b, [mass * x, mass * y, inertia * turn_b, ZERO]);
+}
+
+/// Adds four columns, one lane for each of four bodies, to the rows of these bodies.
+#[inline(always)]
+pub(crate) fn add_columns(
+    rows: &mut IndexedVec<BodyIndex, [f32; 4]>,
+    bodies: &[BodyIndex; 4],
+    columns: [f32x4; 4],
+) {
+    for (&body, change) in bodies.iter().zip(f32x4::transpose(columns)) {
+        let sum = &mut rows[body];
+        *sum = (f32x4::new(*sum) + change).to_array();
+    }
 }
 
 /// Solves all normal rows as soft constraints. Points with positive separation s are rigid rows u >= -s / h instead: they may
@@ -436,26 +446,14 @@ fn solve_soft_constraints<const FIXED: bool, const P: usize, R: SimdContacts<P>>
     if constraints.used_colors == 0 {
         return;
     }
-    let one = f32x4::splat(1.0);
-    let ContactSubstep { inverse_h, max_bias_speed, records_active_points } = substep;
-    let (inverse_h, fastest) = (f32x4::splat(inverse_h), f32x4::splat(-max_bias_speed));
     constraints.for_each(|contacts| {
-        let [rate, mass, leak_fraction] = softness(contacts.constraint());
+        let softness = softness(contacts.constraint());
         let mut pair_velocities = load_velocities::<FIXED, P>(contacts.constraint(), states);
         let mut velocity = normal_velocities::<FIXED, P, R>(contacts, &pair_velocities);
         let constraint = contacts.constraint_mut();
         let coupling = off_diagonal::<FIXED, P>(constraint);
         let (mut sum, mut changes) = (ZERO, [ZERO; P]);
-        let (mut bias_losses, mut weights) = ([ZERO; P], [ZERO; P]);
-        for at in 0..P {
-            let point = constraint.points[at];
-            let is_apart = point.separation.simd_gt(ZERO);
-            let bias =
-                select(is_apart, point.separation * inverse_h, greater(point.separation * rate, fastest));
-            let leak = (leak_fraction * (point.normal_impulse - point.rest_impulse)) & !is_apart;
-            bias_losses[at] = point.normal_mass * bias + leak;
-            weights[at] = point.normal_mass * select(is_apart, one, mass);
-        }
+        let (bias_losses, weights) = bias_and_weights(constraint, substep, softness);
         let losses = std::array::from_fn(|at| bias_losses[at] + weights[at] * velocity[at]);
         // In the plane only the relaxation uses the block solver.
         let (is_block, both) = if R::IS_3D {
@@ -472,13 +470,35 @@ fn solve_soft_constraints<const FIXED: bool, const P: usize, R: SimdContacts<P>>
             sum += changes[at];
             velocity[P - 1] += coupling * changes[at];
         }
-        if records_active_points {
+        if substep.records_active_points {
             constraint.record_active_points();
         }
         pair_velocities
             .apply_angular_impulses::<FIXED, P>(constraint, angular_impulses(constraint, &changes));
         pair_velocities.store_with_normal_impulse::<FIXED, P, R>(contacts, states, sum);
     });
+}
+
+/// Returns for each normal row of a block of soft constraints the impulse that it loses by its bias and by the leak towards its
+/// rest impulse (mass units * length units/s), and its softened effective mass (mass units).
+#[inline(always)]
+fn bias_and_weights<const P: usize>(
+    constraint: &ContactConstraintSimd<P>,
+    substep: ContactSubstep,
+    [rate, mass, leak_fraction]: [f32x4; 3],
+) -> ([f32x4; P], [f32x4; P]) {
+    let one = f32x4::splat(1.0);
+    let (inverse_h, fastest) = (f32x4::splat(substep.inverse_h), f32x4::splat(-substep.max_bias_speed));
+    let (mut bias_losses, mut weights) = ([ZERO; P], [ZERO; P]);
+    for at in 0..P {
+        let point = constraint.points[at];
+        let is_apart = point.separation.simd_gt(ZERO);
+        let bias = select(is_apart, point.separation * inverse_h, greater(point.separation * rate, fastest));
+        let leak = (leak_fraction * (point.normal_impulse - point.rest_impulse)) & !is_apart;
+        bias_losses[at] = point.normal_mass * bias + leak;
+        weights[at] = point.normal_mass * select(is_apart, one, mass);
+    }
+    (bias_losses, weights)
 }
 
 /// Block solver: solves both normal rows of a manifold at once. Returns the mask of the lanes to which the solution applies,
@@ -554,7 +574,6 @@ pub(crate) fn relax_normals<const FIXED: bool, const P: usize, R: SimdContacts<P
     let mut velocity = normal_velocities::<FIXED, P, R>(contacts, &pair_velocities);
     let constraint = contacts.constraint_mut();
     let coupling = off_diagonal::<FIXED, P>(constraint);
-    let (mut sum, mut load, mut changes) = (ZERO, ZERO, [ZERO; P]);
     let mut separations = [ZERO; P];
     let mut due = velocity;
     for at in 0..P {
@@ -574,6 +593,23 @@ pub(crate) fn relax_normals<const FIXED: bool, const P: usize, R: SimdContacts<P
             velocity[P - 1] += coupling * (impulses[at] - point.normal_impulse);
         }
     }
+    let result = store_relaxed(constraint, pair_velocities, separations, impulses);
+    if substep.records_active_points {
+        constraint.record_active_points();
+    }
+    result
+}
+
+/// Stores new separations (length units) and normal impulses (mass units * length units/s) in the points of a block. Returns the
+/// result of the relaxation of its normal rows.
+#[inline(always)]
+fn store_relaxed<const P: usize>(
+    constraint: &mut ContactConstraintSimd<P>,
+    velocities: PairVelocities,
+    separations: [f32x4; P],
+    impulses: [f32x4; P],
+) -> RelaxResult<P> {
+    let (mut sum, mut load, mut changes) = (ZERO, ZERO, [ZERO; P]);
     for at in 0..P {
         let point = &mut constraint.points[at];
         changes[at] = impulses[at] - point.normal_impulse;
@@ -582,15 +618,7 @@ pub(crate) fn relax_normals<const FIXED: bool, const P: usize, R: SimdContacts<P
         sum += changes[at];
         load += impulses[at];
     }
-    if substep.records_active_points {
-        constraint.record_active_points();
-    }
-    RelaxResult {
-        velocities: pair_velocities,
-        impulse_change: sum,
-        point_changes: changes,
-        normal_impulse: load,
-    }
+    RelaxResult { velocities, impulse_change: sum, point_changes: changes, normal_impulse: load }
 }
 
 /// Relaxation, after positions are integrated: solves normal rows and friction as rigid rows without bias, so that no velocity

@@ -13,8 +13,8 @@ use wide::f32x4;
 use crate::bodies::MotionState;
 use crate::constraint_graph::{ColorSet, ContactConstraint3Simd, ContactConstraintSimd, ContactPointSimd};
 use crate::contact_solver::soft_step::{
-    ContactSubstep, PairVelocities, RelaxResult, adapt_load, adapt_load_with_joints, angular_coupling,
-    angular_impulses, load_velocities, record_approach_velocity, relax_normals,
+    ContactSubstep, PairVelocities, RelaxResult, adapt_load, adapt_load_with_joints, add_columns,
+    angular_coupling, angular_impulses, load_velocities, record_approach_velocity, relax_normals,
 };
 use crate::index::{BodyIndex, IndexedVec};
 use crate::math::lanes::{greater, select, smaller};
@@ -263,42 +263,40 @@ pub(crate) fn accumulate_warm_start_3d<const FIXED: bool, const P: usize>(
             Some(masks) => adapt_load_with_joints::<FIXED, P, _>(contacts, &sides, speed, learning, masks),
         }
         contacts.step_impulses = [ZERO; 4];
-        let row = &contacts.planar;
-        let sum = |of: fn(&ContactPointSimd) -> f32x4| {
-            row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point))
-        };
-        let tangential = [row.tangent_impulse, contacts.second_tangent_impulse];
-        let turn = |of_points: f32x4, arm: f32x4, across_arm: f32x4| {
-            of_points + tangential[0] * arm + tangential[1] * across_arm + contacts.twist_impulse
-        };
-        let turn_a = turn(
-            sum(|p| p.normal_impulse * p.normal_arm_a),
-            row.tangent_arm_a,
-            contacts.second_tangent_arm_a,
-        );
-        let turn_b = turn(
-            sum(|p| p.normal_impulse * p.normal_arm_b),
-            row.tangent_arm_b,
-            contacts.second_tangent_arm_b,
-        );
-        let [x, y, z] = impulse_vector(contacts, sum(|point| point.normal_impulse), tangential);
-        let mut add = |bodies: &[BodyIndex; 4], columns: [f32x4; 4]| {
-            for (&body, change) in bodies.iter().zip(f32x4::transpose(columns)) {
-                let sum = &mut warm[body];
-                *sum = (f32x4::new(*sum) + change).to_array();
-            }
-        };
-        if !FIXED {
-            let (mass, inertia) = (ZERO - row.inverse_mass_a, ZERO - row.inverse_inertia_a);
-            add(&row.a, [mass * x, mass * y, inertia * turn_a, mass * z]);
-        }
-        let mass = row.inverse_mass_b;
-        add(&row.b, [mass * x, mass * y, row.inverse_inertia_b * turn_b, mass * z]);
+        add_impulses_3d::<FIXED, P>(contacts, warm);
         if P == 1 {
+            let tangential = [contacts.planar.tangent_impulse, contacts.second_tangent_impulse];
             apply_spins::<FIXED, P>(contacts, spins, tangential, |spin| &mut spin.warm_start);
         }
     });
     may_bounce
+}
+
+/// Adds to `warm` of both bodies of each lane the velocity changes by the impulses of a block of constraints in three axes: x, y
+/// (length units/s), angular velocity (radians/s), z (length units/s).
+#[inline(always)]
+fn add_impulses_3d<const FIXED: bool, const P: usize>(
+    contacts: &ContactConstraint3Simd<P>,
+    warm: &mut IndexedVec<BodyIndex, [f32; 4]>,
+) {
+    let row = &contacts.planar;
+    let sum = |of: fn(&ContactPointSimd) -> f32x4| {
+        row.points[1..].iter().fold(of(&row.points[0]), |sum, point| sum + of(point))
+    };
+    let tangential = [row.tangent_impulse, contacts.second_tangent_impulse];
+    let turn = |of_points: f32x4, arm: f32x4, across_arm: f32x4| {
+        of_points + tangential[0] * arm + tangential[1] * across_arm + contacts.twist_impulse
+    };
+    let of_points = [sum(|p| p.normal_impulse * p.normal_arm_a), sum(|p| p.normal_impulse * p.normal_arm_b)];
+    let turn_a = turn(of_points[0], row.tangent_arm_a, contacts.second_tangent_arm_a);
+    let turn_b = turn(of_points[1], row.tangent_arm_b, contacts.second_tangent_arm_b);
+    let [x, y, z] = impulse_vector(contacts, sum(|point| point.normal_impulse), tangential);
+    if !FIXED {
+        let (mass, inertia) = (ZERO - row.inverse_mass_a, ZERO - row.inverse_inertia_a);
+        add_columns(warm, &row.a, [mass * x, mass * y, inertia * turn_a, mass * z]);
+    }
+    let mass = row.inverse_mass_b;
+    add_columns(warm, &row.b, [mass * x, mass * y, row.inverse_inertia_b * turn_b, mass * z]);
 }
 
 /// Start of a substep: applies the warm start to ball spins. From the second substep on (`is_first` is false) the warm start

@@ -277,6 +277,17 @@ fn common_z(u: PosedVertical<'_>, prism: &PosedPrism<'_, '_>) -> f32 {
     0.5 * near + 0.5 * far
 }
 
+/// Returns the outermost point of a prism on a side, -1 (left) or 1 (right), at heights within `reach`; without such a point
+/// within `extent`, else its origin. Both are ranges of world y, length units.
+fn outermost_point(prism: &PosedPrism<'_, '_>, reach: [f32; 2], extent: [f32; 2], side: f32) -> SurfacePoint {
+    let within = prism.side_point(reach[0], reach[1], side);
+    within.or_else(|| prism.side_point(extent[0], extent[1], side)).unwrap_or(SurfacePoint {
+        position: translation(prism.solid.pose),
+        normal: [side, 0.0],
+        edge: None,
+    })
+}
+
 /// Returns the contact of a vertical shape (A) and a prism along the lateral axis. A flat side of the prism gives two contact
 /// points. `top` and `bottom` are the least and the greatest world y of the prism, in length units.
 fn lateral_axis_contact(
@@ -287,15 +298,8 @@ fn lateral_axis_contact(
 ) -> AxisContact {
     let [x, y, z] = u.position;
     let (from, to) = (y - u.shape.half_height, y + u.shape.half_height);
-    let side = |side: f32| {
-        let within = prism.side_point(from - contact_margin, to + contact_margin, side);
-        within.or_else(|| prism.side_point(top, bottom, side)).unwrap_or(SurfacePoint {
-            position: translation(prism.solid.pose),
-            normal: [side, 0.0],
-            edge: None,
-        })
-    };
-    let (left, right) = (side(-1.0), side(1.0));
+    let reach = [from - contact_margin, to + contact_margin];
+    let [left, right] = [-1.0, 1.0].map(|side| outermost_point(prism, reach, [top, bottom], side));
     let rectangle = FootprintPolygon::rectangle(
         [left.position[0] - x, prism.near_z - z],
         [right.position[0] - x, prism.far_z - z],
@@ -330,20 +334,27 @@ fn lateral_axis_contact(
                 .map_or(0.0, |spot| (spot.position[0] - face.position[0]) * nx);
             (place(y, gap.separation), gap.separation + here)
         };
-        (found.points, found.count) = ([at(high), at(low)], 2);
-        // The nearest point of a slanted side is a vertex, perhaps neither of the two. It then replaces the farther point.
-        let farther = usize::from(found.points[0].1 <= found.points[1].1);
-        let [far, near] = [found.points[farther].1, found.points[1 - farther].1];
-        if far > gap.separation + contact_margin
-            || near > gap.separation + NEARER_CORNER_MIN_ADVANTAGE * contact_margin
-        {
-            found.points[farther] =
-                (place(face.position[1].clamp(high, low), gap.separation), gap.separation);
-        }
+        let nearest = (place(face.position[1].clamp(high, low), gap.separation), gap.separation);
+        (found.points, found.count) = (with_nearest([at(high), at(low)], nearest, contact_margin), 2);
     } else if normal[1] != 0.0 {
         found.points = [(place(face.position[1], gap.separation), apart); 2];
     }
     found
+}
+
+/// Returns the two points of a contact with the side of a prism, each with its separation in length units. The nearest point of a
+/// slanted side is a vertex, perhaps neither of the two. It then replaces the farther point.
+fn with_nearest(
+    mut points: [([f32; 3], f32); 2],
+    nearest: ([f32; 3], f32),
+    contact_margin: f32,
+) -> [([f32; 3], f32); 2] {
+    let farther = usize::from(points[0].1 <= points[1].1);
+    let [far, near] = [points[farther].1, points[1 - farther].1];
+    if far > nearest.1 + contact_margin || near > nearest.1 + NEARER_CORNER_MIN_ADVANTAGE * contact_margin {
+        points[farther] = nearest;
+    }
+    points
 }
 
 /// Returns the axis of largest separation among the normals of the prism's edges, the lateral axis and the vertical axis, with

@@ -26,33 +26,12 @@ impl NarrowPhase<'_> {
             let inverse = mass_a + mass_b + inertia_a * arm_a * arm_a + inertia_b * arm_b * arm_b;
             if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
         };
-        let mut points =
-            [ContactPoint { separation: self.parameters.length_unit, ..ContactPoint::default() }; 2];
-        let (mut tangent_a, mut tangent_b) = (0.0, 0.0);
-        let lead_rotation =
-            [1.0 - 0.5 * cached.arm_lead_angle * cached.arm_lead_angle, cached.arm_lead_angle];
-        for (at, point) in points.iter_mut().enumerate().take(cached.count as usize) {
-            let [ax, ay, bx, by] = cached.anchors[at];
-            // The contact point of a rounded vertex keeps its direction from the vertex while the body rotates.
-            let round_offset = scaled(normal, two.b.shape.radius);
-            let [bx, by] = difference(rotate(lead_rotation, sum([bx, by], round_offset)), round_offset);
-            let (arm_a, arm_b) = (cross([ax, ay], normal), cross([bx, by], normal));
-            tangent_a -= dot([ax, ay], normal);
-            tangent_b -= dot([bx, by], normal);
-            *point = ContactPoint {
-                normal_arm_a: arm_a,
-                normal_arm_b: arm_b,
-                normal_mass: effective_mass(arm_a, arm_b),
-                separation: cached.separations[at],
-                ..ContactPoint::default()
-            };
-        }
-        let inverse_count = 1.0 / cached.count as f32;
-        let tangent_arms = [tangent_a * inverse_count, tangent_b * inverse_count];
+        let (points, tangent_arms) =
+            planar_points(cached, two.b.shape.radius, self.parameters.length_unit, effective_mass);
         let constraint = ContactConstraint {
             a: if is_fixed { BodyIndex::PLACEHOLDER } else { two.a.body },
             b: two.b.body,
-            pair: pair,
+            pair,
             normal,
             inverse_masses: [mass_a, mass_b],
             inverse_inertias: [inertia_a, inertia_b],
@@ -89,20 +68,13 @@ impl NarrowPhase<'_> {
             ..
         } = *self.pairs.manifold(pair);
         let (tangent, [ux, uy, uz]) = tangents([x, y, normal_z]);
-        let points = &anchors[..count as usize];
-        let arms = |along: Vector| {
-            let sum = points.iter().fold([0.0; 2], |[of_a, of_b], &[ax, ay, bx, by]| {
-                [of_a + cross([ax, ay], along), of_b + cross([bx, by], along)]
-            });
-            sum.map(|arm| arm / count as f32)
-        };
+        let points = self.pairs.manifold(pair).point_anchors();
         let (mut points_3d, mut tangent_arms, mut across_arms) =
-            (constraint.points, arms(tangent), arms([ux, uy]));
+            (constraint.points, mean_arms(points, tangent), mean_arms(points, [ux, uy]));
         if self.rotates_about_y(two.a) {
-            // A unit angular velocity about the upright axis gives a point at r the velocity (-r.z, 0, r.x).
-            let arm = |at: usize, [x, _, z]: [f32; 3]| anchors[at][0] * z - points_z[at] * x;
-            let mean = |axis| (0..count as usize).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
-            for (at, point) in points_3d.iter_mut().enumerate().take(count as usize) {
+            let arm = |at: usize, axis: [f32; 3]| arm_about_y(anchors[at][0], points_z[at], axis);
+            let mean = |axis| (0..points.len()).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
+            for (at, point) in points_3d.iter_mut().enumerate().take(points.len()) {
                 point.normal_arm_a = arm(at, [x, y, normal_z]);
                 if HingeFeature::ENABLED && two.a.body_type == BodyType::Hinged {
                     point.normal_mass = constraint.effective_mass(point);
@@ -156,6 +128,53 @@ impl NarrowPhase<'_> {
         };
         self.constraints.set(state.kind, handle, &constraint);
     }
+}
+
+/// Returns the points of a contact constraint in the plane, without impulses, and the lever arms of friction of A and B (length
+/// units), the means over the points. `radius`: rounding of B, length units. `effective_mass` returns the effective mass (mass
+/// units) for lever arms of A and B (length units). Points that the manifold does not have get the separation `far`.
+fn planar_points(
+    cached: &CachedManifold,
+    radius: f32,
+    far: f32,
+    effective_mass: impl Fn(f32, f32) -> f32,
+) -> ([ContactPoint; 2], [f32; 2]) {
+    let normal = cached.normal;
+    let mut points = [ContactPoint { separation: far, ..ContactPoint::default() }; 2];
+    let (mut tangent_a, mut tangent_b) = (0.0, 0.0);
+    let lead_rotation = [1.0 - 0.5 * cached.arm_lead_angle * cached.arm_lead_angle, cached.arm_lead_angle];
+    for (at, (point, &[ax, ay, bx, by])) in points.iter_mut().zip(cached.point_anchors()).enumerate() {
+        // The contact point of a rounded vertex keeps its direction from the vertex while the body rotates.
+        let round_offset = scaled(normal, radius);
+        let [bx, by] = difference(rotate(lead_rotation, sum([bx, by], round_offset)), round_offset);
+        let (arm_a, arm_b) = (cross([ax, ay], normal), cross([bx, by], normal));
+        tangent_a -= dot([ax, ay], normal);
+        tangent_b -= dot([bx, by], normal);
+        *point = ContactPoint {
+            normal_arm_a: arm_a,
+            normal_arm_b: arm_b,
+            normal_mass: effective_mass(arm_a, arm_b),
+            separation: cached.separations[at],
+            ..ContactPoint::default()
+        };
+    }
+    let inverse_count = 1.0 / cached.count as f32;
+    (points, [tangent_a * inverse_count, tangent_b * inverse_count])
+}
+
+/// Returns the lever arms of A and B, means over the `anchors` of a manifold, for an impulse along an axis in the plane: length
+/// units.
+fn mean_arms(anchors: &[[f32; 4]], along: Vector) -> [f32; 2] {
+    let sum = anchors.iter().fold([0.0; 2], |[of_a, of_b], &[ax, ay, bx, by]| {
+        [of_a + cross([ax, ay], along), of_b + cross([bx, by], along)]
+    });
+    sum.map(|arm| arm / anchors.len() as f32)
+}
+
+/// Returns the lever arm about the upright axis for an impulse along `axis`, at a point with these components relative to the
+/// body's origin: length units. A unit angular velocity gives a point at r the velocity (-r.z, 0, r.x).
+fn arm_about_y(point_x: f32, point_z: f32, [x, _, z]: [f32; 3]) -> f32 {
+    point_x * z - point_z * x
 }
 
 /// Warm start of friction: stores the accumulated friction impulses of the old contact constraint in the new one. The old

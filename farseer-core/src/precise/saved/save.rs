@@ -25,27 +25,10 @@ impl Precise {
         if let Some(loaded) = &self.loaded {
             return loaded.clone();
         }
-        let mut has_escaped = IndexedVec::of_copies(false, solver.proxies.position_count());
-        solver.proxies.refitted().iter().for_each(|&proxy| has_escaped[proxy] = true);
-        let depth = solver.depth.as_ref();
         let order = saved_proxy_order(&solver.proxies);
         let mut saved_indices =
             IndexedVec::of_copies(SavedProxyIndex::default(), solver.proxies.position_count());
         (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = SavedProxyIndex(index));
-        let proxies = order.iter().map(|&at| {
-            let proxy = solver.proxies.proxy(at);
-            SavedProxy {
-                geom: geom_of(proxy),
-                number: proxy.creation_number,
-                piece: proxy.piece,
-                body_type: proxy.body_type,
-                fat_aabb: *solver.proxies.fat_aabb_of(at),
-                depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
-                travel: solver.proxies.travel_of(at),
-                is_refitted: has_escaped[at],
-                imported: self.imported_state_of(at),
-            }
-        });
         Saved {
             tuning: solver.parameters,
             h: solver.impulse_substep,
@@ -53,7 +36,7 @@ impl Precise {
             has_handled: solver.has_handler_changes,
             friction: solver.friction,
             most_contacts: solver.max_contacts,
-            proxies: proxies.collect(),
+            proxies: self.save_proxies(&order),
             pairs: solver.pairs.indices().map(|pair| self.save_pair(pair, &saved_indices)).collect(),
             awake_pair_count: solver.pairs.awake_count() as u32,
             gravity: solver.sleep.gravity,
@@ -68,6 +51,28 @@ impl Precise {
             wake_requests: wake_requests(&self.ids, &solver.sleep).collect(),
             touch_events: self.save_touch_events(),
         }
+    }
+
+    /// Returns the saved form of the proxies, in this `order`.
+    fn save_proxies(&self, order: &[ProxyIndex]) -> IndexedVec<SavedProxyIndex, SavedProxy> {
+        let (proxies, depth) = (&self.solver.proxies, self.solver.depth.as_ref());
+        let mut has_escaped = IndexedVec::of_copies(false, proxies.position_count());
+        proxies.refitted().iter().for_each(|&proxy| has_escaped[proxy] = true);
+        let save = |&at: &ProxyIndex| {
+            let proxy = proxies.proxy(at);
+            SavedProxy {
+                geom: geom_of(proxy),
+                number: proxy.creation_number,
+                piece: proxy.piece,
+                body_type: proxy.body_type,
+                fat_aabb: *proxies.fat_aabb_of(at),
+                depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
+                travel: proxies.travel_of(at),
+                is_refitted: has_escaped[at],
+                imported: self.imported_state_of(at),
+            }
+        };
+        order.iter().map(save).collect()
     }
 
     /// Returns the touch events in the order of creation numbers. The order of the events in memory depends on how pairs were
