@@ -196,28 +196,14 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
     let constraint = contacts.constraint();
     let [a, b] = [constraint.a[lane], constraint.b[lane]];
     let of = |lanes: &f32x4| lanes.as_array()[lane];
-    let axis = BounceAxis {
-        normal: f32x4::new([
-            of(&constraint.normal_x),
-            of(&constraint.normal_y),
-            0.0,
-            of(&contacts.normal_z()),
-        ]),
-        inverse_masses: [of(&constraint.inverse_mass_a), of(&constraint.inverse_mass_b)],
-    };
+    let axis = BounceAxis::of(contacts, lane);
     let mass_a = axis.inverse_masses[0];
-    let half = f32x4::splat(0.5 * step.dt);
-    let mean_displacement = |body: BodyIndex| {
-        (f32x4::new(bodies.initial_velocity[body]) + f32x4::new(states[body].velocity)) * half
-    };
-    let (displacement_a, displacement_b) =
-        (if a == BodyIndex::PLACEHOLDER { f32x4::ZERO } else { mean_displacement(a) }, mean_displacement(b));
+    let [displacement_a, displacement_b] =
+        [a, b].map(|body| mean_displacement(bodies, states, body, step.dt));
     // A kinematic A may rotate: velocity of its surface at the contact, along the normal.
-    let surface_speed = if a == BodyIndex::PLACEHOLDER || mass_a > 0.0 {
-        0.0
-    } else {
-        states[a].velocity[2] * of(&constraint.points[0].normal_arm_a)
-    };
+    let is_kinematic = !(a == BodyIndex::PLACEHOLDER || mass_a > 0.0);
+    let surface_speed =
+        if is_kinematic { states[a].velocity[2] * of(&constraint.points[0].normal_arm_a) } else { 0.0 };
     let acceleration = |body: BodyIndex| f32x4::new(bodies.force_delta[body]) * f32x4::splat(1.0 / step.h);
     let arc = BounceArc {
         initial_separation: of(&constraint.initial_separation[0]),
@@ -236,13 +222,23 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
     }
     bodies.delta_pose[b] = (displacement_b + change_b).to_array();
     if let Some((_, velocity)) = bounced {
-        let [now_a, now_b] = [a, b].map(|body| f32x4::new(states[body].velocity));
-        let (change_a, change_b) = axis.share(velocity - (axis.component(now_b - now_a) - surface_speed));
-        if a != BodyIndex::PLACEHOLDER {
-            states[a].velocity = (now_a + change_a).to_array();
-        }
-        states[b].velocity = (now_b + change_b).to_array();
+        axis.set_relative_velocity(states, [a, b], |now| velocity - (now - surface_speed));
     }
+}
+
+/// Returns the displacement of a body in a step of `dt` seconds at the mean of its velocities before and after the step: x, y
+/// (length units), rotation (radians), z (length units). Zeros for the placeholder.
+fn mean_displacement(
+    bodies: &BodySet,
+    states: &IndexedVec<BodyIndex, MotionState>,
+    body: BodyIndex,
+    dt: f32,
+) -> f32x4 {
+    if body == BodyIndex::PLACEHOLDER {
+        return f32x4::ZERO;
+    }
+    let half = f32x4::splat(0.5 * dt);
+    (f32x4::new(bodies.initial_velocity[body]) + f32x4::new(states[body].velocity)) * half
 }
 
 /// Normal of a bounce, and how A and B share changes along it.
@@ -254,6 +250,33 @@ struct BounceAxis {
 }
 
 impl BounceAxis {
+    /// Returns the axis of the contact in `lane`, 0..=3.
+    fn of<const P: usize, R: SimdContacts<P>>(contacts: &R, lane: usize) -> Self {
+        let constraint = contacts.constraint();
+        let of = |lanes: &f32x4| lanes.as_array()[lane];
+        let [x, y, z] = [of(&constraint.normal_x), of(&constraint.normal_y), of(&contacts.normal_z())];
+        BounceAxis {
+            normal: f32x4::new([x, y, 0.0, z]),
+            inverse_masses: [of(&constraint.inverse_mass_a), of(&constraint.inverse_mass_b)],
+        }
+    }
+
+    /// Changes the velocities of the bodies A and B along the normal. `change` returns the change of their relative normal velocity
+    /// (length units/s) for the present one.
+    fn set_relative_velocity(
+        &self,
+        states: &mut IndexedVec<BodyIndex, MotionState>,
+        [a, b]: [BodyIndex; 2],
+        change: impl Fn(f32) -> f32,
+    ) {
+        let [now_a, now_b] = [a, b].map(|body| f32x4::new(states[body].velocity));
+        let (change_a, change_b) = self.share(change(self.component(now_b - now_a)));
+        if a != BodyIndex::PLACEHOLDER {
+            states[a].velocity = (now_a + change_a).to_array();
+        }
+        states[b].velocity = (now_b + change_b).to_array();
+    }
+
     /// Returns the component of a vector along the normal, in its unit.
     fn component(&self, change: f32x4) -> f32 {
         let [x, y, _, z] = (change * self.normal).to_array();

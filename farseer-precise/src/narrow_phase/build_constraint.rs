@@ -62,7 +62,6 @@ impl NarrowPhase<'_> {
     ) -> ContactConstraint {
         let CachedManifold {
             normal: [x, y],
-            count,
             anchors,
             depth: CachedManifoldZ { normal_z, patch_radius, points_z, .. },
             ..
@@ -72,9 +71,10 @@ impl NarrowPhase<'_> {
         let (mut points_3d, mut tangent_arms, mut across_arms) =
             (constraint.points, mean_arms(points, tangent), mean_arms(points, [ux, uy]));
         if self.rotates_about_y(two.a) {
+            let count = points.len();
             let arm = |at: usize, axis: [f32; 3]| arm_about_y(anchors[at][0], points_z[at], axis);
-            let mean = |axis| (0..points.len()).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
-            for (at, point) in points_3d.iter_mut().enumerate().take(points.len()) {
+            let mean = |axis| (0..count).map(|at| arm(at, axis)).sum::<f32>() / count as f32;
+            for (at, point) in points_3d.iter_mut().enumerate().take(count) {
                 point.normal_arm_a = arm(at, [x, y, normal_z]);
                 if HingeFeature::ENABLED && two.a.body_type == BodyType::Hinged {
                     point.normal_mass = constraint.effective_mass(point);
@@ -83,22 +83,21 @@ impl NarrowPhase<'_> {
             tangent_arms[0] = mean([tangent[0], tangent[1], 0.0]);
             across_arms[0] = mean([ux, uy, uz]);
         }
-        let [at_a, at_b] = self.pairs.proxies_of(pair);
-        let [friction, restitution] = space.combined_surface([at_a, at_b], [two.a, two.b], self.friction);
+        let proxies = self.pairs.proxies_of(pair);
+        let [friction, restitution] = space.combined_surface(proxies, [two.a, two.b], self.friction);
+        let belt_speed = |axis: Vector| tangent_surface_speed(two.a, axis, anchors[0]);
+        let across_speed = belt_speed([-uy, ux]) + uz * two.a.surface_velocity[3];
         ContactConstraint {
             friction,
             restitution,
             tangent_arms,
             points: points_3d,
-            tangent_speed: tangent_surface_speed(two.a, [-tangent[1], tangent[0]], anchors[0])
-                .clamp(f32::MIN, f32::MAX),
+            tangent_speed: belt_speed([-tangent[1], tangent[0]]).clamp(f32::MIN, f32::MAX),
             depth: ContactConstraintZ {
                 normal_z,
                 across_arms,
-                radii: [space.rolling_radius(at_a, two.a), space.rolling_radius(at_b, two.b)],
-                across_speed: (tangent_surface_speed(two.a, [-uy, ux], anchors[0])
-                    + uz * two.a.surface_velocity[3])
-                    .clamp(f32::MIN, f32::MAX),
+                radii: [space.rolling_radius(proxies[0], two.a), space.rolling_radius(proxies[1], two.b)],
+                across_speed: across_speed.clamp(f32::MIN, f32::MAX),
                 spread: patch_radius,
                 ..ContactConstraintZ::default()
             },

@@ -183,17 +183,7 @@ impl Precise {
         saved_indices: &IndexedVec<ProxyIndex, SavedProxyIndex>,
     ) -> SavedPair {
         let (watch, state) = (*self.solver.pairs.trigger(pair), *self.solver.pairs.state(pair));
-        let CachedManifold {
-            rotations,
-            relative_pose,
-            normal,
-            count,
-            anchors,
-            separations,
-            features,
-            arm_lead_angle,
-            depth,
-        } = *self.solver.pairs.manifold(pair);
+        let manifold = self.solver.pairs.manifold(pair);
         SavedPair {
             proxies: watch.proxies.map(|proxy| saved_indices[proxy]),
             motion_at_check: watch.motion_at_check,
@@ -202,18 +192,8 @@ impl Precise {
             is_vetoed: state.is_vetoed,
             was_vetoed: state.was_vetoed,
             one_way_state: state.one_way_state,
-            manifold: SavedManifold {
-                rotations,
-                relative_pose,
-                normal,
-                count,
-                anchors,
-                separations,
-                features,
-                arm_lead_angle,
-                depth,
-            },
-            constraint: state.constraint.map(|handle| self.save_constraint(&state, handle, count)),
+            manifold: SavedManifold::of(manifold),
+            constraint: state.constraint.map(|handle| self.save_constraint(&state, handle, manifold.count)),
         }
     }
 
@@ -241,6 +221,34 @@ impl Precise {
             separations: points.map(|point| nearest_finite(point.separation)),
             sleeping_surface: surface.filter(|_| sleeping.is_some()),
             awake_surface: surface.filter(|_| sleeping.is_none()),
+        }
+    }
+}
+
+impl SavedManifold {
+    /// Returns the saved form of a manifold.
+    fn of(manifold: &CachedManifold) -> Self {
+        let CachedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            features,
+            arm_lead_angle,
+            depth,
+        } = *manifold;
+        SavedManifold {
+            rotations,
+            relative_pose,
+            normal,
+            count,
+            anchors,
+            separations,
+            features,
+            arm_lead_angle,
+            depth,
         }
     }
 }
