@@ -5,7 +5,7 @@
 //! displacement into that of the midpoint rule where no impact occurred. For an isolated bounce `resolve_bounce` replaces the
 //! displacement by a closed form. The broad phase then tests the new poses against the fat AABBs.
 
-use crate::index::{BodyIndex, DenseIndex, IndexedVec};
+use crate::index::{BodyIndex, DenseIndex};
 use crate::parameters::contacts::{CENTRAL_IMPACT_TOLERANCE, MIDPOINT_MAX_VELOCITY_CHANGE};
 use std::ops::Range;
 
@@ -165,7 +165,7 @@ pub(crate) fn apply_midpoint_correction(
 /// thousand bounces.
 pub(crate) fn resolve_bounce<const P: usize, R: SimdContacts<P>>(
     bodies: &mut BodySet,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
+    states: &mut [MotionState],
     (color_usage, joints): (&ColorUsage, &JointSystem),
     step: &StepContext,
     contacts: &R,
@@ -188,7 +188,7 @@ pub(crate) fn resolve_bounce<const P: usize, R: SimdContacts<P>>(
 /// [`resolve_bounce`].
 fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
     bodies: &mut BodySet,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
+    states: &mut [MotionState],
     step: &StepContext,
     contacts: &R,
     lane: usize,
@@ -202,8 +202,11 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
         [a, b].map(|body| mean_displacement(bodies, states, body, step.dt));
     // A kinematic A may rotate: velocity of its surface at the contact, along the normal.
     let is_kinematic = !(a == BodyIndex::PLACEHOLDER || mass_a > 0.0);
-    let surface_speed =
-        if is_kinematic { states[a].velocity[2] * of(&constraint.points[0].normal_arm_a) } else { 0.0 };
+    let surface_speed = if is_kinematic {
+        states[a.position()].velocity[2] * of(&constraint.points[0].normal_arm_a)
+    } else {
+        0.0
+    };
     let acceleration = |body: BodyIndex| f32x4::new(bodies.force_delta[body]) * f32x4::splat(1.0 / step.h);
     let arc = BounceArc {
         initial_separation: of(&constraint.initial_separation[0]),
@@ -228,17 +231,12 @@ fn resolve_bounce_lane<const P: usize, R: SimdContacts<P>>(
 
 /// Returns the displacement of a body in a step of `dt` seconds at the mean of its velocities before and after the step: x, y
 /// (length units), rotation (radians), z (length units). Zeros for the placeholder.
-fn mean_displacement(
-    bodies: &BodySet,
-    states: &IndexedVec<BodyIndex, MotionState>,
-    body: BodyIndex,
-    dt: f32,
-) -> f32x4 {
+fn mean_displacement(bodies: &BodySet, states: &[MotionState], body: BodyIndex, dt: f32) -> f32x4 {
     if body == BodyIndex::PLACEHOLDER {
         return f32x4::ZERO;
     }
     let half = f32x4::splat(0.5 * dt);
-    (f32x4::new(bodies.initial_velocity[body]) + f32x4::new(states[body].velocity)) * half
+    (f32x4::new(bodies.initial_velocity[body]) + f32x4::new(states[body.position()].velocity)) * half
 }
 
 /// Normal of a bounce, and how A and B share changes along it.
@@ -265,16 +263,16 @@ impl BounceAxis {
     /// (length units/s) for the present one.
     fn set_relative_velocity(
         &self,
-        states: &mut IndexedVec<BodyIndex, MotionState>,
+        states: &mut [MotionState],
         [a, b]: [BodyIndex; 2],
         change: impl Fn(f32) -> f32,
     ) {
-        let [now_a, now_b] = [a, b].map(|body| f32x4::new(states[body].velocity));
+        let [now_a, now_b] = [a, b].map(|body| f32x4::new(states[body.position()].velocity));
         let (change_a, change_b) = self.share(change(self.component(now_b - now_a)));
         if a != BodyIndex::PLACEHOLDER {
-            states[a].velocity = (now_a + change_a).to_array();
+            states[a.position()].velocity = (now_a + change_a).to_array();
         }
-        states[b].velocity = (now_b + change_b).to_array();
+        states[b.position()].velocity = (now_b + change_b).to_array();
     }
 
     /// Returns the component of a vector along the normal, in its unit.

@@ -23,7 +23,7 @@ use crate::contact_solver::soft_step::{
 };
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
-use crate::index::{BodyIndex, IndexedVec, ProxyIndex};
+use crate::index::{IndexedVec, ProxyIndex};
 use crate::integration::{apply_midpoint_correction, apply_warm_start, integrate_positions, resolve_bounce};
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
@@ -272,8 +272,8 @@ impl IterativeSolver<'_> {
 /// `masks`: for each body all bits set if it has joints in the iterative solver, else 0; `None` if no body has.
 fn solve_contacts_with_bias(
     constraints: &mut ConstraintGraph,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
-    masks: Option<&IndexedVec<BodyIndex, u32>>,
+    states: &mut [MotionState],
+    masks: Option<&[u32]>,
     step: &StepContext,
     substep: ContactSubstep,
 ) {
@@ -294,11 +294,7 @@ fn solve_contacts_with_bias(
 }
 
 /// Relaxation: solves all contacts of the iterative solver in the plane as rigid constraints without bias, friction included.
-fn relax_contacts(
-    constraints: &mut ConstraintGraph,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
-    substep: ContactSubstep,
-) {
+fn relax_contacts(constraints: &mut ConstraintGraph, states: &mut [MotionState], substep: ContactSubstep) {
     let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, .. } = constraints;
     relax::<false, 2>(two_points, states, substep);
     relax::<false, 1>(one_point, states, substep);

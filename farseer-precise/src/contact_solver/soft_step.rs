@@ -23,7 +23,7 @@
 //!
 //! `FIXED` means that A is static: its velocity is neither read nor written. `P` is the number of points per constraint.
 
-use crate::index::{BodyIndex, IndexedVec, PairIndex};
+use crate::index::{BodyIndex, DenseIndex, PairIndex};
 use crate::parameters::contacts::BLOCK_MIN_RELATIVE_DETERMINANT;
 use wide::f32x4;
 
@@ -60,9 +60,9 @@ pub(crate) struct PairVelocities {
 #[inline(always)]
 pub(crate) fn load_velocities<const FIXED: bool, const P: usize>(
     constraint: &ContactConstraintSimd<P>,
-    states: &IndexedVec<BodyIndex, MotionState>,
+    states: &[MotionState],
 ) -> PairVelocities {
-    gather_pair::<FIXED, P>(constraint, |body| states[body].velocity)
+    gather_pair::<FIXED, P>(constraint, |body| states[body.position()].velocity)
 }
 
 /// Returns the displacements of both bodies of each lane in the last substep from `states`: x, y (length units), rotation
@@ -70,9 +70,9 @@ pub(crate) fn load_velocities<const FIXED: bool, const P: usize>(
 #[inline(always)]
 pub(crate) fn load_displacements<const FIXED: bool, const P: usize>(
     constraint: &ContactConstraintSimd<P>,
-    states: &IndexedVec<BodyIndex, MotionState>,
+    states: &[MotionState],
 ) -> PairVelocities {
-    gather_pair::<FIXED, P>(constraint, |body| states[body].displacement)
+    gather_pair::<FIXED, P>(constraint, |body| states[body.position()].displacement)
 }
 
 /// Returns the four components that `of` gives for each body index, transposed to one lane per constraint; 0 for A if `FIXED`.
@@ -141,7 +141,7 @@ impl PairVelocities {
     fn store_with_normal_impulse<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
         &self,
         contacts: &R,
-        states: &mut IndexedVec<BodyIndex, MotionState>,
+        states: &mut [MotionState],
         along: f32x4,
     ) {
         let constraint = contacts.constraint();
@@ -160,14 +160,14 @@ impl PairVelocities {
     pub(crate) fn store_with_impulse<const FIXED: bool, const P: usize>(
         &self,
         constraint: &ContactConstraintSimd<P>,
-        states: &mut IndexedVec<BodyIndex, MotionState>,
+        states: &mut [MotionState],
         is_in_space: bool,
         [x, y, z]: [f32x4; 3],
     ) {
         let mut put = |bodies: &[BodyIndex; 4], [vx, vy, turn, vz]: [f32x4; 4]| {
             let rows = f32x4::transpose([vx, vy, turn, if is_in_space { vz } else { ZERO }]);
             for (&body, velocity) in bodies.iter().zip(rows) {
-                states[body].velocity = velocity.to_array();
+                states[body.position()].velocity = velocity.to_array();
             }
         };
         let ([ax, ay, turn_a, az], [bx, by, turn_b, bz]) = (self.a, self.b);
@@ -286,9 +286,9 @@ pub(crate) fn adapt_load<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
 #[inline(always)]
 fn body_mask<const FIXED: bool, const P: usize>(
     constraint: &ContactConstraintSimd<P>,
-    masks: &IndexedVec<BodyIndex, u32>,
+    masks: &[u32],
 ) -> f32x4 {
-    let of = |body: BodyIndex| masks[body];
+    let of = |body: BodyIndex| masks[body.position()];
     f32x4::new(std::array::from_fn(|lane| {
         f32::from_bits(of(constraint.b[lane]) | if FIXED { 0 } else { of(constraint.a[lane]) })
     }))
@@ -306,7 +306,7 @@ pub(crate) fn adapt_load_with_joints<const FIXED: bool, const P: usize, R: SimdC
     pair_velocities: &PairVelocities,
     speed: f32x4,
     adaptation: &LoadAdaptation,
-    masks: &IndexedVec<BodyIndex, u32>,
+    masks: &[u32],
 ) {
     let mask = body_mask::<FIXED, P>(contacts.constraint(), masks);
     let kept = f32x4::splat(1.0 - adaptation.fall_rate);
@@ -340,9 +340,9 @@ pub(crate) fn adapt_load_with_joints<const FIXED: bool, const P: usize, R: SimdC
 #[inline(always)]
 pub(crate) fn accumulate_warm_start<const FIXED: bool, const P: usize>(
     constraints: &mut ColorSet<ContactConstraintSimd<P>>,
-    warm_start: &mut IndexedVec<BodyIndex, [f32; 4]>,
-    states: &IndexedVec<BodyIndex, MotionState>,
-    (adaptation, masks): (&LoadAdaptation, Option<&IndexedVec<BodyIndex, u32>>),
+    warm_start: &mut [[f32; 4]],
+    states: &[MotionState],
+    (adaptation, masks): (&LoadAdaptation, Option<&[u32]>),
     restitution_threshold: Option<f32>,
 ) -> bool {
     let mut may_bounce = false;
@@ -371,7 +371,7 @@ pub(crate) fn accumulate_warm_start<const FIXED: bool, const P: usize>(
 #[inline(always)]
 fn add_impulses<const FIXED: bool, const P: usize>(
     constraint: &ContactConstraintSimd<P>,
-    warm_start: &mut IndexedVec<BodyIndex, [f32; 4]>,
+    warm_start: &mut [[f32; 4]],
 ) {
     let sum = |of: fn(&ContactPointSimd) -> f32x4| {
         constraint.points[1..].iter().fold(of(&constraint.points[0]), |sum, point| sum + of(point))
@@ -393,13 +393,9 @@ fn add_impulses<const FIXED: bool, const P: usize>(
 
 /// Adds four columns, one lane for each of four bodies, to the rows of these bodies.
 #[inline(always)]
-pub(crate) fn add_columns(
-    rows: &mut IndexedVec<BodyIndex, [f32; 4]>,
-    bodies: &[BodyIndex; 4],
-    columns: [f32x4; 4],
-) {
+pub(crate) fn add_columns(rows: &mut [[f32; 4]], bodies: &[BodyIndex; 4], columns: [f32x4; 4]) {
     for (&body, change) in bodies.iter().zip(f32x4::transpose(columns)) {
-        let sum = &mut rows[body];
+        let sum = &mut rows[body.position()];
         *sum = (f32x4::new(*sum) + change).to_array();
     }
 }
@@ -409,7 +405,7 @@ pub(crate) fn add_columns(
 #[inline(always)]
 pub(crate) fn solve_with_bias<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     constraints: &mut ColorSet<R>,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
+    states: &mut [MotionState],
     substep: ContactSubstep,
     softness: Softness,
 ) {
@@ -422,10 +418,10 @@ pub(crate) fn solve_with_bias<const FIXED: bool, const P: usize, R: SimdContacts
 #[inline(never)]
 pub(crate) fn solve_with_joint_softness<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     constraints: &mut ColorSet<R>,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
+    states: &mut [MotionState],
     substep: ContactSubstep,
     softness: [Softness; 2],
-    masks: &IndexedVec<BodyIndex, u32>,
+    masks: &[u32],
 ) {
     let [other, jointed] = softness.map(|softness| softness.splat());
     solve_soft_constraints::<FIXED, P, R>(constraints, states, substep, |constraint| {
@@ -439,7 +435,7 @@ pub(crate) fn solve_with_joint_softness<const FIXED: bool, const P: usize, R: Si
 #[inline(always)]
 fn solve_soft_constraints<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     constraints: &mut ColorSet<R>,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
+    states: &mut [MotionState],
     substep: ContactSubstep,
     softness: impl Fn(&ContactConstraintSimd<P>) -> [f32x4; 3],
 ) {
@@ -562,7 +558,7 @@ pub(crate) struct RelaxResult<const P: usize> {
 #[inline(always)]
 pub(crate) fn relax_normals<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     contacts: &mut R,
-    states: &IndexedVec<BodyIndex, MotionState>,
+    states: &[MotionState],
     substep: ContactSubstep,
 ) -> RelaxResult<P> {
     let inverse_h = f32x4::splat(substep.inverse_h);
@@ -627,7 +623,7 @@ fn store_relaxed<const P: usize>(
 #[inline(always)]
 pub(crate) fn relax<const FIXED: bool, const P: usize>(
     constraints: &mut ColorSet<ContactConstraintSimd<P>>,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
+    states: &mut [MotionState],
     substep: ContactSubstep,
 ) {
     constraints.for_each(|constraint| {
@@ -688,9 +684,9 @@ pub(crate) fn record_approach_velocity<const FIXED: bool, const P: usize, R: Sim
 #[inline(always)]
 pub(crate) fn apply_restitution<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     constraints: &mut ColorSet<R>,
-    states: &mut IndexedVec<BodyIndex, MotionState>,
+    states: &mut [MotionState],
     threshold: f32,
-    mut on_bounce: impl FnMut(&R, u32, &mut IndexedVec<BodyIndex, MotionState>),
+    mut on_bounce: impl FnMut(&R, u32, &mut [MotionState]),
 ) {
     let threshold = f32x4::splat(-threshold);
     constraints.for_each(|contacts| {
@@ -734,8 +730,8 @@ pub(crate) fn apply_restitution<const FIXED: bool, const P: usize, R: SimdContac
 #[inline(always)]
 pub(crate) fn update_circle_contacts(
     constraints: &mut ColorSet<ContactConstraintSimd<1>>,
-    poses: &IndexedVec<BodyIndex, [f32; 4]>,
-    circles: &IndexedVec<BodyIndex, [f32; 4]>,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
     reach: f32,
     mut on_separation: impl FnMut(PairIndex),
 ) {
@@ -753,11 +749,11 @@ pub(crate) fn update_circle_contacts(
 /// (length units); `None` if one of the bodies is no circle.
 pub(crate) fn update_circle_contact(
     lane: &mut ContactConstraint,
-    poses: &IndexedVec<BodyIndex, [f32; 4]>,
-    circles: &IndexedVec<BodyIndex, [f32; 4]>,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
     reach: f32,
 ) -> Option<bool> {
-    let is_round = |body: BodyIndex| circles.at(body).is_some_and(|circle| circle[3] > 0.0);
+    let is_round = |body: BodyIndex| circles.get(body.position()).is_some_and(|circle| circle[3] > 0.0);
     if !(is_round(lane.a) && is_round(lane.b)) {
         return None;
     }
@@ -773,8 +769,8 @@ pub(crate) fn update_circle_contact(
 #[inline(always)]
 fn update_circle_lanes(
     constraint: &mut ContactConstraintSimd<1>,
-    poses: &IndexedVec<BodyIndex, [f32; 4]>,
-    circles: &IndexedVec<BodyIndex, [f32; 4]>,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
     reach: f32,
 ) -> u32 {
     let [_, _, radius_a, is_round_a] = gather(circles, &constraint.a);

@@ -16,7 +16,7 @@ use crate::contact_solver::soft_step::{
     ContactSubstep, PairVelocities, RelaxResult, adapt_load, adapt_load_with_joints, add_columns,
     angular_coupling, angular_impulses, load_velocities, record_approach_velocity, relax_normals,
 };
-use crate::index::{BodyIndex, IndexedVec};
+use crate::index::{BodyIndex, DenseIndex};
 use crate::math::lanes::{greater, select, smaller};
 use crate::scaled_parameters::LoadAdaptation;
 
@@ -45,10 +45,10 @@ struct BallSpinsSimd {
 /// static (`FIXED`).
 fn gather_spins<const FIXED: bool, const P: usize>(
     row: &ContactConstraintSimd<P>,
-    spins: &IndexedVec<BodyIndex, BallSpin>,
+    spins: &[BallSpin],
 ) -> BallSpinsSimd {
     let columns = |bodies: &[BodyIndex; 4]| {
-        let [x, y, ..] = f32x4::transpose(bodies.map(|body| f32x4::new(spins[body].velocity)));
+        let [x, y, ..] = f32x4::transpose(bodies.map(|body| f32x4::new(spins[body.position()].velocity)));
         [x, y]
     };
     BallSpinsSimd { a: if FIXED { [ZERO; 2] } else { columns(&row.a) }, b: columns(&row.b) }
@@ -96,7 +96,7 @@ fn spin_change<const P: usize>(
 fn tangent_velocities<const FIXED: bool, const P: usize>(
     contacts: &ContactConstraint3Simd<P>,
     sides: &PairVelocities,
-    spins: &IndexedVec<BodyIndex, BallSpin>,
+    spins: &[BallSpin],
 ) -> [f32x4; 2] {
     let ([x, y, z], row) = (sides.relative_linear_velocity::<FIXED>(), &contacts.planar);
     let ([tx, ty], [ux, uy, uz]) = (contacts.tangent, contacts.second_tangent);
@@ -119,14 +119,14 @@ fn tangent_velocities<const FIXED: bool, const P: usize>(
 #[inline(always)]
 fn apply_spins<const FIXED: bool, const P: usize>(
     contacts: &ContactConstraint3Simd<P>,
-    spins: &mut IndexedVec<BodyIndex, BallSpin>,
+    spins: &mut [BallSpin],
     impulses: [f32x4; 2],
     field: impl Fn(&mut BallSpin) -> &mut [f32; 4],
 ) {
     let row = &contacts.planar;
     let mut add = |bodies: &[BodyIndex; 4], [x, y]: [f32x4; 2]| {
         for (&body, change) in bodies.iter().zip(f32x4::transpose([x, y, ZERO, ZERO])) {
-            let spin = field(&mut spins[body]);
+            let spin = field(&mut spins[body.position()]);
             *spin = (f32x4::new(*spin) + change).to_array();
         }
     };
@@ -158,8 +158,8 @@ fn impulse_vector<const P: usize>(
 #[inline(always)]
 pub(crate) fn relax_3d<const FIXED: bool, const P: usize>(
     rows: &mut ColorSet<ContactConstraint3Simd<P>>,
-    hot: &mut IndexedVec<BodyIndex, MotionState>,
-    spins: &mut IndexedVec<BodyIndex, BallSpin>,
+    hot: &mut [MotionState],
+    spins: &mut [BallSpin],
     substep: ContactSubstep,
 ) {
     rows.for_each(|contacts| {
@@ -243,10 +243,10 @@ fn solve_twist_friction<const FIXED: bool, const P: usize>(
 #[inline(always)]
 pub(crate) fn accumulate_warm_start_3d<const FIXED: bool, const P: usize>(
     rows: &mut ColorSet<ContactConstraint3Simd<P>>,
-    warm: &mut IndexedVec<BodyIndex, [f32; 4]>,
-    hot: &IndexedVec<BodyIndex, MotionState>,
-    spins: &mut IndexedVec<BodyIndex, BallSpin>,
-    (learning, masks): (&LoadAdaptation, Option<&IndexedVec<BodyIndex, u32>>),
+    warm: &mut [[f32; 4]],
+    hot: &[MotionState],
+    spins: &mut [BallSpin],
+    (learning, masks): (&LoadAdaptation, Option<&[u32]>),
     restitution_threshold: Option<f32>,
 ) -> bool {
     let mut may_bounce = false;
@@ -277,7 +277,7 @@ pub(crate) fn accumulate_warm_start_3d<const FIXED: bool, const P: usize>(
 #[inline(always)]
 fn add_impulses_3d<const FIXED: bool, const P: usize>(
     contacts: &ContactConstraint3Simd<P>,
-    warm: &mut IndexedVec<BodyIndex, [f32; 4]>,
+    warm: &mut [[f32; 4]],
 ) {
     let row = &contacts.planar;
     let sum = |of: fn(&ContactPointSimd) -> f32x4| {
@@ -301,7 +301,7 @@ fn add_impulses_3d<const FIXED: bool, const P: usize>(
 
 /// Start of a substep: applies the warm start to ball spins. From the second substep on (`is_first` is false) the warm start
 /// also includes the change of angular velocity that impulses caused in the preceding substep.
-pub(crate) fn apply_spin_warm_start(spins: &mut IndexedVec<BodyIndex, BallSpin>, is_first: bool) {
+pub(crate) fn apply_spin_warm_start(spins: &mut [BallSpin], is_first: bool) {
     for spin in spins {
         let velocity = f32x4::new(spin.velocity);
         if !is_first {

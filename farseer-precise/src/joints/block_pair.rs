@@ -125,21 +125,19 @@ impl BodyPairLanes {
 
     /// Returns the velocities of A and B in the world: x, y, angular, z, in length units/s and radians/s.
     #[inline(always)]
-    pub(super) fn velocities(&self, states: &IndexedVec<BodyIndex, MotionState>) -> [VelocityLanes; 2] {
-        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| states[body].velocity);
+    pub(super) fn velocities(&self, states: &[MotionState]) -> [VelocityLanes; 2] {
+        let of_side = |side: usize| lanes_of(&self.bodies[side], |body| states[body.position()].velocity);
         [of_side(0), of_side(1)]
     }
 
     /// Stores the velocities of A and B (x, y, angular, z) in `states`, for the dynamic bodies.
     #[inline(always)]
-    pub(super) fn store_velocities(
-        &self,
-        states: &mut IndexedVec<BodyIndex, MotionState>,
-        velocities: [VelocityLanes; 2],
-    ) {
+    pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [VelocityLanes; 2]) {
         for (side, velocities) in velocities.into_iter().enumerate() {
             let rows = f32x4::transpose(velocities);
-            self.for_each_movable_body(side, |lane, body| states[body].velocity = rows[lane].to_array());
+            self.for_each_movable_body(side, |lane, body| {
+                states[body.position()].velocity = rows[lane].to_array()
+            });
         }
     }
 

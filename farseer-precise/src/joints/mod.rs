@@ -380,8 +380,8 @@ impl JointSystem {
 
     /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0. Returns
     /// `None` if the iterative solver has neither joints nor springs in this update.
-    pub(crate) fn iterative_body_masks(&self) -> Option<&IndexedVec<BodyIndex, u32>> {
-        (!self.soft.is_empty()).then(|| self.soft.body_masks())
+    pub(crate) fn iterative_body_masks(&self) -> Option<&[u32]> {
+        (!self.soft.is_empty()).then(|| self.soft.body_masks().slice(..))
     }
 
     /// Returns whether the iterative solver has a joint or spring of the body with the index `body` in this update.

@@ -284,7 +284,7 @@ impl SoftJointBlock {
     #[inline(always)]
     pub(super) fn solve(
         &mut self,
-        states: &mut IndexedVec<BodyIndex, MotionState>,
+        states: &mut [MotionState],
         phase_softness: &RowSoftnessLanes,
         inverse_h: f32,
     ) {
@@ -330,7 +330,7 @@ impl SoftJointBlock {
     /// converts angular errors to it.
     pub(super) fn solve_impact(
         &mut self,
-        states: &mut IndexedVec<BodyIndex, MotionState>,
+        states: &mut [MotionState],
         (impacted_masks, impacted_bodies): (&mut IndexedVec<BodyIndex, u32>, &mut Vec<BodyIndex>),
         length_unit: f32,
     ) -> f32 {

@@ -6,7 +6,7 @@ use super::super::direct_solver::joint::ANGLE;
 use super::super::direct_solver::mat3::Vec3;
 use super::frame::JointFrame;
 use super::joint_constraint::JointAnchor;
-use crate::index::{BodyIndex, DenseIndex, IndexedVec};
+use crate::index::{BodyIndex, DenseIndex};
 
 /// Bodies A and B of a spring. Impulses are those of one substep on B, in the rows of [`JointFrame::jacobian`]: along the
 /// normal, of the angle, along the tangent.
@@ -41,23 +41,19 @@ impl SpringBodyPair {
 
     /// Returns the velocities of A and B in the world: x and y in length units/s, angular in radians/s.
     #[inline(always)]
-    pub(super) fn velocities(&self, states: &IndexedVec<BodyIndex, MotionState>) -> [Vec3; 2] {
+    pub(super) fn velocities(&self, states: &[MotionState]) -> [Vec3; 2] {
         self.bodies.map(|body| {
-            let [x, y, spin, _] = states[body].velocity.map(f64::from);
+            let [x, y, spin, _] = states[body.position()].velocity.map(f64::from);
             [x, y, spin]
         })
     }
 
     /// Stores the velocities of A and B in `states`, for the dynamic ones: x and y in length units/s, angular in radians/s.
     #[inline(always)]
-    pub(super) fn store_velocities(
-        &self,
-        states: &mut IndexedVec<BodyIndex, MotionState>,
-        velocities: [Vec3; 2],
-    ) {
+    pub(super) fn store_velocities(&self, states: &mut [MotionState], velocities: [Vec3; 2]) {
         for (side, [x, y, spin]) in velocities.into_iter().enumerate() {
             if self.is_movable(side) {
-                let velocity = &mut states[self.bodies[side]].velocity;
+                let velocity = &mut states[self.bodies[side].position()].velocity;
                 (velocity[0], velocity[1], velocity[2]) = (x as f32, y as f32, spin as f32);
             }
         }

@@ -21,7 +21,6 @@ use super::soft_law::{clamp_symmetric, min};
 use super::soft_pair::SpringBodyPair;
 use super::springs::SpringConstraint;
 use super::vec2::dot;
-use crate::index::{BodyIndex, IndexedVec};
 use crate::parameters::direct::STABLE_STIFFNESS;
 
 /// Row of a damped spring with the impulse l = -s u - h k x: velocity u at the end of a substep of h seconds, stretch x at its
@@ -176,7 +175,7 @@ impl SoftSpring {
 
     /// Solves all rows once, in the phase with bias, in the order spin rows, lateral row, spring row. Changes the velocities in
     /// `states`.
-    pub(super) fn solve(&mut self, states: &mut IndexedVec<BodyIndex, MotionState>) {
+    pub(super) fn solve(&mut self, states: &mut [MotionState]) {
         let SoftSpring {
             pair,
             spring_row,

@@ -1,7 +1,7 @@
 //! SIMD helpers: four numbers in lanes. Results that are saved use these and `+ - * / sqrt` alone, so that they have
 //! the same bits on every platform: the minimum and maximum of processors differ in signed zeros and NaN.
 
-use crate::index::{DenseIndex, IndexedVec};
+use crate::index::DenseIndex;
 use wide::f32x4;
 
 /// Selects bitwise, for each lane, one of two numbers; the mask is the result of a comparison. It replaces the function
@@ -42,8 +42,8 @@ fn select_each(a: f32x4, b: f32x4, is_first: f32x4, choose: impl Fn(f32, f32) ->
 
 /// Gathers four rows of a table as columns.
 #[inline(always)]
-pub fn gather<I: DenseIndex>(rows: &IndexedVec<I, [f32; 4]>, places: &[I; 4]) -> [f32x4; 4] {
-    f32x4::transpose(places.map(|place| f32x4::new(rows[place])))
+pub fn gather<I: DenseIndex>(rows: &[[f32; 4]], places: &[I; 4]) -> [f32x4; 4] {
+    f32x4::transpose(places.map(|place| f32x4::new(rows[place.position()])))
 }
 
 /// Four consecutive rows as columns.
