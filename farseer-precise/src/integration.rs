@@ -61,7 +61,6 @@ pub(crate) fn apply_warm_start(bodies: &mut BodySet, runs: &[Range<usize>], is_f
 pub fn integrate_kinematic(bodies: &mut BodySet, dt: f32) {
     let BodySet { kinematic, states, initial_velocity, delta_pose, .. } = bodies;
     for &number in kinematic.iter() {
-        let number = number;
         states[number].velocity = initial_velocity[number];
         delta_pose[number] = initial_velocity[number].map(|velocity| velocity * dt);
     }

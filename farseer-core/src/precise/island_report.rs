@@ -12,6 +12,7 @@ use crate::methods::SolverChoice;
 use crate::objects::Objects;
 use crate::report::{AwakeReason, Island};
 use crate::storage::order::{packed_key, sort_by_number};
+use farseer_precise::Solver;
 use farseer_precise::bodies::BodySet;
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::Proxies;
@@ -143,7 +144,7 @@ impl Precise {
             .bodies
             .states
             .indices()
-            .map(|body| self.solver_report(body, census.stats_of(body), substeps))
+            .map(|body| solver_report(solver, body, census.stats_of(body), substeps))
             .collect();
         for (body, parts) in
             solver.joints.free_articulations(substeps).filter(|&(body, _)| !solver.sleep.is_asleep(body))
@@ -162,24 +163,6 @@ impl Precise {
             .newton_steps_of_islands()
             .for_each(|(body, steps)| reports[body].cost.newton_steps = steps);
         reports
-    }
-
-    /// Returns which solver has solved a body and why, without its cost. `stats`: those of its island; `substeps`: number of
-    /// substeps of the step.
-    fn solver_report(&self, body: BodyIndex, stats: &IslandStats, substeps: u32) -> BodyReport {
-        let solver = &self.solver;
-        if solver.sleep.is_asleep(body) {
-            BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
-        } else if solver.direct_solver.is_direct(body) {
-            let is_chosen = solver.direct_solver.choice() == SolverChoice::Direct;
-            let why = if is_chosen { SolverReason::Chosen } else { SolverReason::Pays };
-            BodyReport::new(IslandSolver::Direct, why, 1)
-        } else if stats.has_contacts() || solver.joints.has_joint(body) {
-            let why = stats.iterative_reason(solver.direct_solver.choice());
-            BodyReport::new(IslandSolver::Iterative, why, substeps)
-        } else {
-            BodyReport::new(IslandSolver::Ballistic, SolverReason::NothingTouches, 1)
-        }
     }
 
     /// Returns the largest errors of the contacts and joints of these bodies. Stale ids and bodies that are not dynamic
@@ -216,6 +199,23 @@ impl Precise {
             *component = component.max(gap);
         }
         residual
+    }
+}
+
+/// Returns which solver has solved a body and why, without its cost. `stats`: those of its island; `substeps`: number of
+/// substeps of the step.
+fn solver_report(solver: &Solver, body: BodyIndex, stats: &IslandStats, substeps: u32) -> BodyReport {
+    if solver.sleep.is_asleep(body) {
+        BodyReport::new(IslandSolver::Asleep, SolverReason::AtRest, 0)
+    } else if solver.direct_solver.is_direct(body) {
+        let is_chosen = solver.direct_solver.choice() == SolverChoice::Direct;
+        let why = if is_chosen { SolverReason::Chosen } else { SolverReason::Pays };
+        BodyReport::new(IslandSolver::Direct, why, 1)
+    } else if stats.has_contacts() || solver.joints.has_joint(body) {
+        let why = stats.iterative_reason(solver.direct_solver.choice());
+        BodyReport::new(IslandSolver::Iterative, why, substeps)
+    } else {
+        BodyReport::new(IslandSolver::Ballistic, SolverReason::NothingTouches, 1)
     }
 }
 

@@ -118,17 +118,20 @@ impl ColorUsage {
 #[cfg(test)]
 mod tests {
     use super::{Color, ColorUsage, ConstraintKind};
+    use crate::index::BodyIndex;
 
     #[test]
     fn static_bodies_use_no_colour() {
         let kind = ConstraintKind { has_two_points: true, is_static: false, is_3d: false };
         let mut usage = ColorUsage::default();
         usage.reset(&[[0.0; 2], [0.0; 2], [1.0, 0.0], [1.0, 1.0]]);
-        usage.set_color(kind, [1, 2], Color(0), true);
-        assert_eq!(usage.free_colors(kind, [1, 3]), !0);
-        assert_eq!(usage.free_colors(kind, [1, 2]), !1);
+        usage.set_color(kind, [1, 2].map(BodyIndex), Color(0), true);
+        assert_eq!(usage.free_colors(kind, [1, 3].map(BodyIndex)), !0);
+        assert_eq!(usage.free_colors(kind, [1, 2].map(BodyIndex)), !1);
         assert!(
-            usage.has_no_constraint(1) && usage.has_at_most_one_constraint(2) && !usage.has_no_constraint(2)
+            usage.has_no_constraint(BodyIndex(1))
+                && usage.has_at_most_one_constraint(BodyIndex(2))
+                && !usage.has_no_constraint(BodyIndex(2))
         );
     }
 }

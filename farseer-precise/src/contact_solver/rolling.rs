@@ -142,7 +142,7 @@ impl RollingSolver<'_> {
         };
         let is_turned = !is_at(0, ends[0]);
         let corners = if is_turned { [ends[1], ends[0]] } else { ends };
-        let are_corners = (0..manifold.count as usize).all(|at| is_at(at, corners[at]));
+        let are_corners = (0..manifold.point_count()).all(|at| is_at(at, corners[at]));
         (roll.pair, roll.vertices) = (pair, corners);
         are_corners.then_some(())
     }

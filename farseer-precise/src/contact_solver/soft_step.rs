@@ -475,8 +475,8 @@ fn solve_soft_constraints<const FIXED: bool, const P: usize, R: SimdContacts<P>>
     });
 }
 
-/// Returns for each normal row of a block of soft constraints the impulse that it loses by its bias and by the leak towards its
-/// rest impulse (mass units * length units/s), and its softened effective mass (mass units).
+/// Returns for each normal row of a block of soft constraints the impulse that it loses, and its softened effective mass (mass
+/// units). The loss (mass units * length units/s) is by the bias and by the leak towards the rest impulse.
 #[inline(always)]
 fn bias_and_weights<const P: usize>(
     constraint: &ContactConstraintSimd<P>,

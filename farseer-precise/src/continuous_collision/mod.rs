@@ -119,7 +119,6 @@ fn find_carried_motion(motion: SweptMotion<'_>, fast: &mut [FastBody]) {
 pub(crate) fn end_paths(bodies: &mut BodySet, fast: &mut Vec<FastBody>, substeps: f32) {
     fast.retain(|flight| flight.toi < 1.0);
     for &FastBody { body, toi: time, carried_motion: carried, is_joined, .. } in &*fast {
-        let body = body;
         for (component, carried) in bodies.delta_pose[body].iter_mut().zip(carried) {
             *component = *component * time + carried;
         }

@@ -109,10 +109,7 @@ impl RestDetector<'_> {
         let mut falling_asleep = std::mem::take(&mut sleep.falling_asleep);
         falling_asleep.clear();
         falling_asleep.extend(
-            sleep
-                .awake_bodies(self.bodies.last_movable)
-                .filter(|&body| !self.bodies.is_kinematic(body))
-                .map(|body| body),
+            sleep.awake_bodies(self.bodies.last_movable).filter(|&body| !self.bodies.is_kinematic(body)),
         );
         falling_asleep.retain(|&body| {
             let rest = min_rest_time[islands.find(body)];

@@ -81,7 +81,7 @@ impl ContactReader<'_> {
             (rotate_inverse([ca, sa], rotation(pose_a)), rotate_inverse([cb, sb], rotation(pose_b)));
         let normal = constraint.map_or(manifold.normal, |lane| lane.normal);
         let mut points = [PlanarContactPoint::default(); 2];
-        for (at, point) in points.iter_mut().enumerate().take(manifold.count as usize) {
+        for (at, point) in points.iter_mut().enumerate().take(manifold.point_count()) {
             let [ax, ay, bx, by] = manifold.anchors[at];
             let on_a = sum(translation(pose_a), rotate(turned_a, [ax, ay]));
             let on_b = sum(translation(pose_b), rotate(turned_b, [bx, by]));
@@ -97,7 +97,7 @@ impl ContactReader<'_> {
             };
         }
         let friction = mix_friction(self.friction, a.friction, b.friction);
-        PlanarContact { normal, friction, count: manifold.count as usize, points }
+        PlanarContact { normal, friction, count: manifold.point_count(), points }
     }
 
     /// Returns the contact of a pair in three axes. `None` if the shapes are beyond the contact margin.

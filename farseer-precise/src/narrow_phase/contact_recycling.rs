@@ -144,7 +144,7 @@ impl NarrowPhase<'_> {
         let spin = self.bodies.states[body].velocity[2];
         let gravity = length(self.gravity_delta) / self.dt * self.bodies.gravity_scales[body].abs();
         let q = rotate_inverse([cached.rotations[2], cached.rotations[3]], rotation(two.pose_b));
-        cached.anchors[..cached.count as usize].iter().any(|&[_, _, x, y]| {
+        cached.anchors[..cached.point_count()].iter().any(|&[_, _, x, y]| {
             let (arm, height) = (length([x, y]), -dot(rotate(q, [x, y]), cached.normal));
             spin * spin * (mass / inertia + arm * arm) > 2.0 * gravity * (arm - height)
         })
@@ -199,7 +199,7 @@ impl NarrowPhase<'_> {
             return [Some(0), None];
         }
         let old = self.pairs.manifold(pair);
-        let old_count = old.count as usize;
+        let old_count = old.point_count();
         let mut matched = [None; 2];
         let mut is_taken = [false; 2];
         for (matched, feature) in matched.iter_mut().zip(manifold.features).take(manifold.count) {

@@ -36,7 +36,7 @@ impl NarrowPhase<'_> {
             return 0.0;
         }
         let separations = self.current_separations(cached, self.proxy_pair(pair));
-        let points = &separations[..cached.count as usize];
+        let points = &separations[..cached.point_count()];
         points
             .iter()
             .fold(0.0, |deepest, separation| if -separation > deepest { -separation } else { deepest })

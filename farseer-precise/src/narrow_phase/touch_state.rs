@@ -65,7 +65,7 @@ impl NarrowPhase<'_> {
     fn touches_now(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let state = *self.pairs.state(pair);
         let cached = self.pairs.manifold(pair);
-        let count = cached.count as usize;
+        let count = cached.point_count();
         let velocity_z = self.normal_velocity_z(two, cached.depth.normal_z);
         let angular_velocity_y =
             if self.rotates_about_y(two.a) { self.bodies.states[two.a.body].velocity[2] } else { 0.0 };

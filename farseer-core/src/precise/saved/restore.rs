@@ -203,14 +203,6 @@ impl Precise {
                 self.solver.sleep.rest_time[number] = rest_time;
             }
         }
-        self.restore_sleeping_bodies(saved, objects, edits);
-        self.sleeping_joints.clone_from(&saved.joints);
-        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.solver.sleep);
-        self.solver.sleep.update_runs(&self.solver.proxies);
-    }
-
-    /// Puts the saved sleeping bodies to sleep, and requests that those wake which were edited since the save.
-    fn restore_sleeping_bodies(&mut self, saved: &Saved, objects: &Objects, edits: EditPolicy<'_>) {
         // By index of the first body of an island: the last of its bodies that sleeps again.
         let mut ring_member =
             IndexedVec::<SavedSleeperIndex, _>::of_copies(None, saved.sleeping_bodies.len());
@@ -244,6 +236,9 @@ impl Precise {
                 self.restore_edited_velocity(number, body, objects);
             }
         }
+        self.sleeping_joints.clone_from(&saved.joints);
+        drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.solver.sleep);
+        self.solver.sleep.update_runs(&self.solver.proxies);
     }
 
     /// Restores all proxies. Returns the current index of each saved proxy (`None` if it no longer exists), and the indices of

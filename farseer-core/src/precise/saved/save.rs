@@ -13,6 +13,7 @@ use farseer_precise::broad_phase::pairs::{CachedManifold, Pair};
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
 use farseer_precise::constraint_graph::{ConstraintHandle, ContactConstraint, ContactConstraintZ};
 use farseer_precise::depth::interface::DepthInterval;
+use farseer_precise::depth::state::DepthState;
 use farseer_precise::direct_solver::IslandHistory;
 use farseer_precise::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use farseer_precise::island::sleep::SleepState;
@@ -36,7 +37,9 @@ impl Precise {
             has_handled: solver.has_handler_changes,
             friction: solver.friction,
             most_contacts: solver.max_contacts,
-            proxies: self.save_proxies(&order),
+            proxies: save_proxies(&solver.proxies, solver.depth.as_deref(), &order, |at| {
+                self.imported_state_of(at)
+            }),
             pairs: solver.pairs.indices().map(|pair| self.save_pair(pair, &saved_indices)).collect(),
             awake_pair_count: solver.pairs.awake_count() as u32,
             gravity: solver.sleep.gravity,
@@ -51,28 +54,6 @@ impl Precise {
             wake_requests: wake_requests(&self.ids, &solver.sleep).collect(),
             touch_events: self.save_touch_events(),
         }
-    }
-
-    /// Returns the saved form of the proxies, in this `order`.
-    fn save_proxies(&self, order: &[ProxyIndex]) -> IndexedVec<SavedProxyIndex, SavedProxy> {
-        let (proxies, depth) = (&self.solver.proxies, self.solver.depth.as_ref());
-        let mut has_escaped = IndexedVec::of_copies(false, proxies.position_count());
-        proxies.refitted().iter().for_each(|&proxy| has_escaped[proxy] = true);
-        let save = |&at: &ProxyIndex| {
-            let proxy = proxies.proxy(at);
-            SavedProxy {
-                geom: geom_of(proxy),
-                number: proxy.creation_number,
-                piece: proxy.piece,
-                body_type: proxy.body_type,
-                fat_aabb: *proxies.fat_aabb_of(at),
-                depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
-                travel: proxies.travel_of(at),
-                is_refitted: has_escaped[at],
-                imported: self.imported_state_of(at),
-            }
-        };
-        order.iter().map(save).collect()
     }
 
     /// Returns the touch events in the order of creation numbers. The order of the events in memory depends on how pairs were
@@ -258,6 +239,33 @@ impl SavedManifold {
 fn depth_impulses_of(depth: ContactConstraintZ) -> [f32; 6] {
     let [one, other, along, across] = depth.totals;
     [depth.across_impulse, depth.twist_impulse, one, other, along, across]
+}
+
+/// Returns the saved form of the proxies, in this `order`. `imported` returns the properties of a proxy by which a later edit is
+/// detected.
+fn save_proxies(
+    proxies: &Proxies,
+    depth: Option<&DepthState>,
+    order: &[ProxyIndex],
+    imported: impl Fn(ProxyIndex) -> ImportedState,
+) -> IndexedVec<SavedProxyIndex, SavedProxy> {
+    let mut has_escaped = IndexedVec::of_copies(false, proxies.position_count());
+    proxies.refitted().iter().for_each(|&proxy| has_escaped[proxy] = true);
+    let save = |&at: &ProxyIndex| {
+        let proxy = proxies.proxy(at);
+        SavedProxy {
+            geom: geom_of(proxy),
+            number: proxy.creation_number,
+            piece: proxy.piece,
+            body_type: proxy.body_type,
+            fat_aabb: *proxies.fat_aabb_of(at),
+            depth_interval: depth.map_or(DepthInterval::default(), |space| space.interval(at)),
+            travel: proxies.travel_of(at),
+            is_refitted: has_escaped[at],
+            imported: imported(at),
+        }
+    };
+    order.iter().map(save).collect()
 }
 
 /// Returns the indices of all proxies in the order in which a rebuild would list them. Only those of static bodies may be listed in
