@@ -90,7 +90,7 @@ impl ForceComparison<'_> {
             true => 0.0,
             false => self.sleep.sleep_speed(self.length_unit) / TIME_TO_SLEEP,
         };
-        for body in forced_bodies.drain(..).map(|body| body) {
+        for body in forced_bodies.drain(..) {
             let ([x, y, turning, z], reach) =
                 (self.sleep.supported_acceleration[body], self.bodies.max_extents[body]);
             let Some(id) = self.ids.bodies[body] else { continue };
@@ -113,7 +113,7 @@ impl ForceComparison<'_> {
     /// [`REMEASURED_FORCE_MAX_CHANGE`], the stored accelerations stay.
     fn remeasure_forces(&mut self, objects: &Objects) {
         let mut newly_asleep = std::mem::take(&mut self.sleep.newly_asleep);
-        for body in newly_asleep.drain(..).map(|body| body) {
+        for body in newly_asleep.drain(..) {
             let Some(id) = self.ids.bodies[body] else { continue };
             let Some(entry) = objects.bodies.get(id) else { continue };
             let ([x, y, turning], before) =
