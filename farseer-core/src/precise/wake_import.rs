@@ -134,7 +134,7 @@ impl ForceComparison<'_> {
         forced_bodies.extend_from_slice(&self.sleep.loaded_bodies);
         let mut record = |body: Option<BodyId>| {
             let number = body.and_then(|body| self.ids.body_index(body));
-            forced_bodies.extend(number.filter(|&number| self.sleep.is_asleep(number)).map(|number| number));
+            forced_bodies.extend(number.filter(|&number| self.sleep.is_asleep(number)));
         };
         for (_, spring) in (0..objects.springs.list().len()).filter_map(|at| objects.springs.at(at)) {
             spring.ends().into_iter().for_each(&mut record);
