@@ -3,7 +3,7 @@
 use super::{ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedSleepingBody};
 use crate::methods::Methods;
 use crate::precise::Precise;
-use farseer_precise::constraint_graph::COLOR_COUNT;
+use farseer_precise::constraint_graph::{COLOR_COUNT, Color};
 use farseer_precise::index::DenseIndex;
 use farseer_precise::scaled_parameters::Parameters;
 
@@ -96,7 +96,7 @@ impl SavedConstraint {
             sleeping_surface,
             ..
         } = self;
-        (self.colour as usize) < COLOR_COUNT
+        Color(self.colour).position() < COLOR_COUNT
             && finite(&[*tangent_impulse, sleeping_h.unwrap_or(0.0)])
             && direct.is_none_or(|(h, exact)| h.is_finite() && exact.iter().all(|x| x.is_finite()))
             && finite(&sleeping_surface.unwrap_or_default())
