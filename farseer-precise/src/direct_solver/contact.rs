@@ -9,7 +9,7 @@ use crate::parameters::direct::UNLOADED_POINT_DEPTH;
 use std::ops::{Deref, DerefMut};
 
 use super::constraint::{BodyIndices, Constraint, ConstraintRows, Jacobian, RowMask};
-use super::island_body::Members;
+use super::island_body::{Members, positive_part};
 use super::mat3::Vec3;
 use crate::constraint_graph::ParkedConstraint;
 
@@ -284,7 +284,7 @@ impl Constraint for ContactRows {
     fn solve_row(&mut self, row: usize, velocity_error: f64) -> Vec3 {
         let unbounded = self.impulses[row] - self.effective_masses[row] * velocity_error;
         self.friction_limit = self.coulomb_limit();
-        let impulse = if row == FRICTION { self.clamp_friction(unbounded) } else { unbounded.max(0.0) };
+        let impulse = if row == FRICTION { self.clamp_friction(unbounded) } else { positive_part(unbounded) };
         let mut change = [0.0; 3];
         change[row] = impulse - self.impulses[row];
         self.impulses[row] = impulse;

@@ -88,6 +88,12 @@ pub(super) fn max_or_nan(one: f64, other: f64) -> f64 {
     if one <= other || other.is_nan() { other } else { one }
 }
 
+/// Returns a number if it is positive, else 0. `f64::max` leaves the sign of a zero to the processor, and snapshots store it.
+#[inline(always)]
+pub(super) fn positive_part(number: f64) -> f64 {
+    if number > 0.0 { number } else { 0.0 }
+}
+
 /// Returns `value`, or 0 if it is not finite as `f32`.
 #[inline(always)]
 pub(super) fn finite_or_zero(value: f64) -> f64 {

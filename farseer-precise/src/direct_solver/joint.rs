@@ -18,7 +18,7 @@ use crate::parameters::direct::STABLE_STIFFNESS;
 use std::ops::{Deref, DerefMut};
 
 use super::constraint::{BodyIndices, Constraint, ConstraintRows, FIXED, Jacobian, RowMask};
-use super::island_body::{MemberIndex, Members, max_or_nan};
+use super::island_body::{MemberIndex, Members, max_or_nan, positive_part};
 use super::mat3::Vec3;
 
 /// Index of the joint row for translation along the direction n, the normal of the Jacobian.
@@ -184,7 +184,7 @@ impl JointRows {
         motor: MotorTarget,
         [dt, max_limit_impulse]: [f64; 2],
     ) {
-        let [lowest, highest] = [-below.max(0.0) / dt, above.max(0.0) / dt];
+        let [lowest, highest] = [-positive_part(below) / dt, positive_part(above) / dt];
         let speed = motor.speed.clamp(lowest, highest);
         self.add_motor_row(row, MotorTarget { speed, ..motor });
         (self.limited_row, self.max_limit_impulse) = (row, max_limit_impulse);

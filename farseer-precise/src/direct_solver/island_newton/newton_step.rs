@@ -39,7 +39,8 @@ impl IslandSystem {
                     return false;
                 }
             }
-            if end_slope > 0.25 * -slope {
+            // Rounding may leave no descent; the full step then ends the round or the next one corrects it.
+            if slope < 0.0 && end_slope > 0.25 * -slope {
                 fraction = self.line_search([slope, end_slope], product_with_change, product_with_direction);
             }
             self.step_along(fraction - 1.0);
