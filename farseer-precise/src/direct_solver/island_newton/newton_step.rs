@@ -39,8 +39,7 @@ impl IslandSystem {
                     return false;
                 }
             }
-            // Rounding may leave no descent; the full step then ends the round or the next one corrects it.
-            if slope < 0.0 && end_slope > 0.25 * -slope {
+            if end_slope > 0.25 * -slope {
                 fraction = self.line_search([slope, end_slope], product_with_change, product_with_direction);
             }
             self.step_along(fraction - 1.0);
@@ -155,6 +154,10 @@ impl IslandSystem {
         product_with_direction: f64,
     ) -> f64 {
         let (mut low, mut high, mut fraction) = (0.0, 1.0, start_slope / (start_slope - end_slope));
+        // Without descent, which rounding may cause, both slopes may be the same.
+        if !fraction.is_finite() {
+            fraction = 0.5;
+        }
         for _ in 0..LINE_SEARCH_STEPS {
             let (slope, curvature) = self.derivatives(fraction, product_with_change, product_with_direction);
             if slope.abs() < LINE_SEARCH_SLOPE * -start_slope {
