@@ -15,8 +15,8 @@ use super::articulated_body::{Links, TreeNode};
 use super::locked_dofs::LockedDofs;
 use super::vec2::{Vec2, add_scaled, cross, dot, perp};
 use crate::parameters::joints::{
-    MAX_ENERGY_VELOCITY_SCALE, MAX_INELASTIC_LOSS, MAX_POSITION_ROUNDING, MAX_ROTATION_ROUNDING,
-    MAX_STEP_ENERGY_ERROR, MAX_STEP_JOINT_ERROR, MAX_WHIP_JOINT_ERROR,
+    FAILED_STEP_ENERGY_ERROR, MAX_ENERGY_VELOCITY_SCALE, MAX_INELASTIC_LOSS, MAX_POSITION_ROUNDING,
+    MAX_ROTATION_ROUNDING, MAX_STEP_ENERGY_ERROR, MAX_STEP_JOINT_ERROR, MAX_WHIP_JOINT_ERROR,
 };
 
 /// Pose, velocity, mass and forces of one body of an articulation at the end of a step.
@@ -47,6 +47,9 @@ pub(super) trait BalancedLink: TreeNode {
     /// Returns the largest work that the joint with the parent does in a step of `dt` seconds by closing the error of rounded
     /// positions. Unit: mass units * length units^2/s^2.
     fn max_rounding_work(&self, dt: f64) -> f64;
+    /// Returns the largest work that the joint with the parent does in a step of `dt` seconds by closing the error with which the
+    /// step began. Unit: mass units * length units^2/s^2, >= 0.
+    fn max_closing_work(&self, parent: &Self, dt: f64) -> f64;
     /// Returns the speed at which the bodies violate the joint with the parent. Unit: length units/s, >= 0.
     fn joint_velocity_error(&self, parent: &Self) -> f64;
     /// Returns whether the error of the joint with the parent exceeded `error` when the step began. Errors of linear rows are
@@ -176,7 +179,8 @@ pub(super) struct EnergyBalance {
 impl EnergyBalance {
     /// Returns the energy balance of a step of `dt` seconds in substeps of `h` seconds.
     ///
-    /// Returns `None` if a moving root drives the articulation, or if a joint with the world was pulled apart before the step.
+    /// Returns `None` if a moving root drives the articulation. If a joint with the world was pulled apart before the step, only
+    /// an excess counts that closing it cannot explain, and that is so large that the step [has failed](Self::has_failed).
     pub(super) fn of<N: BalancedLink>(
         links: &Links<N>,
         start: InitialEnergy,
@@ -185,9 +189,14 @@ impl EnergyBalance {
         let has_moved_anchor = |node: &N| {
             node.has_joint_error_above(MAX_STEP_JOINT_ERROR) && links[node.parent()].end_state().is_none()
         };
-        if links.iter().any(|node| node.is_moving_fixed_root() || has_moved_anchor(node)) {
+        if links.iter().any(N::is_moving_fixed_root) {
             return None;
         }
+        let closing_works = links
+            .iter()
+            .filter(|node| has_moved_anchor(node))
+            .map(|node| node.max_closing_work(&links[node.parent()], dt));
+        let closing_work = closing_works.reduce(|sum, work| sum + work);
         let max_rounding_work: f64 = links.iter().map(|node| node.max_rounding_work(dt)).sum();
         let (mut end_kinetic, mut work, mut work_size) = (0.0, 0.0, 0.0);
         for body in links.iter().filter_map(N::end_state) {
@@ -199,7 +208,11 @@ impl EnergyBalance {
         let excess = end_kinetic - (start.kinetic + work);
         let excess = if excess.abs() > max_rounding_work { excess } else { 0.0 };
         let scale = start.kinetic.max(end_kinetic) + work_size;
-        let has_inelastic_loss = links.iter().any(|node| node.has_joint_error_above(MAX_WHIP_JOINT_ERROR))
+        let is_explained =
+            closing_work.is_some_and(|work| !(excess > work && excess > FAILED_STEP_ENERGY_ERROR * scale));
+        let excess = if is_explained { 0.0 } else { excess };
+        let has_inelastic_loss = closing_work.is_some()
+            || links.iter().any(|node| node.has_joint_error_above(MAX_WHIP_JOINT_ERROR))
             || start.max_inelastic_loss > MAX_INELASTIC_LOSS * scale;
         Some(EnergyBalance { end_kinetic, excess, scale, has_inelastic_loss })
     }
@@ -207,6 +220,13 @@ impl EnergyBalance {
     /// Returns whether the energy error is so large that the step must be repeated with more substeps.
     pub(super) fn exceeds_tolerance(&self) -> bool {
         !self.has_inelastic_loss && self.excess.abs() > MAX_STEP_ENERGY_ERROR * self.scale
+    }
+
+    /// Returns whether the energy error is so large that the positions cannot be right either. A loss counts unless it is
+    /// legitimate.
+    pub(super) fn has_failed(&self) -> bool {
+        let loss = if self.has_inelastic_loss { 0.0 } else { -self.excess };
+        self.excess.max(loss) > FAILED_STEP_ENERGY_ERROR * self.scale
     }
 
     /// Scales the velocities of `links` so that the energy error becomes 0. [`MAX_ENERGY_VELOCITY_SCALE`] bounds the factor;

@@ -8,6 +8,7 @@ use super::substep_plan::{momentum_conserving_stiffness, predict_spin_change, st
 use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use crate::bodies::BodySet;
 use crate::index::BodyIndex;
+use crate::mass::radius_of_gyration;
 use crate::parameters::joints::MAX_ROTATION_ROUNDING;
 
 impl ArticulatedLink {
@@ -118,16 +119,21 @@ impl ArticulatedLink {
         }
     }
 
+    /// Returns the length by which linear joint errors are divided, without the length of a distance joint: the sum of both arms
+    /// and the radius of gyration. Unit: length units.
+    fn linear_error_scale(&self, parent: &ArticulatedLink) -> f64 {
+        let [arm, parent_arm] = [self.arm, self.parent_arm].map(|v| dot(v, v).sqrt());
+        // A joint with the world has no arm on its parent: the anchor is a position.
+        let of_parent = if parent.body == BodyIndex::PLACEHOLDER { 0.0 } else { parent_arm };
+        arm + of_parent + radius_of_gyration(self.mass, self.inertia)
+    }
+
     /// Returns the joint error, >= 0. Linear errors are fractions of the sum of the arms and the radius of gyration
     /// (dimensionless), angular errors are in radians. Welds and prismatic joints return the larger of both.
     pub(super) fn relative_joint_error(&self, parent: &ArticulatedLink) -> f64 {
         let offset = self.anchor_offset(parent.position);
         let angle_error = self.angle_error_or_length.abs();
-        let [arm, parent_arm, distance] = [self.arm, self.parent_arm, offset].map(|v| dot(v, v).sqrt());
-        // A joint with the world has no arm on its parent: the anchor is a position.
-        let length = arm
-            + if parent.body == BodyIndex::PLACEHOLDER { 0.0 } else { parent_arm }
-            + (self.inertia / self.mass).sqrt();
+        let (distance, length) = (dot(offset, offset).sqrt(), self.linear_error_scale(parent));
         let relative = |gap: f64, reach: f64| if gap > 0.0 { gap / reach } else { 0.0 };
         match self.locked {
             LockedDofs::Free | LockedDofs::Fixed => 0.0,
@@ -209,6 +215,13 @@ impl BalancedLink for ArticulatedLink {
         (dot([x, y], [x, y]).sqrt() * max_rounding_error(self.position, reach)
             + angular_impulse.abs() * MAX_ROTATION_ROUNDING)
             / dt
+    }
+
+    fn max_closing_work(&self, parent: &Self, dt: f64) -> f64 {
+        let [x, y, angular_impulse] = self.total_impulse;
+        // Of a distance joint the length counts, too; an angle error is less than half a turn.
+        let reach = self.linear_error_scale(parent) + self.angle_error_or_length.abs();
+        (dot([x, y], [x, y]).sqrt() * reach + angular_impulse.abs()) / dt * self.initial_error
     }
 
     fn joint_velocity_error(&self, parent: &Self) -> f64 {

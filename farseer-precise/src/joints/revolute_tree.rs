@@ -139,6 +139,10 @@ impl BalancedLink for RevoluteLink {
             * max_rounding_error(self.position, dot(self.arm, self.arm).sqrt())
     }
 
+    fn max_closing_work(&self, _: &Self, dt: f64) -> f64 {
+        dot(self.total_impulse, self.total_impulse).sqrt() / dt * self.initial_error
+    }
+
     fn joint_velocity_error(&self, parent: &Self) -> f64 {
         if !self.locked.is_joint() {
             return 0.0;

@@ -6,7 +6,7 @@ use super::energy_balance::{BalancedLink, EnergyBalance, InitialEnergy};
 use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::{
     ARTICULATION_SUBSTEP_PARTS, LARGE_ARTICULATION_BODIES, MAX_BALANCED_ARTICULATION_BODIES,
-    MAX_REPEATED_SUBSTEP_PARTS, MIN_ARTICULATION_PARTS, MOMENTUM_SHARE_HALVED_AT,
+    MAX_FAILED_SUBSTEP_PARTS, MAX_REPEATED_SUBSTEP_PARTS, MIN_ARTICULATION_PARTS, MOMENTUM_SHARE_HALVED_AT,
     MOMENTUM_SHARE_OF_STIFFNESS, PREDICTED_ROTATION_ERROR, ROTATION_PER_PART,
 };
 
@@ -16,6 +16,8 @@ pub(crate) struct SubstepPlan {
     pub(crate) substeps: u32,
     /// Largest number of substeps for a repetition of the step.
     pub(super) max_substeps: u32,
+    /// As `max_substeps`, for the repetition of a step that has failed.
+    pub(super) max_failed_substeps: u32,
     /// Whether forces act in full at the start of each substep (kick-drift) instead of by halves at both ends of the step.
     ///
     /// Both methods move bodies to the same positions. The velocities after kick-drift belong to a time half a substep earlier,
@@ -58,6 +60,7 @@ impl SubstepPlan {
         SubstepPlan {
             substeps: substeps.min(max_substeps),
             max_substeps: MAX_REPEATED_SUBSTEP_PARTS * step.substeps,
+            max_failed_substeps: MAX_FAILED_SUBSTEP_PARTS * step.substeps,
             is_kick_drift: !is_balanced,
             predicts_spin: is_balanced,
             max_prediction_error: if is_balanced { 0.5 } else { 1.0 } * PREDICTED_ROTATION_ERROR,
@@ -82,10 +85,14 @@ impl SubstepPlan {
     }
 
     /// Returns the plan for the repetition of a step with this energy balance: twice the substeps, within `max_substeps`.
-    /// Returns `None` if the energy error is small or the number of substeps cannot grow.
+    /// Returns `None` if the energy error is small or the number of substeps cannot grow. It grows further after a step that
+    /// [has failed](EnergyBalance::has_failed).
     pub(super) fn refined(&self, balance: &EnergyBalance) -> Option<Self> {
-        let substeps = (2 * self.substeps).min(self.max_substeps);
-        (balance.exceeds_tolerance() && substeps > self.substeps).then_some(SubstepPlan { substeps, ..*self })
+        let has_failed = balance.has_failed();
+        let most = if has_failed { self.max_failed_substeps } else { self.max_substeps };
+        let substeps = (2 * self.substeps).min(most);
+        ((has_failed || balance.exceeds_tolerance()) && substeps > self.substeps)
+            .then_some(SubstepPlan { substeps, ..*self })
     }
 }
 

@@ -51,6 +51,16 @@ pub(crate) const ARTICULATION_SUBSTEP_PARTS: u32 = 2;
 /// Measured: chains of 12 at 30 steps/s need this many when they whip.
 pub(crate) const MAX_REPEATED_SUBSTEP_PARTS: u32 = 4;
 
+/// As [`MAX_REPEATED_SUBSTEP_PARTS`], for a step that has failed: its energy error exceeds [`FAILED_STEP_ENERGY_ERROR`]. Unit:
+/// number of parts.
+///
+/// A heavy ball at the end of a light chain makes the joints' forces vary within a hundredth of a step when it whips.
+pub(crate) const MAX_FAILED_SUBSTEP_PARTS: u32 = 64;
+
+/// Energy error above which the step of a free articulation has failed: its positions are as wrong as its energy. Unit: fraction
+/// of the kinetic energy plus the work of forces, dimensionless. Value chosen.
+pub(crate) const FAILED_STEP_ENERGY_ERROR: f64 = 0.05;
+
 /// Energy error above which the step of a free articulation is repeated with more substeps. Unit: fraction of the kinetic
 /// energy plus the work of forces, dimensionless.
 ///

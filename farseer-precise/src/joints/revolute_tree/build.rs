@@ -6,6 +6,7 @@ use super::super::locked_dofs::LockedDofs;
 use super::super::substep_plan::stable_stiffness;
 use super::super::vec2::dot;
 use super::RevoluteLink;
+use crate::mass::radius_of_gyration;
 
 /// Converts a tree of links to revolute links. Returns an empty list if some joint is not a rigid revolute joint without a
 /// motor.
@@ -59,7 +60,7 @@ fn revolute_link(link: &ArticulatedLink, constraints: &JointList) -> RevoluteLin
         sign: link.joint_sign(),
         mass: link.mass,
         inertia: link.inertia,
-        reach: arm + parent_arm + (link.inertia / link.mass).sqrt(),
+        reach: arm + parent_arm + radius_of_gyration(link.mass, link.inertia),
         anchor,
         parent_anchor,
         ..RevoluteLink::default()
