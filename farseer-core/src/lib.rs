@@ -562,17 +562,6 @@ pub use controllers::{
 pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use factories::{BodyFactory, GeomFactory, JointFactory, SpringFactory};
-#[cfg(feature = "precise")]
-#[doc(hidden)]
-pub use farseer_precise::depth::interface::{
-    DepthBodyState, DepthShape, DepthTarget, FilterNumbers, HingeFeature, VerticalShape, WorldBox,
-    WorldBoxHinge, WorldBoxMotion,
-};
-#[cfg(feature = "precise")]
-#[doc(hidden)]
-pub use farseer_precise::depth::shape_distance::{DepthQueryFootprint, DepthQueryShape, signed_distance_3d};
-#[doc(hidden)]
-pub use farseer_precise::footprint_corners::FootprintCorners;
 pub use farseer_precise::island_report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
 pub use farseer_precise::surface::{FrictionType, SurfaceCoefficients};
 #[allow(deprecated)]
@@ -595,11 +584,10 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
-#[cfg(feature = "precise")]
-#[doc(hidden)]
-pub use precise::depth_contact::{DepthContact, DepthContactEvent, DepthContactPoint, DepthContactTarget};
 pub use report::{AwakeReason, Event, Island, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
+#[cfg(feature = "space")]
+pub use simulator::depth;
 pub use simulator::{
     Context, EventHandler, ExternalConstraints, PhysicsSimulator, SavedSimulator, SolverBodiesView,
     UserController,
@@ -607,8 +595,6 @@ pub use simulator::{
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
 };
-#[doc(hidden)]
-pub use storage::order;
 pub use storage::rejected_arguments::{ArgumentNames, RejectedArguments};
 pub use utilities::{
     BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,

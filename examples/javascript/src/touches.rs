@@ -2,8 +2,8 @@
 
 use std::collections::VecDeque;
 
-use farseer_core::order::{packed_key, sort_by_number};
 use farseer_core::{BodyId, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
+use farseer_precise::storage::order::{packed_key, sort_by_number};
 #[cfg(feature = "depth")]
 use twohalf::{PlatformId, TwoHalfPhysicsSimulator};
 

@@ -1,9 +1,7 @@
-//! Adapter: contacts in three axes as the engine above (`twohalf`) reads them, and the ids that stand for world boxes and the
-//! ground.
+//! Adapter: contacts in three axes as the engine above (`twohalf`) reads them. Only with the feature `space`.
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::storage::arena::Id;
 pub use farseer_precise::depth::contact_point::DepthContactPoint;
 use farseer_precise::depth::owner::{self, ShapeOwner};
 
@@ -60,21 +58,6 @@ pub struct DepthContactEvent {
     pub target: DepthContactTarget,
     /// Manifold of a contact that begins; `None` for a contact that ends.
     pub contact: Option<DepthContact>,
-}
-
-/// Returns the `BodyId` that stands for a sleeping hinged box in a snapshot, from the `GeomId` of the box.
-pub(super) fn world_box_body_id(world_box: GeomId) -> BodyId {
-    BodyId::new(world_box.slot() as u32, 0)
-}
-
-/// Returns the id of the hinged box that a `BodyId` of a snapshot stands for; `None` for a real body.
-pub(super) fn world_box_of_body_id(body: BodyId) -> Option<u32> {
-    owner::world_box_at(body.slot() as u32)
-}
-
-/// Returns whether a `GeomId` stands for a geom, and not for a world box or the ground.
-pub(super) fn is_geom(id: GeomId) -> bool {
-    owner::is_geom(id.slot() as u32)
 }
 
 /// Returns the contact target that a `GeomId` stands for.

@@ -1,10 +1,12 @@
 //! Adapter: contact queries and begin and end events in three axes, for the engine above (`twohalf`).
+//! Only with the feature `space`.
 //!
 //! Translates pairs to geoms, world boxes and the ground. The numbers come from the
 //! [contact reader](farseer_precise::narrow_phase::contact_reader).
 
 use super::Precise;
-use super::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget, contact_target_of, is_geom};
+use super::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget, contact_target_of};
+use super::world_boxes::is_geom;
 use crate::geom::GeomId;
 use crate::precise::ids::geom_of;
 use farseer_precise::broad_phase::hash_grid::overlap;

@@ -9,13 +9,13 @@ use super::Precise;
 use super::body_import::{
     gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
 };
-use super::depth_contact::is_geom;
 use super::geom_import::{
     ProxyImport, RecentShapes, one_way_direction, surface_coefficients, surface_velocity,
 };
 use super::ids::{IdTable, piece_at};
 use super::listed::{Listed, is_simulated};
 use super::saved::{EditPolicy, Saved};
+use super::world_boxes::is_geom;
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::filter::is_valid_pair;

@@ -24,8 +24,11 @@ mod body_io;
 mod candidate_pairs;
 mod contact_events;
 mod contact_points;
+#[cfg(feature = "space")]
 pub(crate) mod depth_contact;
+#[cfg(feature = "space")]
 mod depth_events;
+#[cfg(feature = "space")]
 mod depth_import;
 mod geom_import;
 mod ids;
@@ -44,6 +47,7 @@ mod spring_import;
 mod stages;
 mod vacancies;
 mod wake_import;
+mod world_boxes;
 
 use serde::Deserialize;
 
@@ -52,6 +56,7 @@ use crate::geom::GeomId;
 use crate::methods::Methods;
 use farseer_precise::Solver;
 pub(crate) use farseer_precise::depth::state::DepthState;
+use farseer_precise::index::BodyIndex;
 use farseer_precise::reusing_clone;
 pub(crate) use farseer_precise::scaled_parameters::StepContext;
 use ids::{AlwaysTested, IdTable};
@@ -101,6 +106,37 @@ impl Precise {
     /// Returns an empty engine state for these methods; `None` for the faithful set.
     pub(crate) fn of_methods(methods: Methods) -> Option<Box<Self>> {
         methods.length_unit().map(|unit| Box::new(Precise::new(unit)))
+    }
+
+    /// Returns whether the engine has a depth axis.
+    pub(crate) fn has_depth(&self) -> bool {
+        self.solver.depth.is_some()
+    }
+
+    /// Returns the body index of a dynamic or kinematic body; `None` for static and absent ones.
+    fn movable_index_of(&self, id: BodyId) -> Option<BodyIndex> {
+        self.body_index(id).filter(|&number| number < self.solver.bodies.first_static())
+    }
+
+    /// Returns, for each of two bodies, its id and its acceleration along z by forces (length units/s^2) if updates do not move
+    /// it. The entry of a dynamic or kinematic body of the simulation is `None`.
+    pub(crate) fn inactive_depth_accelerations(
+        &self,
+        ids: [Option<BodyId>; 2],
+    ) -> [Option<(BodyId, f32)>; 2] {
+        ids.map(|id| {
+            let (id, space) = (id?, self.solver.depth.as_ref()?);
+            self.movable_index_of(id).is_none().then(|| (id, space.acceleration(id.slot())))
+        })
+    }
+
+    /// Returns whether a body is at rest along z and, if it is a sphere, does not rotate about x or y. A force along z counts as
+    /// motion if `has_force_of_game` returns true.
+    pub(super) fn rests_along_z(&self, id: BodyId, has_force_of_game: impl Fn() -> bool) -> bool {
+        self.solver.depth.as_ref().is_none_or(|space| {
+            space.is_at_rest(self.body_index(id), id.slot())
+                && (space.acceleration(id.slot()) == 0.0 || !has_force_of_game())
+        })
     }
 
     /// Returns the state of the depth axis; `None` in plain 2D.

@@ -25,8 +25,6 @@ mod winding;
 pub use aabb::Aabb;
 pub use boolean::PolyUnionError;
 pub use edges::{CrossingEdgeInfo, Edge, EdgeAlignment, EdgeIntersectInfo};
-#[doc(hidden)]
-pub use farseer_precise::slanted_box::{BoxTouch, Face, SlantedBox};
 pub use feature::Feature;
 pub use footprint::Footprint;
 pub use polygon_creation_assistance::PolygonCreationAssistance;

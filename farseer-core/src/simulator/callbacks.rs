@@ -1,39 +1,86 @@
 //! Calls of the game's handler: the only place where a game is called.
 
+#[cfg(feature = "space")]
+use super::depth::DepthHandler;
 use super::{Context, EventHandler, PhysicsSimulator};
 use crate::geom::GeomId;
 use crate::object_id::ObjectId;
 use crate::report::{Event, PendingEvent, Report};
 
 /// The handler of an update, if there is one.
-pub(crate) struct Handler<'h>(Option<&'h mut dyn EventHandler>);
+pub(crate) enum Handler<'h> {
+    None,
+    Game(&'h mut dyn EventHandler),
+    /// The handler of an engine with depth, which has callbacks of its own.
+    #[cfg(feature = "space")]
+    Depth(&'h mut dyn DepthHandler),
+}
 
 impl<'h> Handler<'h> {
     pub(crate) fn new(handler: Option<&'h mut dyn EventHandler>) -> Self {
-        Handler(handler)
+        handler.map_or(Handler::None, Handler::Game)
+    }
+
+    /// The handler of an engine with depth.
+    #[cfg(feature = "space")]
+    pub(super) fn of_depth(handler: Option<&'h mut dyn DepthHandler>) -> Self {
+        handler.map_or(Handler::None, Handler::Depth)
     }
 
     /// No handler.
     pub(crate) fn none() -> Self {
-        Handler(None)
+        Handler::None
     }
 
     #[inline]
     pub(crate) fn get(&mut self) -> Option<&mut (dyn EventHandler + 'h)> {
-        self.0.as_deref_mut()
+        match self {
+            Handler::None => None,
+            Handler::Game(handler) => Some(&mut **handler),
+            #[cfg(feature = "space")]
+            Handler::Depth(handler) => Some(&mut **handler),
+        }
     }
 
     /// Whether there is a handler for which `what` is true.
     pub(crate) fn wants(&self, what: impl FnOnce(&dyn EventHandler) -> bool) -> bool {
-        self.0.as_deref().is_some_and(what)
+        match self {
+            Handler::None => false,
+            Handler::Game(handler) => what(&**handler),
+            #[cfg(feature = "space")]
+            Handler::Depth(handler) => what(&**handler),
+        }
     }
 
     /// The same with a shorter lifetime.
     pub(crate) fn reborrow(&mut self) -> Handler<'_> {
-        match &mut self.0 {
-            Some(handler) => Handler(Some(&mut **handler)),
-            None => Handler(None),
+        match self {
+            Handler::None => Handler::None,
+            Handler::Game(handler) => Handler::Game(&mut **handler),
+            #[cfg(feature = "space")]
+            Handler::Depth(handler) => Handler::Depth(&mut **handler),
         }
+    }
+}
+
+/// Callbacks of an engine with depth.
+#[cfg(feature = "space")]
+impl PhysicsSimulator {
+    /// Asks about the touching pairs. A pair that the handler refuses exerts no impulse in this update.
+    pub(super) fn ask_about_depth_contacts(&mut self, handler: &mut Handler<'_>) {
+        let Handler::Depth(asked) = handler else { return };
+        let refused = asked.on_contacts(&mut self.context());
+        self.apply_edits(handler);
+        if let Some(precise) = &mut self.pipeline.precise {
+            refused.into_iter().for_each(|pair| precise.disable_contact(pair));
+        }
+    }
+
+    /// Reports that bodies have moved.
+    pub(super) fn report_depth_moved(&mut self, handler: &mut Handler<'_>) {
+        let Handler::Depth(told) = handler else { return };
+        told.on_moved(&mut self.context());
+        self.apply_edits(handler);
     }
 }
 

@@ -105,7 +105,8 @@ impl PhysicsSimulator {
         });
         if is_accepted.is_none() {
             self.report.push(event(true));
-            if let Some(handler) = handler.get() {
+            #[cfg(feature = "space")]
+            if let Handler::Depth(handler) = handler {
                 handler.on_silent_collision(self, this, other, contacts);
             }
         }

@@ -33,12 +33,6 @@ impl Context<'_> {
     pub fn simulator(&self) -> &PhysicsSimulator {
         self.simulator
     }
-
-    /// For engines with depth, which report edits at once.
-    #[doc(hidden)]
-    pub fn simulator_mut(&mut self) -> &mut PhysicsSimulator {
-        self.simulator
-    }
 }
 
 /// Surface coefficients that a handler may set in [`on_collision`](crate::EventHandler::on_collision), for all contacts

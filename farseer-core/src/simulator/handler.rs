@@ -1,6 +1,6 @@
 //! Callbacks of a game (behaviour chapters 03, 04 and 08).
 
-use super::{Context, PhysicsSimulator};
+use super::Context;
 use crate::body::BodyId;
 use crate::contacts::contact::Contact;
 use crate::controllers::{ControllerId, FluidContainer};
@@ -75,33 +75,6 @@ pub trait EventHandler {
     fn accepts_pair(&mut self, context: &mut Context<'_>, geom1: GeomId, geom2: GeomId) -> bool {
         let _ = (context, geom1, geom2);
         true
-    }
-
-    /// For engines with depth: all contacts are known, and no impulse has been applied yet. Returns the indices of
-    /// pairs that exert no impulse in this update.
-    #[doc(hidden)]
-    fn on_depth_contacts(&mut self, context: &mut Context<'_>) -> Vec<usize> {
-        let _ = context;
-        Vec::new()
-    }
-
-    /// For engines on top: a geom touches another one, and [`on_collision`](Self::on_collision) is not called because
-    /// its [callbacks](crate::Geom::collision_callbacks_enabled) are switched off.
-    #[doc(hidden)]
-    fn on_silent_collision(
-        &mut self,
-        simulator: &PhysicsSimulator,
-        this: GeomId,
-        other: GeomId,
-        contacts: &[Contact],
-    ) {
-        let _ = (simulator, this, other, contacts);
-    }
-
-    /// For engines with depth: bodies have moved, and no other callback has been called yet.
-    #[doc(hidden)]
-    fn on_depth_moved(&mut self, context: &mut Context<'_>) {
-        let _ = context;
     }
 
     /// See [`Event::BodyUpdated`](crate::Event::BodyUpdated).

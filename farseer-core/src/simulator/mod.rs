@@ -6,8 +6,8 @@ mod collide;
 mod contacts;
 mod context;
 mod controllers;
-#[cfg(feature = "precise")]
-mod depth_hooks;
+#[cfg(feature = "space")]
+pub mod depth;
 mod facade;
 mod handler;
 #[cfg_attr(not(feature = "precise"), path = "no_precise.rs")]

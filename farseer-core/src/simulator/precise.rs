@@ -53,6 +53,7 @@ impl PhysicsSimulator {
             (stats.computed, stats.recycled);
         if self.precise().has_depth() {
             self.report.counters.pairs_touching = self.precise().touching_count();
+            #[cfg(feature = "space")]
             self.ask_about_depth_contacts(handler);
         } else {
             if handler.wants(|handler| handler.filters_pairs()) {
@@ -356,9 +357,8 @@ impl PhysicsSimulator {
         precise.write_bodies(objects, report);
         let event_count = report.events.len();
         precise.solver.refit_aabbs();
-        if precise.has_depth() {
-            self.call_handler(handler, |handler, context| handler.on_depth_moved(context));
-        }
+        #[cfg(feature = "space")]
+        self.report_depth_moved(handler);
         self.store_joint_forces(handler);
         if handler.get().is_some() {
             self.report_moved_bodies(event_count - self.report.counters.bodies_moved..event_count, handler);

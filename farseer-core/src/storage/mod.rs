@@ -8,4 +8,4 @@ pub(crate) mod rejected_arguments;
 pub(crate) mod stamped_set;
 
 #[doc(inline)]
-pub use farseer_precise::storage::order;
+pub(crate) use farseer_precise::storage::order;

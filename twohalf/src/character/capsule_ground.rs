@@ -1,6 +1,6 @@
 //! Ground of a capsule: the height and normal at which its lower hemisphere rests on boxes and prisms.
 
-use farseer_core::DepthQueryFootprint;
+use farseer_precise::depth::shape_distance::DepthQueryFootprint;
 
 use crate::Vector3;
 use crate::shapes::{Face, SlantedBox, WalkableTop};

@@ -1,6 +1,6 @@
 //! Footprint of a character: a rectangle or a disc in X and Z, and the area that it sweeps.
 
-use farseer_core::DepthQueryFootprint;
+use farseer_precise::depth::shape_distance::DepthQueryFootprint;
 
 use super::capsule_ground::EndSphere;
 use crate::shapes::SlantedBox;

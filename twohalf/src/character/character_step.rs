@@ -2,8 +2,9 @@
 
 use std::cell::RefCell;
 
+use farseer_core::Body;
+use farseer_core::depth::DepthContact;
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{Body, DepthContact};
 
 use super::character_footprint::CharacterFootprint;
 use super::ground_probe::{GroundHit, ProbeLimits, partner_of};

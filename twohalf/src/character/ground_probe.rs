@@ -161,7 +161,7 @@ impl TwoHalfPhysicsSimulator {
 }
 
 /// Returns the contact target as seen by one geom of the contact; `None` if the geom is not part of the contact.
-pub(super) fn partner_of(touch: &farseer_core::DepthContact, geom: GeomId) -> Option<ContactTarget> {
+pub(super) fn partner_of(touch: &farseer_core::depth::DepthContact, geom: GeomId) -> Option<ContactTarget> {
     let partner = crate::views::partner_of(touch.target);
     match partner {
         ContactTarget::Geom(other) if other == geom => Some(ContactTarget::Geom(touch.this)),

@@ -1,7 +1,7 @@
 //! Neighbours of a character, sorted: the order in which the core reports them differs after loading.
 
-use farseer_core::order::{packed_key, sort_by_number_in};
-use farseer_core::{DepthContact, DepthContactTarget};
+use farseer_core::depth::{DepthAxis, DepthContact, DepthContactTarget};
+use farseer_precise::storage::order::{packed_key, sort_by_number_in};
 
 use super::character_footprint::CharacterFootprint;
 use crate::depth::Footing;
@@ -33,17 +33,16 @@ impl TwoHalfPhysicsSimulator {
         [low, high]: [f32; 2],
         near: &mut Neighbours,
     ) {
+        let core = DepthAxis::of(&self.core);
         let Neighbours { geoms, tops, touches, refused, held_by, places } = near;
         held_by.clear();
         refused.clear();
-        refused.extend(
-            self.core.vetoed_depth_contacts_of(body).map(|(_, partner)| crate::views::partner_of(partner)),
-        );
+        refused.extend(core.vetoed_contacts_of(body).map(|(_, partner)| crate::views::partner_of(partner)));
         refused.extend(self.world.footings.refused_to(geom));
         geoms.clear();
-        geoms.extend(self.core.depth_neighbours_of(body));
+        geoms.extend(core.neighbours_of(body));
         let region = [[around.left, -high, around.front], [around.right, -low, around.back]];
-        self.core.for_each_depth_geom_in(region, body, |geom| {
+        core.for_each_geom_in(region, body, |geom| {
             if self.core.geom(geom).is_some_and(|geom| geom.collision_response_enabled()) {
                 geoms.push(geom);
             }
@@ -52,7 +51,7 @@ impl TwoHalfPhysicsSimulator {
         geoms.dedup();
         self.gather_tops(geoms, around, tops);
         touches.clear();
-        touches.extend(self.core.depth_contacts_of(body));
+        touches.extend(core.contacts_of(body));
         sort_by_number_in(places, touches, |touch| packed_key(touch.pieces));
         sort_by_number_in(places, touches, |touch| {
             let (kind, partner) = match touch.target {

@@ -3,7 +3,8 @@
 //! Sides of level, untilted platforms are found by a shape cast before they are touched. Sheared, climbing
 //! and turned boxes are found by the contacts of the narrow phase, which exist before the touch.
 
-use farseer_core::{DepthContact, DepthQueryFootprint};
+use farseer_core::depth::DepthContact;
+use farseer_precise::depth::shape_distance::DepthQueryFootprint;
 
 use super::character_footprint::{CharacterFootprint, FOOTPRINT_SKIN, RoundFoot};
 use super::character_step::StepContext;

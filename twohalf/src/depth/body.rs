@@ -1,8 +1,7 @@
 //! State of a body beyond that of the core: motion along Z, and its ground.
 
-use farseer_core::{
-    ArgumentNames, Body, BodyId, DepthBodyState, DepthTarget, PhysicsSimulator, RejectedArguments,
-};
+use farseer_core::depth::{DepthBodyState, DepthTarget};
+use farseer_core::{ArgumentNames, Body, BodyId, Objects, RejectedArguments};
 use serde::{Deserialize, Serialize};
 
 use super::ground::Ground;
@@ -117,6 +116,6 @@ impl DepthBody {
 }
 
 /// Returns whether the solver can move a body: enabled and dynamic.
-pub(crate) fn is_movable(core: &PhysicsSimulator, body: BodyId) -> bool {
+pub(crate) fn is_movable(core: &Objects, body: BodyId) -> bool {
     core.body(body).is_some_and(|body| body.enabled() && !body.is_static() && !body.is_kinematic())
 }

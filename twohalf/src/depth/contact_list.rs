@@ -1,8 +1,8 @@
 //! Persistent contacts: key, manifold points with accumulated impulses, and the feature that persists between
 //! updates.
 
-use farseer_core::order::{packed_key, sort_by_number_in};
 use farseer_core::{BodyId, GeomId};
+use farseer_precise::storage::order::{packed_key, sort_by_number_in};
 use serde::{Deserialize, Serialize};
 
 use super::contact_target::{Axis, ContactTarget};

@@ -4,10 +4,10 @@
 mod swing;
 mod turned;
 
+use farseer_core::depth::{WorldBox, WorldBoxMotion};
 use farseer_core::math::scalar;
 use farseer_core::{
-    ArgumentNames, CollisionCategory, CollisionFilter, RejectedArguments, SurfaceCoefficients, WorldBox,
-    WorldBoxMotion,
+    ArgumentNames, CollisionCategory, CollisionFilter, RejectedArguments, SurfaceCoefficients,
 };
 use serde::{Deserialize, Serialize};
 

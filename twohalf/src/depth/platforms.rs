@@ -1,7 +1,7 @@
 //! All platforms of a simulator, with a broad phase along X.
 
-use farseer_core::WorldBoxMotion;
-use farseer_core::order::{sort_numbered, total_order_key};
+use farseer_core::depth::WorldBoxMotion;
+use farseer_precise::storage::order::{sort_numbered, total_order_key};
 use serde::{Deserialize, Serialize};
 
 use super::platform::Platform;

@@ -1,6 +1,8 @@
 //! Upright geoms in the form that the core takes, and their extents.
 
-use farseer_core::{Body, DepthQueryFootprint, GeomRef, VerticalShape, Vertices};
+use farseer_core::depth::VerticalShape;
+use farseer_core::{Body, GeomRef, Vertices};
+use farseer_precise::depth::shape_distance::DepthQueryFootprint;
 
 use super::profile::DepthProfile;
 use crate::{Vector2, Vector3};

@@ -4,7 +4,8 @@ use farseer_core::{Body, BodyId, Geom, GeomId, ObjectId, PhysicsSimulator};
 
 use crate::Result;
 use crate::depth::{Platform, PlatformId, World};
-use crate::views::{Access, AccessMut, TwoHalfBody, TwoHalfGeom};
+use crate::views::access::{Source, SourceMut};
+use crate::views::{TwoHalfBody, TwoHalfGeom};
 
 /// Access of a callback to the simulator that calls it. The outcome of a single collision, which callbacks of
 /// the core may set for an update, cannot be set here.
@@ -77,7 +78,7 @@ impl<'a> Context<'a> {
 
 macro_rules! access {
     ($($type:ty),*) => {$(
-        impl Access for $type {
+        impl Source for $type {
             fn core(&self) -> &PhysicsSimulator {
                 self.core.simulator()
             }
@@ -90,7 +91,7 @@ macro_rules! access {
 
 access!(&Context<'_>, &mut Context<'_>);
 
-impl AccessMut for &mut Context<'_> {
+impl SourceMut for &mut Context<'_> {
     fn core_body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
         Context::core_body_mut(self, body)
     }

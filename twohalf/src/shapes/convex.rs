@@ -10,7 +10,9 @@
 
 use farseer_core::Vertices;
 use farseer_core::math::{Matrix, Vector2, vector2};
-use farseer_core::order::{packed_key as joined_bits, sort_by_number, sort_numbered, total_order_key};
+use farseer_precise::storage::order::{
+    packed_key as joined_bits, sort_by_number, sort_numbered, total_order_key,
+};
 
 use super::{cross64, doubled_area, edges};
 

@@ -19,7 +19,7 @@ mod walkable_top;
 pub(crate) use ball::{ball_ball, ball_prism, ball_prism_through_face, entry_face_of_prism};
 pub(crate) use convex::ConvexPieces;
 pub(crate) use entry_axis::{EntryAxis, MAX_ENTRY_AGE, RESTING_SLOP_FACTOR, is_depth_last};
-pub(crate) use farseer_core::shape::{Face, SlantedBox};
+pub(crate) use farseer_precise::slanted_box::{Face, SlantedBox};
 pub(crate) use nearest::nearest;
 pub(crate) use overlap::{outlines_overlap, overlap_points, span_of};
 pub(crate) use prism_box::{BoxManifold, PersistedAxis, prism_box};

@@ -5,7 +5,7 @@
 //! an edge of each (Gottschalk, Lin and Manocha, *OBBTree*, 1996). For a box and a round shape it is a larger
 //! box with rounded edges (Ericson, *Real-Time Collision Detection*, 5.5.7).
 
-use farseer_core::VerticalShape;
+use farseer_core::depth::VerticalShape;
 
 use super::{Face, SlantedBox};
 use crate::{Vector2, Vector3};

@@ -1,7 +1,8 @@
 //! Walkable tops of prisms.
 
+use farseer_core::GeomId;
+use farseer_core::depth::VerticalShape;
 use farseer_core::math::Vector2;
-use farseer_core::{GeomId, VerticalShape};
 
 /// An edge of a prism whose normal points up, or the top of an upright shape.
 #[derive(Debug, Clone, Copy)]

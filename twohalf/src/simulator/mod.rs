@@ -24,12 +24,13 @@ pub use rays::{RayHit3D, SweepHit3D};
 pub use save::SavedTwoHalfSimulator;
 pub use surface_query::Surface;
 
+use farseer_core::depth::DepthAxisMut;
 use farseer_core::{Body, BodyId, PhysicsSimulator};
 
 use crate::character::Neighbours;
 use crate::depth::{DepthScheme, World};
 use crate::stages::{Pipeline, Report};
-use crate::views::{Access, AccessMut};
+use crate::views::access::{Source, SourceMut};
 use crate::{Projection, Result, Vector2};
 use objects::adopt_body;
 
@@ -157,7 +158,7 @@ impl TwoHalfPhysicsSimulator {
         let mut simulator = TwoHalfPhysicsSimulator::of(core, world);
         simulator.core.process_added_and_removed();
         if is_precise {
-            simulator.core.enable_depth(LENGTH_UNIT)?;
+            DepthAxisMut::of(&mut simulator.core).enable(LENGTH_UNIT)?;
         }
         let TwoHalfPhysicsSimulator { core, world, .. } = &mut simulator;
         for body in core.bodies() {
@@ -175,7 +176,7 @@ impl TwoHalfPhysicsSimulator {
 
 macro_rules! access {
     ($($type:ty),*) => {$(
-        impl Access for $type {
+        impl Source for $type {
             fn core(&self) -> &PhysicsSimulator {
                 &self.core
             }
@@ -188,7 +189,7 @@ macro_rules! access {
 
 access!(&TwoHalfPhysicsSimulator, &mut TwoHalfPhysicsSimulator);
 
-impl AccessMut for &mut TwoHalfPhysicsSimulator {
+impl SourceMut for &mut TwoHalfPhysicsSimulator {
     fn core_body_mut(&mut self, body: BodyId) -> Option<&mut Body> {
         self.core.body_mut(body)
     }

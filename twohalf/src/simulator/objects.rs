@@ -1,5 +1,6 @@
 //! Life cycle of bodies and geoms.
 
+use farseer_core::depth::DepthAxisMut;
 use farseer_core::{Body, BodyId, GeomId, GeomPlacement, ObjectId, PhysicsSimulator, Vertices};
 
 use super::{LENGTH_UNIT, TwoHalfPhysicsSimulator};
@@ -185,7 +186,7 @@ impl TwoHalfPhysicsSimulator {
         self.core.clear();
         if self.world.scheme == DepthScheme::Precise {
             // This cannot fail, since the methods stay the same.
-            let _ = self.core.enable_depth(LENGTH_UNIT);
+            let _ = DepthAxisMut::of(&mut self.core).enable(LENGTH_UNIT);
         }
         let world = &mut self.world;
         world.depths = DepthState::default();

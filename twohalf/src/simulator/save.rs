@@ -6,6 +6,7 @@
 
 use std::borrow::Cow;
 
+use farseer_core::depth::{DepthAxis, DepthAxisMut};
 use farseer_core::{Limits, SavedSimulator};
 use serde::ser::SerializeStruct as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
@@ -57,7 +58,7 @@ impl SavedTwoHalfSimulator {
         let world = World { touches: self.touches, ..self.world };
         let mut simulator = TwoHalfPhysicsSimulator::of(core, world);
         simulator.check()?;
-        list_loaded(&mut simulator.core, &simulator.world);
+        list_loaded(&mut DepthAxisMut::of(&mut simulator.core), &simulator.world);
         Ok(simulator)
     }
 }
@@ -117,7 +118,9 @@ impl TwoHalfPhysicsSimulator {
             _ => true,
         };
         let is_precise = matches!(core.methods(), farseer_core::Methods::Precise { .. });
-        if is_precise != (world.scheme == DepthScheme::Precise) || is_precise != core.has_depth() {
+        if is_precise != (world.scheme == DepthScheme::Precise)
+            || is_precise != DepthAxis::of(&core).is_enabled()
+        {
             return Err(damaged("the methods of the plane are not those of the scheme"));
         }
         if !core.geoms().all(has_its_box) {

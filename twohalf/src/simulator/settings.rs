@@ -1,5 +1,6 @@
 //! Settings of a simulator.
 
+use farseer_core::depth::{DepthAxis, DepthAxisMut};
 use farseer_core::{BodyId, GeomId, Limits, PhysicsSimulator};
 
 use super::{LENGTH_UNIT, TwoHalfPhysicsSimulator};
@@ -182,15 +183,15 @@ impl TwoHalfPhysicsSimulator {
     /// ```
     pub fn set_depth_scheme(&mut self, scheme: DepthScheme) -> Result<()> {
         let is_precise = scheme == DepthScheme::Precise;
-        if scheme == self.world.scheme && is_precise == self.core.has_depth() {
+        if scheme == self.world.scheme && is_precise == DepthAxis::of(&self.core).is_enabled() {
             return Ok(());
         }
         if is_precise {
-            self.core.enable_depth(LENGTH_UNIT)?;
+            DepthAxisMut::of(&mut self.core).enable(LENGTH_UNIT)?;
         } else if let Some(what) = self.precise_only_feature() {
             return Err(only_precise(what));
         } else {
-            self.core.disable_depth()?;
+            DepthAxisMut::of(&mut self.core).disable()?;
         }
         self.world.paces.retain(|pace| !pace.is_over());
         self.world.scheme = scheme;

@@ -1,7 +1,8 @@
 //! Queries of the surface beneath a point, and the walkable tops of geoms.
 
 use farseer_core::math::vector2::transform;
-use farseer_core::{BodyId, DepthQueryFootprint, GeomId};
+use farseer_core::{BodyId, GeomId};
+use farseer_precise::depth::shape_distance::DepthQueryFootprint;
 
 use crate::depth::upright;
 use crate::projection::to_world;

@@ -1,7 +1,8 @@
 //! Conversion of contacts to collisions as games see them.
 
+use farseer_core::depth::DepthContact;
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{DepthContact, GeomId, PhysicsSimulator};
+use farseer_core::{GeomId, PhysicsSimulator};
 
 use crate::depth::{Contact, ContactPoint, ContactTarget};
 use crate::events::Collision;

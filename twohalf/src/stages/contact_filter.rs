@@ -1,8 +1,8 @@
 //! Contact filter of the precise set: asks the event handler about touching pairs.
 
-use farseer_core::DepthContact;
 use farseer_core::GeomId;
-use farseer_core::order::sort_by_number;
+use farseer_core::depth::{DepthAxis, DepthAxisMut, DepthContact};
+use farseer_precise::storage::order::sort_by_number;
 
 use super::collisions::{collisions, has_callbacks};
 use super::core_sync::push_depth_to_core;
@@ -19,7 +19,8 @@ pub(super) fn filter_contacts(
     world: &mut World,
     report: &mut Report,
 ) -> Vec<usize> {
-    let mut found: Vec<(usize, DepthContact)> = context.simulator().depth_contacts_with_listener().collect();
+    let mut found: Vec<(usize, DepthContact)> =
+        DepthAxis::of(context.simulator()).contacts_with_listener().collect();
     sort_by_number(&mut found, |(_, touch)| {
         // `None` comes first.
         contact_of(context.simulator(), touch).map_or(0, |(touch, _)| touch.key.rank() + 1)
@@ -113,7 +114,7 @@ fn accepts(
             continue;
         }
         let accepts = handler.on_collision(&mut Context::within(context, world), &collision);
-        push_depth_to_core(context.simulator_mut(), world, report);
+        push_depth_to_core(&mut DepthAxisMut::within(context), world, report);
         if !accepts {
             report.events.push(Event::Collision(Collision { vetoed: true, ..collision }));
             return false;

@@ -1,6 +1,7 @@
 //! Adapter between the events of the core and the game's handler: it rejects pairs that are separated in depth and adds depth
 //! to the events of all other pairs.
 
+use farseer_core::depth::{DepthAxisMut, DepthHandler};
 use farseer_core::{
     BodyId, Contact, EventHandler as CoreHandler, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId,
 };
@@ -149,23 +150,12 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
     ) -> bool {
         let accepted = self.is_approved(context, geom1, geom2);
         if self.handler.is_some() {
-            push_depth_to_core(context.simulator_mut(), self.world, self.report);
+            push_depth_to_core(&mut DepthAxisMut::within(context), self.world, self.report);
         }
         if !accepted {
             self.report.events.push(Event::BroadPhaseVeto { geom1, geom2 });
         }
         accepted
-    }
-
-    fn on_depth_moved(&mut self, context: &mut farseer_core::Context<'_>) {
-        pull_depth_from_core(context.simulator(), self.world);
-    }
-
-    fn on_depth_contacts(&mut self, context: &mut farseer_core::Context<'_>) -> Vec<usize> {
-        match &mut self.handler {
-            Some(handler) => filter_contacts(&mut **handler, context, self.world, self.report),
-            None => Vec::new(),
-        }
     }
 
     fn accepts_pair(
@@ -209,18 +199,6 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
         accepted
     }
 
-    fn on_silent_collision(
-        &mut self,
-        simulator: &PhysicsSimulator,
-        this: GeomId,
-        other: GeomId,
-        contacts: &[Contact],
-    ) {
-        let pair = key_of(simulator, this, other);
-        let collision = pair.and_then(|pair| self.collision(simulator, &pair, this, contacts));
-        self.report.record_collision(collision, pair.is_some_and(|pair| pair.geom_b == this));
-    }
-
     fn on_separation(&mut self, context: &mut farseer_core::Context<'_>, this: GeomId, other: GeomId) {
         if self.pair_context.pair_cache.touched_in_core(context.simulator(), this, other) {
             let partner = ContactTarget::Geom(other);
@@ -247,7 +225,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
             .call_handler_within(context, |handler, context| handler.on_joint_broke(context, joint))
             .is_some()
         {
-            push_depth_to_core(context.simulator_mut(), self.world, self.report);
+            push_depth_to_core(&mut DepthAxisMut::within(context), self.world, self.report);
         }
     }
 
@@ -256,7 +234,7 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
             .call_handler_within(context, |handler, context| handler.on_spring_broke(context, spring))
             .is_some()
         {
-            push_depth_to_core(context.simulator_mut(), self.world, self.report);
+            push_depth_to_core(&mut DepthAxisMut::within(context), self.world, self.report);
         }
     }
 
@@ -270,5 +248,30 @@ impl CoreHandler for CoreEventAdapter<'_, '_> {
         if let Some(handler) = &mut self.handler {
             handler.on_removed(object);
         }
+    }
+}
+
+impl DepthHandler for CoreEventAdapter<'_, '_> {
+    fn on_contacts(&mut self, context: &mut farseer_core::Context<'_>) -> Vec<usize> {
+        match &mut self.handler {
+            Some(handler) => filter_contacts(&mut **handler, context, self.world, self.report),
+            None => Vec::new(),
+        }
+    }
+
+    fn on_moved(&mut self, context: &mut farseer_core::Context<'_>) {
+        pull_depth_from_core(context.simulator(), self.world);
+    }
+
+    fn on_silent_collision(
+        &mut self,
+        simulator: &PhysicsSimulator,
+        this: GeomId,
+        other: GeomId,
+        contacts: &[Contact],
+    ) {
+        let pair = key_of(simulator, this, other);
+        let collision = pair.and_then(|pair| self.collision(simulator, &pair, this, contacts));
+        self.report.record_collision(collision, pair.is_some_and(|pair| pair.geom_b == this));
     }
 }

@@ -1,8 +1,8 @@
 //! Synchronisation of depth with the precise set: input before a step, results after it.
 
-use farseer_core::{BodyId, DepthBodyState, DepthShape, GeomId, HingeFeature, PhysicsSimulator};
+use farseer_core::depth::{DepthAxis, DepthAxisMut, DepthBodyState, DepthShape, HingeFeature};
+use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 
-use super::forces::disable;
 use super::report::Report;
 use crate::Vector3;
 use crate::depth::{DepthState, PlatformId, World, is_movable};
@@ -20,25 +20,25 @@ pub(super) fn requeue_forces(depths: &mut DepthState) {
 }
 
 /// Sends loaded state to the core, so that queries before the next update work. The next update sends all of it again.
-pub(crate) fn list_loaded(core: &mut PhysicsSimulator, world: &World) {
-    if !core.has_depth() {
+pub(crate) fn list_loaded(core: &mut DepthAxisMut<'_>, world: &World) {
+    if !core.as_ref().is_enabled() {
         return;
     }
     let bodies: Vec<BodyId> = core.bodies().collect();
     for id in bodies {
         let (Some(body), Some(state)) = (core.body(id), world.depths.bodies.get(id)) else { continue };
         let input = state.core_input(state.velocity_z, 0.0, body.is_kinematic());
-        core.set_depth_body(id, input);
+        core.set_body(id, input);
     }
     // A disposed geom, which its body has lost, keeps its contacts until the next update.
     let geoms: Vec<GeomId> = core.geoms().collect();
     geoms.into_iter().for_each(|id| push_profile_to_core(core, &world.depths, id));
     core.set_world_boxes(world.platforms.iter().map(|(id, platform)| platform.fixture(id)));
-    core.rebuild_loaded_depth();
+    core.rebuild_loaded();
 }
 
 /// Sends changed depth states, shapes, platforms and forces along Z to the core; the first time, all of them.
-pub(super) fn push_depth_to_core(core: &mut PhysicsSimulator, world: &mut World, report: &mut Report) {
+pub(super) fn push_depth_to_core(core: &mut DepthAxisMut<'_>, world: &mut World, report: &mut Report) {
     let World { depths, platforms, .. } = world;
     if !std::mem::replace(&mut depths.is_sent, true) {
         core.bodies().for_each(|id| _ = depths.edit(id));
@@ -69,7 +69,7 @@ pub(super) fn push_depth_to_core(core: &mut PhysicsSimulator, world: &mut World,
     }
 }
 
-fn push_body_to_core(core: &mut PhysicsSimulator, depths: &mut DepthState, report: &mut Report, id: BodyId) {
+fn push_body_to_core(core: &mut DepthAxisMut<'_>, depths: &mut DepthState, report: &mut Report, id: BodyId) {
     let (Some(body), Some(state)) = (core.body(id), depths.bodies.get_mut(id)) else { return };
     state.is_edited = false;
     let can_move = is_movable(core, id);
@@ -87,16 +87,16 @@ fn push_body_to_core(core: &mut PhysicsSimulator, depths: &mut DepthState, repor
     let velocity = if impulse == 0.0 { state.velocity_z } else { state.velocity_z + impulse * inverse_mass };
     let acceleration = if state.force_z == 0.0 { 0.0 } else { state.force_z * inverse_mass };
     if !(velocity.is_finite() && acceleration.is_finite()) {
-        disable(core, id);
+        core.disable_body(id);
         report.events.push(Event::NotFinite { body: id, disabled: true });
         return;
     }
     state.velocity_z = velocity;
     let input = state.core_input(velocity, acceleration, body.is_kinematic());
-    core.set_depth_body(id, input);
+    core.set_body(id, input);
 }
 
-fn push_profile_to_core(core: &mut PhysicsSimulator, depths: &DepthState, id: GeomId) {
+fn push_profile_to_core(core: &mut DepthAxisMut<'_>, depths: &DepthState, id: GeomId) {
     let (Some(view), Some(profile)) = (core.geom(id), depths.profiles.get(id)) else { return };
     let ground = depths.bodies.get(view.body()).map(|state| state.ground);
     let ground = ground.filter(|ground| ground.object_geom() == Some(id));
@@ -107,17 +107,17 @@ fn push_profile_to_core(core: &mut PhysicsSimulator, depths: &DepthState, id: Ge
             .map(|ground| [ground.friction_coefficient(), ground.restitution_coefficient()]),
         vertical: profile.upright(),
     };
-    core.set_depth_shape(id, profile);
+    core.set_shape(id, profile);
 }
 
 /// Stores the motion of bodies along Z and of platforms in the world state after a step of the core, before callbacks report
 /// the motion.
 pub(super) fn pull_depth_from_core(core: &PhysicsSimulator, world: &mut World) {
-    for (number, centre, yaw, motion) in core.moving_world_boxes() {
+    for (number, centre, yaw, motion) in DepthAxis::of(core).moving_world_boxes() {
         world.platforms.has_moved(PlatformId::from_number(number), centre, yaw, motion);
     }
     // `for_each` compiles the nested iterators to loops, `for` does not.
-    core.moved_depth_bodies().for_each(|(id, moved)| {
+    DepthAxis::of(core).moved_bodies().for_each(|(id, moved)| {
         let Some(state) = world.depths.bodies.get_mut(id) else { return };
         let DepthBodyState {
             z,
@@ -140,12 +140,13 @@ pub(super) fn pull_depth_from_core(core: &PhysicsSimulator, world: &mut World) {
 pub(super) fn pull_sleep_from_core(core: &PhysicsSimulator, world: &mut World) {
     let World { depths, platforms, .. } = world;
     if HingeFeature::ENABLED {
-        for (number, .., motion) in core.moving_world_boxes().filter(|(.., motion)| motion.hinge().is_some())
+        for (number, .., motion) in
+            DepthAxis::of(core).moving_world_boxes().filter(|(.., motion)| motion.hinge().is_some())
         {
             platforms.has_rested(PlatformId::from_number(number), motion);
         }
     }
-    for (id, rested) in core.newly_asleep_depth_bodies() {
+    for (id, rested) in DepthAxis::of(core).newly_asleep_bodies() {
         let Some(state) = depths.bodies.get_mut(id).filter(|state| !state.is_edited) else { continue };
         (state.z, state.velocity_z, state.sunk) = (rested.z, 0.0, rested.residual_penetration);
         (state.angular_velocity_x, state.angular_velocity_y) = (0.0, 0.0);

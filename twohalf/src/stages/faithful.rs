@@ -2,6 +2,7 @@
 //! between them.
 
 use farseer_core::PhysicsSimulator;
+use farseer_core::depth::DepthAxisMut;
 
 use super::core_events::CoreEventAdapter;
 use super::report::Report;
@@ -57,7 +58,7 @@ fn find_contacts(
 ) {
     game.pair_context.prepare(core, &game.world.depths, dt);
     core.find_pairs(Some(game));
-    core.collide_pairs(Some(game));
+    DepthAxisMut::of(core).collide_pairs(Some(game));
     game.adopt_core_events(core);
     found.clear();
     narrow_phase::find(core, game.world, game.pair_context, found, &mut game.report.counters);

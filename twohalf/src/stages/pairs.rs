@@ -4,8 +4,8 @@
 //! Adopted are pairs with a ball, and outlines that touch along Z.
 
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::order::{packed_key, sort_numbered};
 use farseer_core::{ArbiterRef, GeomId, PhysicsSimulator};
+use farseer_precise::storage::order::{packed_key, sort_numbered};
 
 use super::convex_cache::ConvexCache;
 use super::depth_intervals::{DepthInterval, DepthIntervals};

@@ -1,7 +1,8 @@
 //! Order of the stages with the precise set: the core solves all three axes; `twohalf` sends depth to the core and reports
 //! contacts.
 
-use farseer_core::{DepthContactEvent, PhysicsSimulator};
+use farseer_core::PhysicsSimulator;
+use farseer_core::depth::{DepthAxis, DepthAxisMut, DepthContactEvent};
 
 use super::callbacks::emit_separation;
 use super::collisions::collisions;
@@ -20,10 +21,10 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
     report.begin();
     apply_time_scale(core, world, slowed);
     requeue_forces(&mut world.depths);
-    push_depth_to_core(core, world, report);
+    push_depth_to_core(&mut DepthAxisMut::of(core), world, report);
     let mut game = CoreEventAdapter { world, report, pair_context, handler };
     let has_handler = game.handler.is_some();
-    let goes_on = core.begin_depth_update(dt, has_handler.then_some(&mut game as _));
+    let goes_on = core.process_queues(dt, has_handler.then_some(&mut game as _));
     let mut has_happened = false;
     if !goes_on {
         // Characters that walk while time is stopped queue their supports again.
@@ -33,7 +34,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
             game.world.footings.skip();
         }
         fields::act(core, game.world, game.report, immersion, dt);
-        has_happened = core.continue_depth_update(dt, has_handler.then_some(&mut game as _));
+        has_happened = DepthAxisMut::of(core).step(dt, has_handler.then_some(&mut game as _));
     }
     if has_happened {
         if !has_handler {
@@ -60,7 +61,7 @@ pub(super) fn update(parts: Parts<'_>, dt: f32, handler: Option<&mut dyn EventHa
 
 /// Reports the contacts that began or ended in this update, as events and to the event handler.
 fn emit_contact_changes(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter<'_, '_>) {
-    let changes = core.drain_depth_contact_events();
+    let changes = DepthAxisMut::of(core).drain_contact_events();
     for begun in changes.iter().filter_map(|change| change.contact) {
         let told = collisions(core, &begun).into_iter().flatten();
         game.report.events.extend(told.map(Event::Collision));
@@ -78,7 +79,7 @@ fn emit_contact_changes(core: &mut PhysicsSimulator, game: &mut CoreEventAdapter
 /// Fills the counters of the report for an update of the precise set.
 fn count(core: &PhysicsSimulator, report: &mut Report) {
     let counters = core.counters();
-    let on_ground = core.ground_contact_count();
+    let on_ground = DepthAxis::of(core).ground_contact_count();
     report.counters = StepCounters {
         pairs_tested: counters.pairs_tested,
         pairs_touching: counters.pairs_touching - on_ground,

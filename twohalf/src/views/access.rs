@@ -6,17 +6,27 @@ use crate::depth::World;
 
 /// Read access to a simulator. Implemented for references to
 /// [`TwoHalfPhysicsSimulator`](crate::TwoHalfPhysicsSimulator) and [`Context`](crate::Context) only.
-pub trait Access {
-    #[doc(hidden)]
+pub trait Access: Source {}
+
+/// Write access to a simulator.
+pub trait AccessMut: Access + SourceMut {}
+
+impl<S: Source> Access for S {}
+
+impl<S: SourceMut> AccessMut for S {}
+
+/// The parts of a simulator behind [`Access`]. No other crate can name this trait, so that none implements it.
+pub trait Source {
+    /// The 2D simulator.
     fn core(&self) -> &PhysicsSimulator;
-    #[doc(hidden)]
+    /// The state beside it.
     fn world(&self) -> &World;
 }
 
-/// Write access to a simulator.
-pub trait AccessMut: Access {
-    #[doc(hidden)]
+/// The parts of a simulator behind [`AccessMut`].
+pub trait SourceMut: Source {
+    /// The body in the core; `None` for a stale id.
     fn core_body_mut(&mut self, body: BodyId) -> Option<&mut Body>;
-    #[doc(hidden)]
+    /// The state beside the core.
     fn world_mut(&mut self) -> &mut World;
 }

@@ -1,6 +1,7 @@
 //! Views of bodies for editing.
 
-use farseer_core::{Body, DepthTarget};
+use farseer_core::Body;
+use farseer_core::depth::DepthTarget;
 
 use super::access::AccessMut;
 use super::body::TwoHalfBody;

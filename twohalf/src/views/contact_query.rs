@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use farseer_core::order::sort_by_number;
-use farseer_core::{BodyId, DepthContact, DepthContactTarget, PhysicsSimulator};
+use farseer_core::depth::{DepthAxis, DepthContact, DepthContactTarget};
+use farseer_core::{BodyId, PhysicsSimulator};
+use farseer_precise::storage::order::sort_by_number;
 
 use crate::Vector3;
 use crate::depth::{
@@ -71,10 +72,10 @@ pub(crate) fn contact_of(
 
 /// Returns the contacts of the last update, queried from the core; before the first update after loading those of the save.
 pub(crate) fn list_contacts<'w>(core: &PhysicsSimulator, world: &'w World) -> Cow<'w, ContactList> {
-    if !core.depth_contacts_are_valid() {
+    if !DepthAxis::of(core).contacts_are_valid() {
         return loaded_contacts(core, world);
     }
-    Cow::Owned(list(core, world, core.depth_contacts()))
+    Cow::Owned(list(core, world, DepthAxis::of(core).contacts()))
 }
 
 /// Returns the contacts of one body, if contacts are queried from the core; else all stored contacts.
@@ -83,10 +84,10 @@ pub(super) fn list_contacts_of<'w>(
     world: &'w World,
     body: BodyId,
 ) -> Cow<'w, ContactList> {
-    if !core.depth_contacts_are_valid() {
+    if !DepthAxis::of(core).contacts_are_valid() {
         return loaded_contacts(core, world);
     }
-    Cow::Owned(list(core, world, core.depth_contacts_of(body)))
+    Cow::Owned(list(core, world, DepthAxis::of(core).contacts_of(body)))
 }
 
 /// Returns the stored contacts whose sides still take part in the simulation.
@@ -126,8 +127,8 @@ pub(super) fn support_of(core: &PhysicsSimulator, world: &World, body: BodyId) -
         return world.depths.bodies.get(body)?.support;
     }
     let mut best = None;
-    if core.depth_contacts_are_valid() {
-        let touches = core.depth_contacts_of(body).filter(is_touching);
+    if DepthAxis::of(core).contacts_are_valid() {
+        let touches = DepthAxis::of(core).contacts_of(body).filter(is_touching);
         touches.for_each(|found| {
             if let Some((touch, _)) = contact_of(core, &found) {
                 improve_support(core, world, body, &touch, &mut best);

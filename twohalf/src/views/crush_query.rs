@@ -1,6 +1,7 @@
 //! Crush query: penetration of a body between two opposite sides.
 
-use farseer_core::{BodyId, DepthContact, PhysicsSimulator};
+use farseer_core::depth::{DepthAxis, DepthContact};
+use farseer_core::{BodyId, PhysicsSimulator};
 
 use super::contact_query::{is_touching, partner_of};
 use crate::Vector3;
@@ -27,7 +28,7 @@ pub(crate) fn crush_info(core: &PhysicsSimulator, world: &World, body: BodyId) -
         return None;
     }
     let mut sides: [Option<(f32, ContactTarget)>; 6] = [None; 6];
-    for touch in core.depth_contacts_of(body).filter(|touch| touch.responds && is_touching(touch)) {
+    for touch in DepthAxis::of(core).contacts_of(body).filter(|touch| touch.responds && is_touching(touch)) {
         let (partner, normal) = seen_from(body, &touch);
         let depth = touch.points[..touch.count].iter().fold(f32::MIN, |it, point| it.max(-point.separation));
         for axis in 0..3 {

@@ -1,6 +1,6 @@
 //! Views of bodies, geoms, grounds, platforms and contacts, through a simulator or the context of a callback.
 
-mod access;
+pub(crate) mod access;
 mod body;
 mod body_mut;
 mod contact_query;

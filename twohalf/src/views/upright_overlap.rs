@@ -1,6 +1,7 @@
 //! Overlap test of upright geoms.
 
-use farseer_core::{DepthQueryShape, GeomId, PhysicsSimulator, signed_distance_3d};
+use farseer_core::{GeomId, PhysicsSimulator};
+use farseer_precise::depth::shape_distance::{DepthQueryShape, signed_distance_3d};
 
 use crate::depth::{DepthProfile, DepthState, upright};
 use crate::shapes::ConvexPieces;

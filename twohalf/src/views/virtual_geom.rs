@@ -1,7 +1,8 @@
 //! Footprints: the virtual geoms of the thesis (3.5).
 
+use farseer_core::depth::VerticalShape;
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{GeomRef, PhysicsSimulator, VerticalShape};
+use farseer_core::{GeomRef, PhysicsSimulator};
 
 use crate::Vector3;
 use crate::depth::{DepthProfile, upright};

@@ -1,7 +1,8 @@
 //! Hinged platforms: doors that swing about an upright hinge.
 
+use farseer_core::Error;
+use farseer_core::depth::{HingeFeature, WorldBoxHinge, WorldBoxMotion};
 use farseer_core::math::scalar::nearest_finite;
-use farseer_core::{Error, HingeFeature, WorldBoxHinge, WorldBoxMotion};
 use serde::{Deserialize, Serialize};
 
 use super::{Platform, PlatformMotion};

@@ -1,6 +1,7 @@
 //! Immersed volume of a geom in a box of the world, and its centroid.
 
-use farseer_core::{BodyId, GeomId, PhysicsSimulator, VerticalShape};
+use farseer_core::depth::VerticalShape;
+use farseer_core::{BodyId, GeomId, PhysicsSimulator};
 
 use crate::Vector3;
 use crate::depth::upright::{depths as depths_of, half_height, middle as middle_of, span};

@@ -2,6 +2,7 @@
 
 mod immersion;
 
+use farseer_core::depth::DepthAxisMut;
 use farseer_core::{Body, BodyId, PhysicsSimulator};
 
 use super::report::Report;
@@ -129,7 +130,7 @@ fn apply_field_force(
     // The precise set integrates Z itself.
     let kept = world.depths.bodies.get_mut(id).filter(|_| world.scheme != DepthScheme::Precise);
     let along_z = kept.as_ref().map_or(0.0, |state| state.force_z + force[2]);
-    if !(along_z.is_finite() && core.apply_force_3d(id, force, torque)) {
+    if !(along_z.is_finite() && DepthAxisMut::of(core).apply_force(id, force, torque)) {
         report.events.push(Event::NotFinite { body: id, disabled: false });
     } else if let Some(state) = kept {
         state.force_z = along_z;

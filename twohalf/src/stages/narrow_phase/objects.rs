@@ -1,7 +1,7 @@
 //! Manifolds of two objects: balls with any shape, and outlines that touch along Z.
 
 use farseer_core::GeomRef;
-use farseer_core::order::sort_by_number_in;
+use farseer_precise::storage::order::sort_by_number_in;
 
 use super::add_contact::ContactPair;
 use super::{ContactFinder, MAX_POINTS, Manifold, ManifoldPoint, PersistedFeature, SurfacePair};

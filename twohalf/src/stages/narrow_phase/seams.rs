@@ -5,7 +5,7 @@
 //! as the surface below the ball supports it.
 
 use farseer_core::GeomId;
-use farseer_core::order::sort_by_number_in;
+use farseer_precise::storage::order::sort_by_number_in;
 
 use crate::Vector3;
 use crate::depth::{Contact, ContactList, ContactTarget, PersistedFeature};
