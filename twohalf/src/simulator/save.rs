@@ -119,7 +119,7 @@ impl TwoHalfPhysicsSimulator {
         };
         let is_precise = matches!(core.methods(), farseer_core::Methods::Precise { .. });
         if is_precise != (world.scheme == DepthScheme::Precise)
-            || is_precise != DepthAxis::of(&core).is_enabled()
+            || is_precise != DepthAxis::of(core).is_enabled()
         {
             return Err(damaged("the methods of the plane are not those of the scheme"));
         }
