@@ -4,8 +4,6 @@
 //! inside of an outline makes no contact, and every other edge stores the normals of the edges before and after it
 //! along the outline.
 
-use super::pieces::Piece;
-use crate::math::Vector2;
 use crate::math::plane::{Rot, Vector, rotate};
 
 /// The place of a piece's edge in the whole outline.
@@ -33,22 +31,6 @@ pub(crate) fn normal([ax, ay]: Vector, [bx, by]: Vector) -> Vector {
     let (x, y) = (f64::from(bx) - f64::from(ax), f64::from(by) - f64::from(ay));
     let length = (x * x + y * y).sqrt();
     [(y / length) as f32, (-x / length) as f32]
-}
-
-/// The edges of a chain. An open end continues as if with an edge at a right angle, turned away from the free side.
-pub fn edges_of_chain(points: &[Vector2], is_closed: bool) -> impl Iterator<Item = Piece> {
-    let points: Vec<Vector> = points.iter().map(|v| [v.x, v.y]).collect();
-    let count = if is_closed { points.len() } else { points.len() - 1 };
-    let ends = move |edge: usize| [points[edge], points[(edge + 1) % points.len()]];
-    let normals: Vec<Vector> = (0..count).map(&ends).map(|[a, b]| normal(a, b)).collect();
-    (0..count).map(move |edge| {
-        let [x, y] = normals[edge];
-        let (has_before, has_after) = (is_closed || edge > 0, is_closed || edge + 1 < count);
-        let before = if has_before { normals[(edge + count - 1) % count] } else { [y, -x] };
-        let after = if has_after { normals[(edge + 1) % count] } else { [-y, x] };
-        let seam = Seam { is_internal: false, neighbours: [before, after] };
-        Piece::Edge { ends: ends(edge), normal: [x, y], seam }
-    })
 }
 
 /// Adjacency of the edges of a convex part. The part is given by corner indices, in the order of the outline.

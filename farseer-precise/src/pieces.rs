@@ -5,7 +5,8 @@
 use std::sync::Arc;
 
 use super::convex_parts::convex_parts;
-use super::edge_adjacency::{Seam, seams_of_part};
+use super::edge_adjacency::{Seam, normal, seams_of_part};
+use crate::math::Vector2;
 use crate::math::plane::{Vector, cross, difference, dot, length};
 use crate::storage::order::{packed_key, sort_by_number, total_order_key};
 
@@ -60,6 +61,22 @@ pub fn pieces_of_outline(corners: Vec<Vector>) -> Arc<[Piece]> {
         // The outline crosses itself, or has too many corners to be cut.
         None => Arc::new([polygon_or_point(hull(corners))]),
     }
+}
+
+/// The edges of a chain. An open end continues as if with an edge at a right angle, turned away from the free side.
+pub fn edges_of_chain(points: &[Vector2], is_closed: bool) -> impl Iterator<Item = Piece> {
+    let points: Vec<Vector> = points.iter().map(|v| [v.x, v.y]).collect();
+    let count = if is_closed { points.len() } else { points.len() - 1 };
+    let ends = move |edge: usize| [points[edge], points[(edge + 1) % points.len()]];
+    let normals: Vec<Vector> = (0..count).map(&ends).map(|[a, b]| normal(a, b)).collect();
+    (0..count).map(move |edge| {
+        let [x, y] = normals[edge];
+        let (has_before, has_after) = (is_closed || edge > 0, is_closed || edge + 1 < count);
+        let before = if has_before { normals[(edge + count - 1) % count] } else { [y, -x] };
+        let after = if has_after { normals[(edge + 1) % count] } else { [-y, x] };
+        let seam = Seam { is_internal: false, neighbours: [before, after] };
+        Piece::Edge { ends: ends(edge), normal: [x, y], seam }
+    })
 }
 
 /// A polygon, or a disc of radius 0 if it has shrunk to a point.

@@ -8,8 +8,7 @@ use std::sync::Arc;
 
 use super::outline::{Outline, capsule_half_axis};
 use crate::geom::entry::GeomEntry;
-use farseer_precise::edge_adjacency::edges_of_chain;
-use farseer_precise::pieces::{Piece, pieces_of_outline};
+use farseer_precise::pieces::{Piece, edges_of_chain, pieces_of_outline};
 
 /// Number of outlines that [`RecentOutlines`] remembers, a count. Value chosen: worlds of many geoms repeat few outlines.
 const RECENT_OUTLINES: usize = 4;

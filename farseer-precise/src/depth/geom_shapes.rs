@@ -3,7 +3,7 @@
 use super::interface::{DepthInterval, DepthShape};
 use super::owner::{ShapeOwner, owner_of};
 use super::state::{DepthExtent, DepthState, entry, entry_mut};
-use super::vertical_shapes::VerticalSolid;
+use super::vertical_solid::VerticalSolid;
 use super::world_box_shape::{vertical_of, yaw_extent};
 use crate::broad_phase::proxies::Proxies;
 use crate::index::ProxyIndex;

@@ -43,5 +43,6 @@ pub mod vertical_dispatch;
 pub mod vertical_prism;
 pub mod vertical_shapes;
 pub mod vertical_sheared_box;
+pub mod vertical_solid;
 pub mod world_box_shape;
 pub mod world_boxes;

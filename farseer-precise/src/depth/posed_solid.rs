@@ -1,6 +1,6 @@
 //! Solids of the narrow phase in three axes: a proxy's shape with its pose and motion, and the margins of a pair.
 
-use super::vertical_shapes::VerticalSolid;
+use super::vertical_solid::VerticalSolid;
 use crate::math::plane::{Pose, Vector, dot, rotate, rotate_inverse, rotation, sum, translation};
 use crate::narrow_phase::manifold::Manifold;
 use crate::parameters::depth::{

@@ -11,7 +11,8 @@
 use super::posed_solid::{ContactMargins, PosedSolid, PreviousAxis, SolidKind};
 use super::prism_collision::{prism_sphere, prism_sphere_distance};
 use super::vertical_prism::PosedPrism;
-use super::vertical_shapes::{PosedVertical, VerticalSolid, dot3};
+use super::vertical_shapes::{PosedVertical, dot3};
+use super::vertical_solid::VerticalSolid;
 use super::{sheared_box, vertical_prism, vertical_shapes, vertical_sheared_box};
 use crate::math::Vector3;
 use crate::math::plane::{difference, translation};

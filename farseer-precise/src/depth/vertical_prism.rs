@@ -9,8 +9,9 @@ use super::footprint::{FootprintPolygon, FootprintShape};
 use super::posed_solid::{ContactMargins, PosedSolid, PreviousAxis};
 use super::vertical_shapes::{
     AxisCandidates, AxisContact, LATERAL_AXIS_FEATURE, PosedVertical, SeparatingAxis, VERTICAL_AXIS_FEATURE,
-    VerticalSolid, clamp_any, collide_along_chosen_axis, larger_separation, relative_displacement,
+    clamp_any, collide_along_chosen_axis, larger_separation, relative_displacement,
 };
+use super::vertical_solid::VerticalSolid;
 use crate::math::plane::{Vector, difference, dot, length, rotate, rotation, scaled, sum, translation};
 use crate::narrow_phase::manifold::Manifold;
 use crate::parameters::depth::{

@@ -10,8 +10,9 @@ use super::posed_solid::{ContactMargins, PosedSolid, PreviousAxis};
 use super::sheared_box::convex_hull;
 use super::vertical_shapes::{
     AxisCandidates, AxisContact, LATERAL_AXIS_FEATURE, PosedVertical, SeparatingAxis, VERTICAL_AXIS_FEATURE,
-    VerticalSolid, collide_along_chosen_axis, larger_separation,
+    collide_along_chosen_axis, larger_separation,
 };
+use super::vertical_solid::VerticalSolid;
 use crate::math::Vector3;
 use crate::math::plane::{Vector, cross, difference, dot, length, scaled, sum};
 use crate::narrow_phase::manifold::Manifold;

@@ -1,7 +1,7 @@
 //! Poses, extents and motion of a single world box.
 
 use super::interface::{WorldBox, WorldBoxHinge, WorldBoxMotion};
-use super::vertical_shapes::VerticalSolid;
+use super::vertical_solid::VerticalSolid;
 use crate::math::Vector3;
 use crate::math::plane::{Pose, length};
 

@@ -4,7 +4,7 @@
 //! mean of the points. It also stores the combined friction and restitution coefficients, and the surface velocity of conveyor
 //! belts.
 
-use super::{NarrowPhase, ProxyPair};
+use super::stage::{NarrowPhase, ProxyPair};
 use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ};
 use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::constraint_graph::{ContactConstraint, ContactConstraintZ, ContactPoint, tangents};

@@ -8,7 +8,7 @@
 //! Speculative contacts of the initial poses (E. Catto, "Continuous Collision", GDC 2013) would have the normal of a moment
 //! without touch, and would stop bodies that only pass by.
 
-use super::{NarrowPhase, ProxyPair};
+use super::stage::{NarrowPhase, ProxyPair};
 use crate::broad_phase::fat_aabbs::is_fast_kinematic;
 use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::continuous_collision::time_of_impact::{

@@ -30,96 +30,29 @@ pub mod rim_ghost_filter;
 pub mod rolling_contacts;
 pub mod shape_dispatch;
 pub mod shape_pair;
+pub mod stage;
 pub mod static_sensor_pairs;
+pub mod touch_event;
 pub mod touch_state;
 
-use super::bodies::BodySet;
-use super::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint};
-use super::depth::feature_gate::FeatureGate;
+use super::constraint_graph::ContactConstraint;
 use super::depth::posed_solid::{ContactMargins, PreviousAxis};
 use super::depth::sphere_sphere::collide_spheres;
-use super::depth::state::DepthState;
-use super::direct_solver::DirectSolver;
-use super::scaled_parameters::Parameters;
-use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ, Pairs, RecheckTrigger, UPDATED_BY_SOLVER};
-use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
+use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ, RecheckTrigger, UPDATED_BY_SOLVER};
+use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::contact_solver::rolling::RollingContact;
-use crate::index::{BodyIndex, PairIndex, ProxyIndex};
-use crate::island::sleep::SleepState;
-use crate::math::plane::{Pose, Vector, difference, length, rotate_inverse, rotation, translation};
+use crate::index::{PairIndex, ProxyIndex};
+use crate::math::plane::length;
 use crate::math::scalar::nearest_finite;
 use crate::narrow_phase::flush_geoms::FlushFilter;
 use crate::narrow_phase::manifold::Manifold;
 use crate::narrow_phase::shape_dispatch::collide;
 use crate::parameters::broad_phase::SEPARATED_PAIR_MAX_SLACK;
-use crate::surface::FrictionType;
 use build_constraint::transfer_friction_impulse;
 use kinematic_sweep::ApproachDistances;
-pub use touch_state::TouchEvent;
-
-/// The narrow phase: references to the state of the simulator that it reads and writes.
-pub struct NarrowPhase<'a> {
-    pub(crate) bodies: &'a BodySet,
-    pub(crate) proxies: &'a Proxies,
-    pub(crate) pairs: &'a mut Pairs,
-    pub(crate) constraints: &'a mut ConstraintGraph,
-    pub(crate) palette: &'a mut ColorUsage,
-    pub(crate) sleep: &'a mut SleepState,
-    pub(crate) direct: &'a mut DirectSolver,
-    pub(crate) depth: Option<FeatureGate<&'a DepthState>>,
-    pub(crate) parameters: &'a Parameters,
-    pub(crate) friction: FrictionType,
-    /// Largest number of contact points of two convex pieces, 1 or 2. Further points of a manifold are dropped, the shallowest
-    /// first.
-    pub(crate) max_contacts: usize,
-    /// Length of the step, in seconds.
-    pub(crate) dt: f32,
-    /// Velocity change by gravity in the step, for a body of gravity scale 1, in length units/s.
-    pub(crate) gravity_delta: Vector,
-    /// Events of pairs of geoms that have begun or ceased to touch since the last report to the game.
-    pub(crate) touch_events: &'a mut Vec<TouchEvent>,
-    /// Contacts with static or kinematic bodies that have ended, in worlds with a depth axis: index of the dynamic body, and
-    /// the penetration at the end in length units, >= 0.
-    pub(crate) ended_static_contacts: &'a mut Vec<(BodyIndex, f32)>,
-    pub(crate) stats: &'a mut NarrowPhaseStats,
-    /// Workspace: indices of the pairs to update; empty between updates of contacts.
-    pub(crate) dirty_pairs: &'a mut Vec<PairIndex>,
-    /// Contacts of polygons that roll over a static face in this step. The solver updates these contacts in its substeps.
-    pub(crate) rolling_contacts: &'a mut Vec<RollingContact>,
-}
-
-/// Numbers of pairs with contacts that the narrow phase has updated: those computed anew, and those recycled.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct NarrowPhaseStats {
-    /// Number of updated pairs whose manifold was computed anew.
-    pub computed: usize,
-    /// Number of updated pairs whose cached manifold was recycled.
-    pub recycled: usize,
-}
-
-/// The proxies A and B of a pair, with the world poses of their bodies.
-#[derive(Clone, Copy)]
-pub(crate) struct ProxyPair<'a> {
-    pub(crate) a: &'a Proxy,
-    pub(crate) b: &'a Proxy,
-    pub(crate) pose_a: Pose,
-    pub(crate) pose_b: Pose,
-}
-
-impl ProxyPair<'_> {
-    /// Returns the pose of B's body in the frame of A's body: x and y in length units, cosine and sine of the angle.
-    pub(crate) fn relative_pose(&self) -> [f32; 4] {
-        let (qa, qb) = (rotation(self.pose_a), rotation(self.pose_b));
-        let [x, y] = rotate_inverse(qa, self.offset());
-        let [c, s] = rotate_inverse(qa, qb);
-        [x, y, c, s]
-    }
-
-    /// Returns the vector from the origin of A's body to the origin of B's body, in world axes, length units.
-    pub(crate) fn offset(&self) -> Vector {
-        difference(translation(self.pose_b), translation(self.pose_a))
-    }
-}
+pub(crate) use stage::ProxyPair;
+pub use stage::{NarrowPhase, NarrowPhaseStats};
+pub use touch_event::TouchEvent;
 
 impl<'a> NarrowPhase<'a> {
     /// Returns the proxies of a pair with the present poses of their bodies.
