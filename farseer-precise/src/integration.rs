@@ -15,6 +15,7 @@ use super::bodies::{BodySet, MotionState, sin_cos_of_rotation};
 use super::constraint_graph::{ColorUsage, ContactConstraintSimd, ContactPointSimd, SimdContacts};
 use super::joints::JointSystem;
 use super::scaled_parameters::StepContext;
+use crate::math::decay;
 
 /// Velocity of a body before the step, and its changes by forces in the step.
 #[derive(Debug, Default)]
@@ -27,6 +28,41 @@ pub struct BodyForces {
     /// Correction of the displacement in the step for applied forces: x, y (length units), rotation (radians), z (length
     /// units).
     pub force_position_delta: [f32; 4],
+}
+
+impl BodyForces {
+    /// Returns the changes of a velocity in a step of `dt` and its substeps of `h` seconds by accelerations and drag rates (1/s, of the
+    /// velocity in the plane and of the spin). The accelerations are those by applied forces and by gravity.
+    /// The velocity after the step is the exact solution of `v' = a - r v` for drag rate r (1/s) and acceleration a: `v E + a (1 -
+    /// E) / r` with `E = exp(-r dt)`. Quadratic drag has the rate of the beginning of the step throughout.
+    ///
+    /// `force_position_delta` corrects the displacement for forces that a game or a spring has applied, since they may depend on
+    /// the position. Free flight moves bodies by the mean of the velocities before and after the step. Under a spring force this
+    /// displacement would be too short, and the amplitude would grow. With the correction, applied forces move the body by the
+    /// velocity after the step. That is the symplectic Euler method, as in the faithful set, which keeps the amplitude.
+    #[inline(always)]
+    pub fn of_step(
+        velocity: [f32; 4],
+        [applied, by_gravity]: [f32x4; 2],
+        drag_rates: (f32, f32),
+        [dt, h]: [f32; 2],
+    ) -> Self {
+        let acceleration = by_gravity + applied;
+        let velocity_change = match drag_rates {
+            // Without drag E = 1.
+            (0.0, 0.0) => acceleration * f32x4::splat(dt),
+            (drag, rotational_drag) => {
+                let (decay, grown) =
+                    decay::decay_and_integral_simd(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
+                f32x4::new(velocity) * decay + acceleration * grown
+            }
+        };
+        BodyForces {
+            velocity,
+            force_delta: (velocity_change * f32x4::splat(h / dt)).to_array(),
+            force_position_delta: (applied * f32x4::splat(0.5 * dt * dt)).to_array(),
+        }
+    }
 }
 
 /// Begins a substep: adds to the velocity of each awake body its change by forces (`force_delta`) and its warm start.

@@ -32,7 +32,7 @@ pub struct Solver {
     pub parameters: Parameters,
     /// Length of the substep in which the accumulated contact impulses last acted, seconds, >= 0. A step with another substep
     /// length scales the impulses.
-    pub impulse_substep: f32,
+    pub(crate) impulse_substep: f32,
     /// Length of the last step, seconds, >= 0; 0 before the first step. Fat AABBs reach ahead by the motion of a few steps of this length.
     pub dt: f32,
     /// Parameters of the last step, which the next one keeps if it has the same length and number of substeps; `None` before
@@ -187,6 +187,34 @@ impl Solver {
         }
     }
 
+    /// Returns the lengths of the last substep and of the last step, seconds, >= 0; 0 before the first step.
+    pub fn step_lengths(&self) -> [f32; 2] {
+        [self.impulse_substep, self.dt]
+    }
+
+    /// Sets the lengths of the last substep and of the last step, seconds, as a snapshot has them.
+    pub fn set_step_lengths(&mut self, [substep, step]: [f32; 2]) {
+        (self.impulse_substep, self.dt) = (substep, step);
+    }
+
+    /// Returns the number of substeps of the last step; 0 before the first.
+    pub fn substep_count(&self) -> u32 {
+        if self.impulse_substep > 0.0 { (self.dt / self.impulse_substep).round() as u32 } else { 0 }
+    }
+
+    /// Returns whether no stage of the solver has work: no awake pairs, new fat AABBs, one-way geoms, events, handler changes,
+    /// joints or islands in the direct solver.
+    pub fn is_idle(&self) -> bool {
+        self.pairs.awake_count() == 0
+            && self.proxies.refitted().is_empty()
+            && self.proxies.one_way_count == 0
+            && self.enlarged_proxies.is_empty()
+            && self.touch_events.is_empty()
+            && !self.has_handler_changes
+            && self.joints.is_empty()
+            && self.direct_solver.is_idle()
+    }
+
     /// Sets the user's choice of solvers, from this update on.
     pub fn set_solver_choice(&mut self, choice: SolverChoice) {
         self.direct_solver.set_choice(choice);
@@ -221,6 +249,7 @@ impl Solver {
             friction: self.friction,
             max_contacts: self.max_contacts as usize,
             dt: self.dt,
+            impulse_substep: self.impulse_substep,
             gravity_delta: self.gravity_delta,
             touch_events: &mut self.touch_events,
             ended_static_contacts: &mut self.ended_static_contacts,

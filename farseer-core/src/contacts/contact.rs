@@ -3,6 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use crate::math::Vector2;
+#[cfg(feature = "precise")]
+use crate::math::scalar::nearest_finite;
+#[cfg(feature = "precise")]
+use farseer_precise::narrow_phase::contact_reader::PlanarContactPoint;
 
 /// Identifies a contact from one update to the next: the vertex of one geom that touches another geom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
@@ -41,6 +45,15 @@ impl Contact {
     /// A contact that has not carried any impulse yet.
     pub fn new(position: Vector2, normal: Vector2, separation: f32, id: ContactId) -> Self {
         Contact { id, position, normal, separation, normal_impulse: 0.0, tangent_impulse: 0.0 }
+    }
+
+    /// A contact point of the precise set. Numbers that are not finite become the nearest finite ones.
+    #[cfg(feature = "precise")]
+    pub(crate) fn of_point(point: &PlanarContactPoint, normal: Vector2, id: ContactId) -> Self {
+        let &PlanarContactPoint { position: [x, y], separation, impulses, feature: _ } = point;
+        let [normal_impulse, tangent_impulse] = impulses.map(nearest_finite);
+        Contact::new(Vector2::new(x, y), normal, nearest_finite(separation), id)
+            .with_impulses(normal_impulse, tangent_impulse)
     }
 
     /// The same contact with impulses for a warm start, in mass units · length units/s.

@@ -1,5 +1,4 @@
-//! Adapter: reads [`Body`] objects into the numbers that [`BodySet`] holds, and computes the velocity
-//! changes by forces, gravity and drag.
+//! Adapter: reads [`Body`] objects into the numbers that [`BodySet`] holds, and the forces on them.
 
 use wide::f32x4;
 
@@ -7,7 +6,6 @@ use crate::body::Body;
 use farseer_precise::bodies::{BodySet, ListedBody, sin_cos_of_rotation};
 use farseer_precise::index::BodyIndex;
 use farseer_precise::integration::BodyForces;
-use farseer_precise::math::decay;
 use farseer_precise::math::plane::Pose;
 
 /// Returns the pose of a body (x, y in length units, cosine and sine of the rotation) and its rotation (radians), world frame.
@@ -59,42 +57,20 @@ pub(super) fn velocity_of(body: &Body) -> [f32; 4] {
     [velocity.x, velocity.y, body.angular_velocity(), 0.0]
 }
 
-/// Returns the velocity of a body, and its changes in steps of `dt` and substeps of `h` seconds by forces, gravity and drag.
-/// The velocity after the step is the exact solution of `v' = a - r v` for drag rate r (1/s) and acceleration a: `v E + a (1 -
-/// E) / r` with `E = exp(-r dt)`. Quadratic drag has the rate of the beginning of the step throughout.
-///
-/// `force_position_delta` corrects the displacement for forces that a game or a spring has applied, since they may depend on
-/// the position. Free flight moves bodies by the mean of the velocities before and after the step. Under a spring force this
-/// displacement would be too short, and the amplitude would grow. With the correction, applied forces move the body by the
-/// velocity after the step. That is the symplectic Euler method, as in the faithful set, which keeps the amplitude.
+/// Begins a step of a body: returns its velocity, and its changes by forces, gravity and drag. `gravity`: acceleration of a body of
+/// gravity scale 1, length units/s^2. Step and substeps take `dt` and `h` seconds.
 #[inline(always)]
 pub(super) fn read_body(body: &mut Body, gravity: f32x4, dt: f32, h: f32) -> BodyForces {
     if body.is_kinematic() {
         body.begin_kinematic_step(dt);
-        return BodyForces {
-            velocity: velocity_of(body),
-            force_delta: [0.0; 4],
-            force_position_delta: [0.0; 4],
-        };
+        return BodyForces { velocity: velocity_of(body), ..BodyForces::default() };
     }
-    body.apply_accumulated_impulse();
-    let velocity = f32x4::new(velocity_of(body));
-    let (force, turning) = body.take_accelerations();
-    let applied = f32x4::new([force.x, force.y, turning, 0.0]);
+    let (force, turning) = body.begin_dynamic_step();
     let scale = body.effective_gravity_scale();
-    let acceleration = gravity * f32x4::new([scale, scale, 0.0, 0.0]) + applied;
-    let velocity_change = match body.drag_rates() {
-        // Without drag E = 1.
-        (0.0, 0.0) => acceleration * f32x4::splat(dt),
-        (drag, rotational_drag) => {
-            let (decay, grown) =
-                decay::decay_and_integral_simd(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
-            velocity * decay + acceleration * grown
-        }
-    };
-    BodyForces {
-        velocity: velocity.to_array(),
-        force_delta: (velocity_change * f32x4::splat(h / dt)).to_array(),
-        force_position_delta: (applied * f32x4::splat(0.5 * dt * dt)).to_array(),
-    }
+    BodyForces::of_step(
+        velocity_of(body),
+        [f32x4::new([force.x, force.y, turning, 0.0]), gravity * f32x4::new([scale, scale, 0.0, 0.0])],
+        body.drag_rates(),
+        [dt, h],
+    )
 }

@@ -2,8 +2,7 @@
 
 use crate::contacts::contact::{Contact, ContactId};
 use crate::math::Vector2;
-use crate::math::scalar::nearest_finite;
-use farseer_precise::narrow_phase::contact_reader::{PlanarContact, PlanarContactPoint};
+use farseer_precise::narrow_phase::contact_reader::PlanarContact;
 
 /// Returns the contacts of two geoms; the first `count` entries are valid. `creation_numbers`: those of the geoms of proxies A
 /// and B. The normal of the result points from the geom with the smaller number to the other one.
@@ -14,11 +13,8 @@ pub(super) fn contacts_of(contact: &PlanarContact, [a, b]: [u32; 2]) -> [Contact
     let normal = Vector2::new(sign * contact.normal[0], sign * contact.normal[1]);
     let mut contacts = [Contact::default(); 2];
     for (contact, point) in contacts.iter_mut().zip(&contact.points[..contact.count]) {
-        let &PlanarContactPoint { position: [x, y], separation, feature, impulses } = point;
-        let id = ContactId { geom1, vertex: feature as i32, geom2 };
-        let [normal_impulse, tangent_impulse] = impulses.map(nearest_finite);
-        *contact = Contact::new(Vector2::new(x, y), normal, nearest_finite(separation), id)
-            .with_impulses(normal_impulse, tangent_impulse);
+        let id = ContactId { geom1, vertex: point.feature as i32, geom2 };
+        *contact = Contact::of_point(point, normal, id);
     }
     contacts
 }

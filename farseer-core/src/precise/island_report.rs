@@ -134,11 +134,7 @@ impl Precise {
         let solver = &self.solver;
         let mut census = IslandCensus::default();
         solver.solver_selection().count_islands(&mut census, &|body| solver.bodies.initial_velocity[body]);
-        let substeps = if solver.impulse_substep > 0.0 {
-            (solver.dt / solver.impulse_substep).round() as u32
-        } else {
-            0
-        };
+        let substeps = solver.substep_count();
         let rows = rows_by_body(&solver.bodies, &solver.proxies, &solver.pairs, &solver.sleep);
         let mut reports: IndexedVec<BodyIndex, BodyReport> = solver
             .bodies

@@ -29,29 +29,14 @@ impl Precise {
     pub(crate) fn try_skip_step(&mut self, settings: &StepSettings) -> bool {
         let &StepSettings { dt, substeps, gravity, may_sleep, friction, max_contacts: most_contacts } =
             settings;
-        let is_as_before = self.solver.impulse_substep == dt / substeps as f32
+        let is_as_before = self.solver.step_lengths()[0] == dt / substeps as f32
             && may_sleep
             && self.solver.sleep.is_undisturbed([gravity.x, gravity.y])
             && (self.solver.friction, self.solver.max_contacts) == (friction, most_contacts);
-        if !(is_as_before && self.has_no_work()) {
+        if !(is_as_before && self.solver.is_idle() && !self.may_break_joints()) {
             return false;
         }
         self.solver.dt = dt;
         true
-    }
-
-    /// Returns whether no stage of the step has work: no awake pairs, new fat AABBs, one-way geoms, events, handler changes,
-    /// joints or islands in the direct solver.
-    fn has_no_work(&self) -> bool {
-        let solver = &self.solver;
-        solver.pairs.awake_count() == 0
-            && solver.proxies.refitted().is_empty()
-            && solver.proxies.one_way_count == 0
-            && solver.enlarged_proxies.is_empty()
-            && solver.touch_events.is_empty()
-            && !solver.has_handler_changes
-            && solver.joints.is_empty()
-            && !self.may_break_joints()
-            && solver.direct_solver.is_idle()
     }
 }

@@ -63,8 +63,7 @@ impl Precise {
 
     /// Parks the contact constraints of pairs without an awake body: see [`sleep_pairs`].
     pub(super) fn sleep_pairs(&mut self) {
-        let h = self.solver.impulse_substep;
-        sleep_pairs(&mut self.solver.narrow_phase(), h);
+        sleep_pairs(&mut self.solver.narrow_phase());
     }
 
     /// Stores the joints of sleeping bodies in `sleeping_joints`, and makes the solvers import the other joints anew.
@@ -207,8 +206,7 @@ impl Precise {
 
     /// Makes the bodies in `wake_requests` awake, with the bodies that fell asleep with them and all pairs.
     fn process_wake_requests(&mut self) {
-        let h = self.solver.impulse_substep;
-        wake_requested(&mut self.solver.narrow_phase(), h);
+        wake_requested(&mut self.solver.narrow_phase());
         // A handler's decision on a contact holds for one step.
         self.solver.has_handler_changes = true;
     }

@@ -18,6 +18,7 @@ pub mod contact_constraint;
 pub mod contact_constraint_3d;
 pub mod contact_constraint_simd;
 pub mod impulse_scaling;
+pub mod saved_constraint;
 
 use crate::index::{IndexedVec, PairIndex};
 use crate::reusing_clone;

@@ -46,8 +46,9 @@ pub fn are_sleeping_pairs_parked(
 }
 
 /// Parks the contact constraints of pairs without an awake body that impulses can move. Pairs without a body that may move
-/// leave the awake pairs. `h`: length of the present substeps, seconds.
-pub fn sleep_pairs(narrow_phase: &mut NarrowPhase<'_>, h: f32) {
+/// leave the awake pairs.
+pub fn sleep_pairs(narrow_phase: &mut NarrowPhase<'_>) {
+    let h = narrow_phase.impulse_substep;
     // Backwards: a pair that moves into a free position has been handled already.
     for pair in narrow_phase.pairs.awake().rev() {
         let NarrowPhase { sleep, pairs, proxies, .. } = narrow_phase;
@@ -64,22 +65,22 @@ pub fn sleep_pairs(narrow_phase: &mut NarrowPhase<'_>, h: f32) {
     }
 }
 
-/// Wakes the bodies in `wake_requests`, each with all bodies that fell asleep with it, and their pairs. `h`: length of the
-/// present substeps, seconds.
-pub fn wake_requested(narrow_phase: &mut NarrowPhase<'_>, h: f32) {
+/// Wakes the bodies in `wake_requests`, each with all bodies that fell asleep with it, and their pairs.
+pub fn wake_requested(narrow_phase: &mut NarrowPhase<'_>) {
     let sleep = &mut *narrow_phase.sleep;
     let mut requests = std::mem::take(&mut sleep.wake_requests);
     let mut woken = Vec::new();
     requests.drain(..).for_each(|body| sleep.wake_ring(body, |body| woken.push(body)));
     sleep.wake_requests = requests;
-    wake_pairs(narrow_phase, &woken, h);
+    wake_pairs(narrow_phase, &woken);
 }
 
 /// Moves the pairs of woken bodies back to the awake pairs, and returns their contact constraints to the colours of the
-/// constraint graph. `h`: length of the present substeps, seconds.
+/// constraint graph.
 ///
 /// The pairs are taken in the order of creation numbers, because the order of constraints in the overflow colour depends on it.
-fn wake_pairs(narrow_phase: &mut NarrowPhase<'_>, woken_bodies: &[BodyIndex], h: f32) {
+fn wake_pairs(narrow_phase: &mut NarrowPhase<'_>, woken_bodies: &[BodyIndex]) {
+    let h = narrow_phase.impulse_substep;
     let (all, proxies) = (&*narrow_phase.pairs, narrow_phase.proxies);
     let mut pairs = Vec::new();
     for &body in woken_bodies {

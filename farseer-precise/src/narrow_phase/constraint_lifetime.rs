@@ -5,6 +5,7 @@
 
 use super::NarrowPhase;
 use crate::broad_phase::pairs::{Pairs, UPDATED_BY_SOLVER};
+use crate::constraint_graph::saved_constraint::SavedConstraint;
 use crate::constraint_graph::{
     Color, ConstraintGraph, ConstraintHandle, ContactConstraint, ParkedConstraint,
 };
@@ -156,21 +157,11 @@ impl NarrowPhase<'_> {
         set_handle(self.pairs, self.constraints, pair, moved);
     }
 
-    /// Restores the contact constraint of a pair from a snapshot, with its graph colour `color`; `set` fills in the stored
-    /// impulses.
-    ///
-    /// `parked` is `None` for a constraint in the graph. For a parked one it holds the length of the substeps of its impulses,
-    /// in seconds. Constraints in the direct solver also have exact impulses, in mass units * length units/s: normal impulses
-    /// of both points, then friction.
-    pub fn restore_constraint(
-        &mut self,
-        pair: PairIndex,
-        color: u32,
-        parked: Option<(f32, Option<[f64; 3]>)>,
-        set: impl FnOnce(&mut ContactConstraint),
-    ) {
+    /// Restores the contact constraint of a pair from a snapshot: in its graph colour, or parked.
+    pub fn restore_constraint(&mut self, pair: PairIndex, saved: &SavedConstraint) {
         let mut constraint = self.build_constraint(pair, self.proxy_pair(pair));
-        set(&mut constraint);
+        saved.apply_to(&mut constraint);
+        let (color, parked) = (saved.color(), saved.parked());
         let kind = self.pairs.state(pair).kind;
         let color = self.palette.reserve_color(kind, [constraint.a, constraint.b], Color(color));
         self.palette.set_color(kind, [constraint.a, constraint.b], color, true);

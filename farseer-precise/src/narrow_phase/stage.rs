@@ -33,6 +33,8 @@ pub struct NarrowPhase<'a> {
     pub(crate) max_contacts: usize,
     /// Length of the step, in seconds.
     pub(crate) dt: f32,
+    /// Length of the substep in which the impulses of the constraints act, in seconds.
+    pub(crate) impulse_substep: f32,
     /// Velocity change by gravity in the step, for a body of gravity scale 1, in length units/s.
     pub(crate) gravity_delta: Vector,
     /// Events of pairs of geoms that have begun or ceased to touch since the last report to the game.

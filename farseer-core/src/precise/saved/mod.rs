@@ -24,6 +24,7 @@ use crate::precise::sleeping_joints::SleepingJoint;
 use farseer_precise::broad_phase::pairs::CachedManifoldZ;
 use farseer_precise::broad_phase::pairs::OneWayState;
 use farseer_precise::broad_phase::proxies::BodyType;
+use farseer_precise::constraint_graph::saved_constraint::SavedConstraint;
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::direct_solver::{IslandHistory, ReselectionTimer};
 use farseer_precise::index::IndexedVec;
@@ -37,7 +38,8 @@ use farseer_precise::surface::FrictionType;
 pub(crate) struct Saved {
     tuning: Parameters,
     /// Length of the substep in which the saved contact impulses act, seconds.
-    h: f32,
+    #[serde(rename = "h")]
+    substep: f32,
     /// Length of the last step, seconds.
     dt: f32,
     /// Whether a collision handler has disabled or changed a contact for the last step.
@@ -245,46 +247,6 @@ struct SavedManifold {
     /// Additional data of contacts in three axes.
     #[serde(rename = "space")]
     depth: CachedManifoldZ,
-}
-
-/// Saved impulses and surface properties of a contact constraint.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct SavedConstraint {
-    /// Index of the graph colour of the constraint.
-    colour: u32,
-    /// Index of the slot in the overflow colour, whose order influences the bits; 0 in all other colours.
-    slot: u32,
-    /// Length of the substep in which the impulses act, seconds, if the constraint is parked because its bodies sleep; else
-    /// `None`.
-    #[serde(rename = "asleep")]
-    sleeping_h: Option<f32>,
-    /// If the constraint is in the direct solver: length of the substep in which the impulses act (seconds), and the impulses
-    /// in double precision (mass units * length units/s) of both points and of friction. Else `None`.
-    direct: Option<(f32, [f64; 3])>,
-    /// Friction impulse along the tangent. Unit: mass units * length units/s.
-    tangent_impulse: f32,
-    /// Impulses in three axes: friction along the second tangent, friction about Z (twist), and totals of the step for both
-    /// points and both tangents. Units: mass units * length units/s; twist: mass units * length units^2/s.
-    #[serde(rename = "space")]
-    depth_impulses: [f32; 6],
-    /// Normal impulses of both points. Unit: mass units * length units/s.
-    impulses: [f32; 2],
-    /// Rest impulses of both points, which load adaptation has set. Unit: mass units * length units/s.
-    #[serde(rename = "held")]
-    load_offsets: [f32; 2],
-    /// Whether a handler has removed each point, or the point does not exist.
-    #[serde(rename = "are_dropped")]
-    are_disabled: [bool; 2],
-    /// Separations at both points, negative for penetration. Unit: length units.
-    separations: [f32; 2],
-    /// Friction and restitution coefficient (dimensionless) and tangent speed (length units/s) of a sleeping constraint, if a
-    /// handler has overridden them; else `None`.
-    #[serde(rename = "kept")]
-    sleeping_surface: Option<[f32; 3]>,
-    /// Friction and restitution coefficient (dimensionless) and tangent speed (length units/s) of an awake constraint, if a
-    /// handler has overridden them; else `None`. Not serialised: the next step begins with the values of the geoms.
-    #[serde(skip)]
-    awake_surface: Option<[f32; 3]>,
 }
 
 /// When edits that were made since the saved state take effect, if the lists are rebuilt from that state.

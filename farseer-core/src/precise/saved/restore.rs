@@ -4,8 +4,8 @@
 //! both paths give the same bits.
 
 use super::{
-    EditPolicy, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
-    SavedSleeperIndex, SavedSleepingBody, SavedTouchEvent,
+    EditPolicy, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex, SavedSleeperIndex,
+    SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
 use crate::objects::Objects;
@@ -15,26 +15,23 @@ use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
 use crate::storage::order::sort_by_number;
-use farseer_precise::Solver;
 use farseer_precise::broad_phase::pair_finder::order_pair;
 use farseer_precise::broad_phase::pairs::OneWayState;
 use farseer_precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
+use farseer_precise::constraint_graph::saved_constraint::SavedConstraint;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::index::{BodyIndex, IndexedVec, PairIndex, ProxyIndex};
 use farseer_precise::narrow_phase::TouchEvent;
 
 impl From<Saved> for Precise {
     fn from(saved: Saved) -> Self {
-        let solver = Solver {
-            impulse_substep: saved.h,
-            dt: saved.dt,
-            friction: saved.friction,
-            max_contacts: saved.most_contacts,
-            depth: saved.is_in_space.then(FeatureGate::new).flatten(),
-            ..Solver::new(saved.tuning.length_unit)
-        };
-        let empty = Precise::new(saved.tuning.length_unit);
-        Precise { solver, loaded: Some(saved), ..empty }
+        let mut precise = Precise::new(saved.tuning.length_unit);
+        let solver = &mut precise.solver;
+        solver.set_step_lengths([saved.substep, saved.dt]);
+        (solver.friction, solver.max_contacts) = (saved.friction, saved.most_contacts);
+        solver.depth = saved.is_in_space.then(FeatureGate::new).flatten();
+        precise.loaded = Some(saved);
+        precise
     }
 }
 
@@ -70,7 +67,7 @@ impl Precise {
         for at in saved.pair_order_without(|at| stays[at].is_none()) {
             let (pair, Some(now)) = (&saved.pairs[at], stays[at]) else { continue };
             let row = self.restore_pair(now, pair);
-            let was_direct = pair.constraint.is_some_and(|row| row.direct.is_some());
+            let was_direct = pair.constraint.is_some_and(|row| row.was_direct());
             self.solver.direct_solver.timer.is_due |= was_direct && row.is_none();
             constraints.extend(row);
         }
@@ -101,42 +98,24 @@ impl Precise {
     /// Restores contact constraints, each given by its pair index and saved form.
     fn restore_constraints(&mut self, mut constraints: Vec<(PairIndex, SavedConstraint)>) {
         // Only in the overflow colour the order of constraints influences the bits.
-        sort_by_number(&mut constraints, |(_, row): &(PairIndex, SavedConstraint)| row.slot.into());
+        sort_by_number(&mut constraints, |(_, row): &(PairIndex, SavedConstraint)| row.order().into());
         for (pair, row) in constraints {
-            let surface = row.sleeping_surface.or(row.awake_surface);
-            if let Some([_, restitution, _]) = surface {
+            if let Some([_, restitution, _]) = row.surface() {
                 self.solver.pairs.state_mut(pair).has_surface_override = true;
                 self.solver.has_restitution |= restitution > 0.0;
             }
             let count = self.solver.pairs.manifold(pair).count;
-            let exists = [count > 0, count > 1];
+            let (exists, is_disabled) = ([count > 0, count > 1], row.are_points_disabled());
             self.solver.pairs.state_mut(pair).are_points_removed =
-                [0, 1].map(|at| exists[at] && row.are_disabled[at]);
-            let aside = row.sleeping_h.map(|h| (h, None)).or(row.direct.map(|(h, exact)| (h, Some(exact))));
-            self.solver.narrow_phase().restore_constraint(pair, row.colour, aside, |lane| {
-                if let Some(surface) = surface {
-                    [lane.friction, lane.restitution, lane.tangent_speed] = surface;
-                }
-                lane.tangent_impulse = row.tangent_impulse;
-                let [across, twist, totals @ ..] = row.depth_impulses;
-                (lane.depth.across_impulse, lane.depth.twist_impulse) = (across, twist);
-                lane.depth.totals = totals;
-                for (at, point) in lane.points.iter_mut().enumerate() {
-                    point.normal_impulse = row.impulses[at];
-                    point.rest_impulse = row.load_offsets[at];
-                    point.separation = row.separations[at];
-                    if row.are_disabled[at] {
-                        point.normal_mass = 0.0;
-                    }
-                }
-            });
+                [0, 1].map(|at| exists[at] && is_disabled[at]);
+            self.solver.narrow_phase().restore_constraint(pair, &row);
         }
     }
 
     /// Requests that the bodies of a removed pair wake, since its contact constraint no longer supports them, and that solvers
     /// may be selected anew.
     fn record_lost_constraint(&mut self, pair: &SavedPair, current_proxies: &CurrentProxies) {
-        let was_direct = pair.constraint.is_some_and(|row| row.direct.is_some());
+        let was_direct = pair.constraint.is_some_and(|row| row.was_direct());
         self.solver.direct_solver.timer.is_due |= was_direct;
         self.solver.direct_solver.timer.may_be_due |= self.solver.depth.is_none();
         for proxy in pair.proxies.iter().filter_map(|&proxy| current_proxies[proxy]) {

@@ -1,17 +1,16 @@
 //! Writes the state of the precise set to [`Saved`].
 
 use super::{
-    ImportedState, Saved, SavedConstraint, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
-    SavedSleeperIndex, SavedSleepingBody, SavedTouchEvent,
+    ImportedState, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex, SavedSleeperIndex,
+    SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
-use crate::math::scalar::nearest_finite;
 use crate::precise::Precise;
 use crate::precise::ids::{IdTable, geom_of};
 use crate::storage::order::{packed_key, sort_by_number};
-use farseer_precise::broad_phase::pairs::{CachedManifold, Pair};
+use farseer_precise::broad_phase::pairs::CachedManifold;
 use farseer_precise::broad_phase::proxies::{Proxies, Proxy};
-use farseer_precise::constraint_graph::{ConstraintHandle, ContactConstraint, ContactConstraintZ};
+use farseer_precise::constraint_graph::saved_constraint::SavedConstraint;
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::depth::state::DepthState;
 use farseer_precise::direct_solver::IslandHistory;
@@ -30,10 +29,11 @@ impl Precise {
         let mut saved_indices =
             IndexedVec::of_copies(SavedProxyIndex::default(), solver.proxies.position_count());
         (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = SavedProxyIndex(index));
+        let [substep, dt] = solver.step_lengths();
         Saved {
             tuning: solver.parameters,
-            h: solver.impulse_substep,
-            dt: solver.dt,
+            substep,
+            dt,
             has_handled: solver.has_handler_changes,
             friction: solver.friction,
             most_contacts: solver.max_contacts,
@@ -174,34 +174,9 @@ impl Precise {
             was_vetoed: state.was_vetoed,
             one_way_state: state.one_way_state,
             manifold: SavedManifold::of(manifold),
-            constraint: state.constraint.map(|handle| self.save_constraint(&state, handle, manifold.count)),
-        }
-    }
-
-    /// Returns the saved form of the contact constraint of a pair. `count`: number of points of its manifold, 0..=2.
-    fn save_constraint(&self, state: &Pair, handle: ConstraintHandle, count: u32) -> SavedConstraint {
-        let ContactConstraint {
-            tangent_impulse, points, friction, restitution, tangent_speed, depth, ..
-        } = self.solver.constraints.get(state.kind, handle);
-        let (sleeping, parked) =
-            (self.solver.constraints.sleeping_constraint(handle), self.solver.constraints.parked(handle));
-        let is_absent = [count < 1, count < 2];
-        let surface = state.has_surface_override.then_some([friction, restitution, tangent_speed]);
-        SavedConstraint {
-            colour: parked.map_or(handle.color, |row| row.color).0,
-            slot: if handle.is_overflow() { handle.slot.0 } else { 0 },
-            sleeping_h: sleeping.map(|row| row.h),
-            direct: parked.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact_impulses)),
-            tangent_impulse,
-            depth_impulses: depth_impulses_of(depth),
-            impulses: points.map(|point| point.normal_impulse),
-            load_offsets: points.map(|point| point.rest_impulse),
-            // Not by effective masses: those of the constraint are out of date after an edit of a mass.
-            are_disabled: [0, 1].map(|at| is_absent[at] || state.are_points_removed[at]),
-            // The separation at a body with an extreme spin may overflow.
-            separations: points.map(|point| nearest_finite(point.separation)),
-            sleeping_surface: surface.filter(|_| sleeping.is_some()),
-            awake_surface: surface.filter(|_| sleeping.is_none()),
+            constraint: state
+                .constraint
+                .map(|handle| SavedConstraint::of(&self.solver.constraints, &state, handle, manifold.count)),
         }
     }
 }
@@ -232,13 +207,6 @@ impl SavedManifold {
             depth,
         }
     }
-}
-
-/// Returns the impulses of a constraint in three axes. Friction along the second tangent; friction about Z (mass units * length
-/// units^2/s); totals of the step for both points and both tangents (all others: mass units * length units/s).
-fn depth_impulses_of(depth: ContactConstraintZ) -> [f32; 6] {
-    let [one, other, along, across] = depth.totals;
-    [depth.across_impulse, depth.twist_impulse, one, other, along, across]
 }
 
 /// Returns the saved form of the proxies, in this `order`. `imported` returns the properties of a proxy by which a later edit is
