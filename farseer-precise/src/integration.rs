@@ -42,7 +42,7 @@ impl BodyForces {
     /// velocity after the step. That is the symplectic Euler method, as in the faithful set, which keeps the amplitude.
     #[inline(always)]
     pub fn of_step(
-        velocity: [f32; 4],
+        velocity: f32x4,
         [applied, by_gravity]: [f32x4; 2],
         drag_rates: (f32, f32),
         [dt, h]: [f32; 2],
@@ -54,11 +54,11 @@ impl BodyForces {
             (drag, rotational_drag) => {
                 let (decay, grown) =
                     decay::decay_and_integral_simd(f32x4::new([drag, drag, rotational_drag, 0.0]), dt);
-                f32x4::new(velocity) * decay + acceleration * grown
+                velocity * decay + acceleration * grown
             }
         };
         BodyForces {
-            velocity,
+            velocity: velocity.to_array(),
             force_delta: (velocity_change * f32x4::splat(h / dt)).to_array(),
             force_position_delta: (applied * f32x4::splat(0.5 * dt * dt)).to_array(),
         }

@@ -10,12 +10,12 @@ pub struct TouchEvent {
     pub numbers: (u32, u32),
     /// Whether the touch begins; false if it ends.
     pub begins: bool,
-    /// Numbers of the two geoms: see [`Proxy::owner`].
+    /// Numbers of the two geoms: see [`Proxy::owner`](crate::broad_phase::proxies::Proxy::owner).
     pub owners: [u64; 2],
 }
 
 impl TouchEvent {
-    /// Returns the event of a pair of pieces, given creation number and [owner](Proxy::owner) of both pieces.
+    /// Returns the event of a pair of pieces, given creation number and [owner](crate::broad_phase::proxies::Proxy::owner) of both pieces.
     pub fn new(sides: [(u32, u64); 2], begins: bool) -> Self {
         let key = |(number, owner): (u32, u64)| (number, owner.rotate_left(32));
         let [a, b] = sides;
