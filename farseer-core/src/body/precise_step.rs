@@ -13,12 +13,15 @@ impl Body {
         if self.ignore_gravity || self.is_immovable() { 0.0 } else { self.gravity_scale }
     }
 
-    /// Begins a step of the precise set: the accumulated impulse changes the velocity. Returns linear and angular
-    /// acceleration in length units/s² and rad/s². They are those of the accumulated force and torque, which are
-    /// cleared, and of quadratic drag.
+    /// Begins a step of the precise set: the impulses that the game has applied since the last one change the velocity.
     #[inline]
-    pub(crate) fn begin_dynamic_step(&mut self) -> (Vector2, f32) {
+    pub(crate) fn begin_dynamic_step(&mut self) {
         self.apply_accumulated_impulse();
+    }
+
+    /// Returns linear and angular acceleration for a step of the precise set, in length units/s² and rad/s². They are
+    /// those of the accumulated force and torque, which are cleared, and of quadratic drag.
+    pub(crate) fn take_accelerations(&mut self) -> (Vector2, f32) {
         let mut force = std::mem::replace(&mut self.force, Vector2::zeros());
         if self.is_quadratic_drag_enabled {
             force -= self.linear_velocity * (length(self.linear_velocity) * self.quadratic_drag_coefficient);

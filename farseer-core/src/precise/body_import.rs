@@ -65,7 +65,9 @@ pub(super) fn read_body(body: &mut Body, gravity: f32x4, dt: f32, h: f32) -> Bod
         body.begin_kinematic_step(dt);
         return BodyForces { velocity: velocity_of(body), ..BodyForces::default() };
     }
-    let ((force, turning), velocity) = (body.begin_dynamic_step(), f32x4::new(velocity_of(body)));
+    body.begin_dynamic_step();
+    let velocity = f32x4::new(velocity_of(body));
+    let (force, turning) = body.take_accelerations();
     let applied = f32x4::new([force.x, force.y, turning, 0.0]);
     let scale = body.effective_gravity_scale();
     BodyForces::of_step(

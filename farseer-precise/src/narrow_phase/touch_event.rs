@@ -15,7 +15,8 @@ pub struct TouchEvent {
 }
 
 impl TouchEvent {
-    /// Returns the event of a pair of pieces, given creation number and [owner](crate::broad_phase::proxies::Proxy::owner) of both pieces.
+    /// Returns the event of a pair of pieces, given creation number and
+    /// [owner](crate::broad_phase::proxies::Proxy::owner) of both pieces.
     pub fn new(sides: [(u32, u64); 2], begins: bool) -> Self {
         let key = |(number, owner): (u32, u64)| (number, owner.rotate_left(32));
         let [a, b] = sides;
