@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{COLOR_COUNT, ConstraintGraph, ConstraintHandle, ContactConstraint};
+use super::{COLOR_COUNT, Color, ConstraintGraph, ConstraintHandle, ContactConstraint};
 use crate::broad_phase::pairs::Pair;
+use crate::index::DenseIndex;
 use crate::math::scalar::nearest_finite;
 
 /// Saved impulses and surface properties of a contact constraint.
@@ -87,7 +88,7 @@ impl SavedConstraint {
             sleeping_surface,
             ..
         } = self;
-        (self.colour as usize) < COLOR_COUNT
+        Color(self.colour).position() < COLOR_COUNT
             && finite(&[*tangent_impulse, sleeping_h.unwrap_or(0.0)])
             && direct.is_none_or(|(h, exact)| h.is_finite() && exact.iter().all(|x| x.is_finite()))
             && finite(&sleeping_surface.unwrap_or_default())
