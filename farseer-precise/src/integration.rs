@@ -161,19 +161,18 @@ pub(crate) fn apply_midpoint_correction(
     let (minus_half_h, substeps) = (-0.5 * step.h, step.substeps as f32);
     let max_change = MIDPOINT_MAX_VELOCITY_CHANGE * substeps;
     let max_change_squared = speculative_distance * speculative_distance / (minus_half_h * minus_half_h);
-    let squared = |[x, y, _, z]: [f32; 4]| x * x + y * y + z * z;
     let has_joints = joints.act_on_bodies();
     let is_jointed =
         |body: BodyIndex| has_joints && (joints.has_joint(body) || joints.has_iterative_joint(body));
     let mut correct = |body: BodyIndex| {
         let change = f32x4::new(bodies.states[body].velocity) - f32x4::new(bodies.initial_velocity[body]);
-        let (size, force_delta) = (squared(change.to_array()), bodies.force_delta[body]);
+        let (size, force_delta) = (linear_size_squared(change.to_array()), bodies.force_delta[body]);
         let is_uniform = || {
             let last = f32x4::new(force_delta) + f32x4::new(bodies.warm_start[body]);
-            squared((change - last * f32x4::splat(substeps)).to_array()) <= max_change_squared
+            linear_size_squared((change - last * f32x4::splat(substeps)).to_array()) <= max_change_squared
         };
         let is_free = color_usage.has_no_constraint(body);
-        if size <= max_change * max_change * squared(force_delta)
+        if size <= max_change * max_change * linear_size_squared(force_delta)
             && (is_free || size <= max_change_squared || is_uniform())
         {
             let mut delta_pose = f32x4::new(bodies.delta_pose[body]) + change * f32x4::splat(minus_half_h);
@@ -190,6 +189,12 @@ pub(crate) fn apply_midpoint_correction(
             }
         }
     }
+}
+
+/// Returns the square of the linear part of a velocity change: x, y and z of `[x, y, angular, z]`, in length units^2/s^2.
+#[inline(always)]
+fn linear_size_squared([x, y, _, z]: [f32; 4]) -> f32 {
+    x * x + y * y + z * z
 }
 
 /// Computes the bounce of each contact in the lanes of the mask `lanes` whose two bodies have no other contact or joint.

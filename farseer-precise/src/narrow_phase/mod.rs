@@ -156,19 +156,8 @@ impl<'a> NarrowPhase<'a> {
     /// Computes the manifold of a pair in the plane or in three axes, without ghost collisions. `margin`: contact margin in
     /// length units.
     fn collide(&self, pair: PairIndex, two: ProxyPair<'_>, margin: f32) -> Manifold {
+        let Some(space) = self.depth else { return self.collide_in_plane(pair, two, margin) };
         let shape_of = |proxy: &Proxy| self.proxies.vertices.shape_ref(proxy.shape);
-        let Some(space) = self.depth else {
-            let manifold = collide(shape_of(two.a), shape_of(two.b), two.pose_a, two.pose_b, margin);
-            if two.a.body_type != BodyType::Dynamic && manifold.count > 0 && two.a.shape.vertex_count > 0 {
-                return self.flush_filter().filter_manifold(pair, manifold, margin);
-            }
-            let is_new = manifold.count > 0 && !self.pairs.is_touching(pair);
-            return if is_new && self.are_both_circles(two) {
-                self.circle_contact_at_toi(two, manifold)
-            } else {
-                manifold
-            };
-        };
         let [at_a, at_b] = self.pairs.proxies_of(pair);
         if let Some([a, b]) = space.dynamic_spheres([at_a, at_b], [two.a, two.b], (self.bodies, self.dt)) {
             return collide_spheres(a, b, self.pairs.manifold(pair).count == 0, margin);
@@ -194,6 +183,22 @@ impl<'a> NarrowPhase<'a> {
         );
         let manifold = space.collide(a, b, previous_axis, limits);
         if self.is_hidden_rim(pair, two, [a, b], &manifold) { Manifold::separated(0.0) } else { manifold }
+    }
+
+    /// Computes the manifold of a pair in the plane, without ghost collisions. `margin`: contact margin in length units.
+    #[inline(always)]
+    fn collide_in_plane(&self, pair: PairIndex, two: ProxyPair<'_>, margin: f32) -> Manifold {
+        let [shape_a, shape_b] = [two.a, two.b].map(|proxy| self.proxies.vertices.shape_ref(proxy.shape));
+        let manifold = collide(shape_a, shape_b, two.pose_a, two.pose_b, margin);
+        if two.a.body_type != BodyType::Dynamic && manifold.count > 0 && two.a.shape.vertex_count > 0 {
+            return self.flush_filter().filter_manifold(pair, manifold, margin);
+        }
+        let is_new = manifold.count > 0 && !self.pairs.is_touching(pair);
+        if is_new && self.are_both_circles(two) {
+            self.circle_contact_at_toi(two, manifold)
+        } else {
+            manifold
+        }
     }
 
     /// Removes the contact of a pair, and emits an end-touch event if the pair touched. The separation exceeds the contact
