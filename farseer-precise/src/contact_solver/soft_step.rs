@@ -13,9 +13,10 @@
 //! **Load adaptation** is our addition. A soft constraint that carries a load sags: its penetration is proportional to the
 //! load, and no number of iterations removes it. Here each contact point has a rest impulse l0, which it carries without
 //! penetration: the spring releases `impulse_scale * (l - l0)` of the accumulated impulse l, in place of `impulse_scale * l`.
-//! Once per step l0 follows the load slowly, and only while the contact hardly moves (`adapt_load`), like the integral term
-//! of a controller. That removes most of the sag and adds no stiffness. A fraction of the load stays on the spring, so that
-//! contacts deep in a pile stay closed: l0 rises to 40 % of the load, and falls only when it exceeds the load.
+//! Once per step l0 follows the load slowly, and only while the contact hardly moves (`adapt_load`). It acts like the
+//! integral term of a controller. l0 rises to 40 % of the load, and falls only when it exceeds the load. That removes 40 % of the sag and adds
+//! no stiffness. The other 60 % of the load stay on the spring, so that contacts deep in a pile stay closed. A contact that
+//! comes from the direct solver may begin with its whole load as l0, and hardly sags then.
 //!
 //! Let n be the normal from A to B, t = (n.y, -n.x) the tangent and r the arm of a point, the vector from the centre of mass to
 //! it. The Jacobian of a normal row gives the relative velocity `(vB - vA) . n + wB (rB x n) - wA (rA x n)`. The friction row

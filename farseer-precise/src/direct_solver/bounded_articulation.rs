@@ -6,8 +6,10 @@
 //! Jacobian from the beginning of the interval and a second-order correction for the rotation of the bodies. Forces act by half
 //! an interval at both ends of the step. The last solve makes the velocities consistent with the joints at the end of the step.
 //!
-//! Impulses act at the present anchor positions of both bodies, so that momentum and angular momentum are conserved. Energy is
-//! accurate to second order in the length of an interval. Steady motors and forces move bodies as far as in continuous time.
+//! Impulses on the two bodies of a joint are equal and opposite, so that momentum is conserved. They act at the present anchor
+//! positions of both bodies: where the anchors have a gap, angular momentum changes by gap x impulse. Geometric stiffness added
+//! to the inertia changes it, too: the added inertia takes up spin in the solve, and is dropped after it. Energy is accurate to
+//! second order in the length of an interval. Steady motors and forces move bodies as far as in continuous time.
 
 use super::cost_model::max_newton_steps;
 use super::island_body::max_or_nan;
@@ -16,7 +18,7 @@ use super::island_newton::{IslandSystem, SolveStats};
 use super::island_solver::IslandSolver;
 use crate::joints::JointSystem;
 use crate::joints::island_rows::StepInterval;
-use crate::joints::substep_plan::{SubstepPlan, momentum_conserving_stiffness};
+use crate::joints::substep_plan::{SubstepPlan, momentum_carrying_stiffness};
 use crate::mass::mass_of_inverse;
 use crate::parameters::direct::{
     ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,
@@ -135,7 +137,7 @@ impl DirectIsland {
         };
         self.make_interval_rows(span, ERROR_ARM * unit);
         if moves {
-            self.system.add_geometric_stiffness(h / share, momentum_conserving_stiffness);
+            self.system.add_geometric_stiffness(h / share, momentum_carrying_stiffness);
         }
         let mut stats = self.solve_interval(reader, limits, moves);
         stats.is_solved &= self.system.max_angular_speed() * h <= ACCEPTED_ROTATION;

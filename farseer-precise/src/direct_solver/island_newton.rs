@@ -1,23 +1,28 @@
 //! Newton solver of the direct solver: finds the velocities of one island by an augmented Lagrangian method with semismooth
 //! Newton steps.
 //!
-//! The velocities v after a step minimise 1/2 (v - v0)^T M (v - v0) under the contact and joint constraints. With impulses l on
-//! rows with Jacobian J the solution obeys M (v - v0) = J^T l. The impulse of a contact point is > 0 or the point separates;
-//! friction sticks, or slips at its limit.
+//! Without friction the velocities v after a step minimise 1/2 (v - v0)^T M (v - v0) under the contact and joint constraints.
+//! Coulomb friction is no minimisation, since its limits depend on the normal impulses. For frozen friction limits it is one, and
+//! the limits follow from its normal impulses: a fixed point (P. Panagiotopoulos, 1975). With impulses l on rows with Jacobian J
+//! the solution obeys M (v - v0) = J^T l. The impulse of a contact point is > 0 or the point separates; friction sticks, or slips
+//! at its limit.
 //!
 //! 1. **Augmented Lagrangian** (outer rounds): each row is a stiff spring, l = l0 - k J v, projected onto its bounds. The
 //!    impulses of one round become the multipliers l0 of the next, so that the limit is that of rigid rows.
 //! 2. **Semismooth Newton** (inner steps): each round minimises a function with a piecewise linear gradient. While the active
 //!    set stays the same, one step with H = M + J^T k J over its rows is exact. A line search covers changes of the set.
-//! 3. **Friction limits** move towards Coulomb's law after each Newton step and each round.
+//! 3. **Friction limits** move towards Coulomb's law after each Newton step and each round. In between they are frozen.
 //!
 //! H has a block per body and a block per pair of touching bodies. On a column, an arch or a small pile its
 //! [factorisation](super::block_ldlt) costs little more than one Gauss-Seidel sweep.
 //!
 //! Sources: J. C. Simo and T. A. Laursen, "An augmented Lagrangian treatment of contact problems involving friction" (1992),
 //! for springs with multipliers. P. Alart and A. Curnier, "A mixed formulation for frictional contact problems prone to Newton
-//! like solution methods" (1991), for Newton's method on them. K. Erleben, "Rigid body contact problems using proximal
-//! operators" (2017), for the proximal view.
+//! like solution methods" (1991), for Newton's method on them. M. Hintermüller, K. Ito and K. Kunisch, "The primal-dual active
+//! set strategy as a semismooth Newton method" (2002), for the equivalence of its steps to changes of an active set. P. D.
+//! Panagiotopoulos, "A nonlinear programming approach to the unilateral contact-, and friction-boundary value problem in the
+//! theory of elasticity" (1975), for the fixed point with frozen friction. K. Erleben, "Rigid body contact problems using
+//! proximal operators" (2017), for the proximal view.
 
 mod gauss_seidel;
 mod newton_step;

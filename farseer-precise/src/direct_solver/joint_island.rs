@@ -2,9 +2,17 @@
 //! positions.
 //!
 //! A solution is stored only after its check. A solution that is not accepted is used nevertheless, but it costs so much of the
-//! budget that the island soon goes to the iterative solver. After a solution that gains energy, diverges or cannot close a
-//! joint, nothing is stored and the island goes there at once. During an impact the iterative solver does worse than any direct
-//! result, because it starts from impulses that it cannot sustain.
+//! budget that the island soon goes to the iterative solver. During an impact that solver does worse than any direct result,
+//! because it starts from impulses that it cannot sustain.
+//!
+//! In three cases nothing is stored, and the island goes to the iterative solver at once:
+//!
+//! - the solution gains energy;
+//! - it diverges: a body rotates by more than [`ACCEPTED_ROTATION`], a joint error exceeds [`ACCEPTED_JOINT_ERROR`], and the
+//!   island has had no stored solution since the direct solver took it;
+//! - the island has no contacts, and the position solve hardly closes such an error ([`JOINT_ERROR_PROGRESS`]).
+//!
+//! With [`SolverChoice::Direct`] every solution is stored, even one that gains energy.
 
 use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_constraint_impulses;

@@ -8,9 +8,14 @@
 //! (J.-P. Ryckaert, G. Ciccotti, H. Berendsen 1977) with one iteration, or two.
 //!
 //! **Velocities.** Forces act by halves at the start and the end of a step (kick-drift-kick, as in a leapfrog). After the last
-//! substep the velocity is projected on the joints (RATTLE, H. C. Andersen 1983). So far the method is symplectic, and energy
-//! does not drift. Articulations above `MAX_BALANCED_ARTICULATION_BODIES` get full kicks at the start instead, without the
+//! substep the velocity is projected on the joints (RATTLE, H. C. Andersen 1983). One projection suffices, since SHAKE and
+//! RATTLE visit the same positions (B. Leimkuhler, R. Skeel, "Symplectic numerical integrators in constrained Hamiltonian
+//! systems", 1994). Articulations above `MAX_BALANCED_ARTICULATION_BODIES` get full kicks at the start instead, without the
 //! projection.
+//!
+//! RATTLE is symplectic, without energy drift, in a limit only: joints solved to convergence, and a constant number of substeps.
+//! Here a substep ends after a few iterations, and the number of substeps follows the motion. The [energy
+//! balance](super::energy_balance) bounds the drift of articulations of up to `MAX_BALANCED_ARTICULATION_BODIES` bodies.
 //!
 //! **Geometric stiffness** above the stable limit occurs in a whip. It is added to the inertia. Most
 //! of the added stiffness carries momentum, so that little energy is lost.

@@ -7,7 +7,9 @@
 //!
 //! A large error repeats the step with more substeps. A small one is removed by projection on the energy (Hairer et al., IV.4).
 //! The projection scales all velocities by a factor s, which keeps the joints satisfied: J s v = s J v = 0. A free articulation
-//! is scaled relative to the rigid motion with the same momentum and angular momentum, so that both are conserved.
+//! is scaled relative to the rigid motion with the same momentum and angular momentum, so that both are conserved. Such
+//! projections on energy within a level set of the momenta: J. Simo, N. Tarnow, K. Wong, "Exact energy-momentum conserving
+//! algorithms and symplectic schemes for nonlinear dynamics" (1992).
 //!
 //! The module reads positions, velocities and forces of the links at the end of a step, and writes the velocities.
 

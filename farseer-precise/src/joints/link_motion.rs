@@ -4,7 +4,7 @@ use super::articulated_body::ArticulatedLink;
 use super::energy_balance::{BalancedLink, LinkEndState, max_rounding_error};
 use super::locked_dofs::LockedDofs;
 use super::rotation::cos_sin;
-use super::substep_plan::{momentum_conserving_stiffness, predict_spin_change, stable_stiffness};
+use super::substep_plan::{momentum_carrying_stiffness, predict_spin_change, stable_stiffness};
 use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use crate::bodies::BodySet;
 use crate::index::BodyIndex;
@@ -155,11 +155,11 @@ impl ArticulatedLink {
         stable_stiffness(self.inertia, self.mass, self.max_arm_squared)
     }
 
-    /// Returns the amount of the added stiffness that [carries momentum](momentum_conserving_stiffness). Unit: mass units *
+    /// Returns the amount of the added stiffness that [carries momentum](momentum_carrying_stiffness). Unit: mass units *
     /// length units^2.
     #[inline(always)]
     pub(super) fn momentum_stiffness(&self) -> f64 {
-        momentum_conserving_stiffness(self.added_stiffness, self.stable_stiffness())
+        momentum_carrying_stiffness(self.added_stiffness, self.stable_stiffness())
     }
 
     /// Returns the excess of the geometric stiffness over the stable limit. Unit: mass units * length units^2, >= 0; 0 for a

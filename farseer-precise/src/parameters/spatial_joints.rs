@@ -4,7 +4,8 @@
 
 /// Compliance of rows that close a loop, and of motors, as a fraction of their inverse effective mass. Unit: dimensionless.
 ///
-/// It keeps impulses finite where rows contradict each other, as those of a taut rope between two posts. Value chosen; its
+/// It keeps impulses finite where rows contradict each other, as those of a taut rope between two posts. Such a regularisation
+/// is the constraint force mixing of ODE (R. Smith); C. Lacoursière, "Ghosts and Machines" (2007), derives it. Value chosen; its
 /// sensitivity is not measured.
 pub(crate) const LOOP_COMPLIANCE: f64 = 1e-1;
 
@@ -87,8 +88,8 @@ pub(crate) const ROPE_RETRY_FACTOR: u32 = 3;
 /// chosen; its sensitivity is not measured.
 pub(crate) const ROPE_MAX_ENERGY_GAIN: f64 = 0.01;
 
-/// Fraction of a position error that a substep corrects at limits and in loops of joints in three axes (Baumgarte
-/// stabilisation). Unit: dimensionless, at most 1. Value chosen; its sensitivity is not measured.
+/// Fraction of a position error that a substep corrects at limits and in loops of joints in three axes (J.
+/// Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems", 1972). Unit: dimensionless, at most 1. Value chosen; its sensitivity is not measured.
 pub(crate) const LOOP_BAUMGARTE_FACTOR: f64 = 0.2;
 
 /// Largest position error of a joint in three axes that a substep corrects at once. Unit: length units, in angular rows

@@ -6,7 +6,7 @@ use super::super::articulated_inertia::{ArticulatedInertia, ArticulatedMomentum}
 use super::super::joint_constraint::{JointConstraint, JointList};
 use super::super::locked_dofs::LockedDofs;
 use super::super::rotation::{cos_sin, nonlinear_rotation};
-use super::super::substep_plan::{clamped_remainder, momentum_conserving_stiffness, predict_spin_change};
+use super::super::substep_plan::{clamped_remainder, momentum_carrying_stiffness, predict_spin_change};
 use super::super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use super::RevoluteLink;
 use crate::bodies::BodySet;
@@ -317,7 +317,7 @@ impl RevoluteLink {
     pub(super) fn set_added_stiffness(&mut self, stiffness: f64) {
         self.jump_stiffness = stiffness + 2.0 * self.stable_stiffness;
         (self.added_stiffness, self.momentum_stiffness) =
-            (stiffness, momentum_conserving_stiffness(stiffness, self.stable_stiffness));
+            (stiffness, momentum_carrying_stiffness(stiffness, self.stable_stiffness));
     }
 
     /// Returns the excess of the geometric stiffness over the stable limit. Unit: mass units * length units^2, >= 0; 0 for a
