@@ -135,9 +135,9 @@ impl Solver {
     }
 
     /// Solver selection: computes islands and selects a solver for each island, if the selection is due. Otherwise it lists the
-    /// contacts and joints of the islands where these have changed. `learning` scales the rest impulses of constraints that
+    /// contacts and joints of the islands where these have changed. `adaptation` scales the rest impulses of constraints that
     /// return to the iterative solver.
-    fn select_solvers(&mut self, learning: &LoadAdaptation) {
+    fn select_solvers(&mut self, adaptation: &LoadAdaptation) {
         let has_depth = self.depth.is_some();
         if (self.has_restitution || has_depth) && self.solver_selection().has_rejected_contact() {
             self.direct_solver.timer.is_due = true;
@@ -153,14 +153,14 @@ impl Solver {
             && self.solver_selection().is_quick(self.direct_solver.choice());
         let selects = self.direct_solver.begin_selection(is_quick);
         if selects || !self.direct_solver.is_listed() {
-            self.list_direct_islands(selects, learning);
+            self.list_direct_islands(selects, adaptation);
         }
     }
 
     /// Computes the islands, and lists those of the direct solver with their contacts and joints. With `selects` solvers are
-    /// selected anew, and contact constraints move between the solvers; `learning` is as in
+    /// selected anew, and contact constraints move between the solvers; `adaptation` is as in
     /// [`select_solvers`](Self::select_solvers).
-    fn list_direct_islands(&mut self, selects: bool, learning: &LoadAdaptation) {
+    fn list_direct_islands(&mut self, selects: bool, adaptation: &LoadAdaptation) {
         let mut census = std::mem::take(&mut self.direct_solver.census);
         self.solver_selection().count_islands(&mut census, &|body| self.bodies.states[body].velocity);
         self.direct_solver.census = census;
@@ -168,7 +168,7 @@ impl Solver {
         let Solver { direct_solver, pairs, proxies, joints, springs, .. } = self;
         direct_solver.plan_islands(selects, pairs, proxies, (joints, springs));
         if selects {
-            self.move_constraints(learning);
+            self.move_constraints(adaptation);
         }
         self.direct_solver.list_contacts(&self.pairs, &self.proxies, &mut self.constraints);
         if self.depth.is_none() {
@@ -177,11 +177,11 @@ impl Solver {
         self.direct_solver.mark_listed();
     }
 
-    /// Moves contact constraints between the graph colours and the direct solver, as selected; `learning` is as in
+    /// Moves contact constraints between the graph colours and the direct solver, as selected; `adaptation` is as in
     /// [`select_solvers`](Self::select_solvers).
-    fn move_constraints(&mut self, learning: &LoadAdaptation) {
+    fn move_constraints(&mut self, adaptation: &LoadAdaptation) {
         let Solver { direct_solver, pairs, proxies, constraints, impulse_substep, .. } = self;
-        direct_solver.move_constraints(pairs, proxies, constraints, learning, *impulse_substep);
+        direct_solver.move_constraints(pairs, proxies, constraints, adaptation, *impulse_substep);
         constraints.release_memory();
     }
 

@@ -60,9 +60,10 @@ impl Precise {
     pub(crate) fn set_world_box_motion(&mut self, id: u32, motion: WorldBoxMotion) {
         let Some(space) = self.solver.depth.as_deref_mut() else { return };
         let Some((body_index, has_changed)) = space.set_world_box_motion(id, motion) else { return };
-        if let Some(hot) = self.solver.bodies.states.at_mut(body_index).filter(|_| !self.edits.needs_rebuild)
+        if let Some(state) =
+            self.solver.bodies.states.at_mut(body_index).filter(|_| !self.edits.needs_rebuild)
         {
-            hot.velocity = solver_velocity(&motion);
+            state.velocity = solver_velocity(&motion);
             if motion.hinge().is_some() && has_changed {
                 self.solver.sleep.request_wake(body_index);
             }

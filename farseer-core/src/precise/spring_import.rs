@@ -144,8 +144,9 @@ impl JointImport<'_> {
             is_solved: false,
         };
         if matches!(spring.kind(), SpringKind::Angle(_)) {
-            constraint
-                .set_spin_damping(|end| self.bodies.states.at(end.body).map_or(0.0, |hot| hot.velocity[2]));
+            constraint.set_spin_damping(|end| {
+                self.bodies.states.at(end.body).map_or(0.0, |state| state.velocity[2])
+            });
         }
         (constraint.ends[0].body != constraint.ends[1].body).then_some(constraint)
     }

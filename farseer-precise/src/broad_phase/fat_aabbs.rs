@@ -113,7 +113,7 @@ impl FatAabbs<'_> {
             self.proxies.set_fat_aabb(proxy, GROUND_BOUNDS);
         }
         let body = self.proxies.proxy(proxy).body;
-        let speed = self.bodies.states.at(body).map_or(0.0, |hot| hot.velocity[3]);
+        let speed = self.bodies.states.at(body).map_or(0.0, |state| state.velocity[3]);
         depth.set_fat_interval(proxy, body, speed * self.dt, margin, self.parameters.speculative_distance);
         if depth.is_in_grid(proxy) {
             self.grid.insert_or_move(proxy, &depth.grid_bounds(proxy, &bounds), may_stop);

@@ -493,8 +493,8 @@ impl Proxies {
         if !tight.iter().all(|bound| bound.abs() < COLLISION_MAX_COORDINATE) {
             return EMPTY_AABB;
         }
-        let Some(hot) = bodies.states.at(self.all[proxy].body) else { return tight };
-        let prediction = [0, 1].map(|axis| aabb_margin.prediction(hot.velocity[axis] * dt));
+        let Some(state) = bodies.states.at(self.all[proxy].body) else { return tight };
+        let prediction = [0, 1].map(|axis| aabb_margin.prediction(state.velocity[axis] * dt));
         let margin = aabb_margin.margin;
         let below =
             prediction.map(|displacement| if displacement < 0.0 { displacement - margin } else { -margin });

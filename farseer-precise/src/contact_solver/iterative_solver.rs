@@ -248,23 +248,28 @@ impl IterativeSolver<'_> {
         }
         let threshold = self.restitution_threshold;
         let IterativeSolver { constraints, bodies, color_usage, joints, .. } = self;
-        let mut hot = std::mem::take(&mut bodies.states);
+        let mut states = std::mem::take(&mut bodies.states);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
-                apply_restitution::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
-                    if is_last {
-                        resolve_bounce(bodies, hot, (color_usage, joints), step, row, lanes)
-                    } else {
-                        joints.record_restitution(row, lanes)
-                    }
-                })
+                apply_restitution::<$fixed, $points, _>(
+                    $rows,
+                    &mut states,
+                    threshold,
+                    |row, lanes, states| {
+                        if is_last {
+                            resolve_bounce(bodies, states, (color_usage, joints), step, row, lanes)
+                        } else {
+                            joints.record_restitution(row, lanes)
+                        }
+                    },
+                )
             };
         }
         bounce_all!(false, 2, &mut constraints.two_points);
         bounce_all!(false, 1, &mut constraints.one_point);
         bounce_all!(true, 2, &mut constraints.two_points_static);
         bounce_all!(true, 1, &mut constraints.one_point_static);
-        bodies.states = hot;
+        bodies.states = states;
     }
 }
 

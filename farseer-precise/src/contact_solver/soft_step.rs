@@ -266,7 +266,7 @@ pub(crate) fn adapt_load<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
     let constraint = contacts.constraint_mut();
     let stillness = positive(f32x4::splat(1.0) - speed * f32x4::splat(adaptation.inverse_speed_limit));
     let up = f32x4::splat(adaptation.rise_rate) * stillness;
-    let (learnt, down) = (f32x4::splat(adaptation.adapted_fraction), f32x4::splat(adaptation.fall_rate));
+    let (adapted, down) = (f32x4::splat(adaptation.adapted_fraction), f32x4::splat(adaptation.fall_rate));
     let sum = |of: fn(&ContactPointSimd) -> f32x4| {
         constraint.points[1..].iter().fold(of(&constraint.points[0]), |sum, point| sum + of(point))
     };
@@ -275,7 +275,7 @@ pub(crate) fn adapt_load<const FIXED: bool, const P: usize, R: SimdContacts<P>>(
         .iter()
         .fold(constraint.points[0].separation, |least, p| smaller(least, p.separation));
     let is_sag = deepest.simd_lt(ZERO) & deepest.simd_gt(f32x4::splat(adaptation.min_separation));
-    let rises = (learnt * load).simd_gt(rest_impulse) & is_sag & up;
+    let rises = (adapted * load).simd_gt(rest_impulse) & is_sag & up;
     for point in &mut constraint.points {
         let missing = point.normal_impulse - point.rest_impulse;
         let excess = missing & missing.simd_lt(ZERO);
@@ -709,11 +709,12 @@ pub(crate) fn apply_restitution<const FIXED: bool, const P: usize, R: SimdContac
         let excess = |at: usize| velocity[at] + restitution[at] * constraint.approach_velocity[at];
         let losses = std::array::from_fn(|at| weights[at] * excess(at));
         let (is_block, both) = solve_two_point_block::<P, R>(constraint, coupling, &weights, &losses);
-        let hold = restitution.iter().fold(is_block, |hold, e| hold & e.simd_gt(ZERO));
+        let takes_block = restitution.iter().fold(is_block, |takes, e| takes & e.simd_gt(ZERO));
         for (at, restitution) in restitution.into_iter().enumerate() {
             let point = constraint.points[at];
             let wanted = velocity[at] + restitution * constraint.approach_velocity[at];
-            let impulse = select(hold, both[at], positive(point.normal_impulse - point.normal_mass * wanted));
+            let impulse =
+                select(takes_block, both[at], positive(point.normal_impulse - point.normal_mass * wanted));
             changes[at] = (impulse - point.normal_impulse) & restitution.simd_gt(ZERO);
             constraint.points[at].normal_impulse = point.normal_impulse + changes[at];
             sum += changes[at];

@@ -121,8 +121,8 @@ impl DepthState {
     pub fn import_body(&mut self, bodies: &mut BodySet, body_index: BodyIndex, slot: usize) {
         let state = self.body(slot);
         self.z_positions[body_index] = state.z;
-        if let Some(hot) = bodies.states.at_mut(body_index) {
-            hot.velocity[3] = state.velocity;
+        if let Some(motion) = bodies.states.at_mut(body_index) {
+            motion.velocity[3] = state.velocity;
             let [x, y] = state.angular_velocity;
             self.ball_spins[body_index] = BallSpin { velocity: [x, y, 0.0, 0.0], ..BallSpin::default() };
         }

@@ -82,7 +82,7 @@ fn fix_rotation(bodies: &mut BodySet, body_index: BodyIndex) {
     bodies.inverse_mass_inertia[body_index][1] = 0.0;
     let [x, y, ..] = bodies.poses[body_index];
     bodies.poses[body_index] = [x, y, 1.0, 0.0];
-    if let Some(hot) = bodies.states.at_mut(body_index) {
-        hot.velocity[2] = 0.0;
+    if let Some(state) = bodies.states.at_mut(body_index) {
+        state.velocity[2] = 0.0;
     }
 }

@@ -158,7 +158,7 @@ fn impulse_vector<const P: usize>(
 #[inline(always)]
 pub(crate) fn relax_3d<const FIXED: bool, const P: usize>(
     rows: &mut ColorSet<ContactConstraint3Simd<P>>,
-    hot: &mut [MotionState],
+    states: &mut [MotionState],
     spins: &mut [BallSpin],
     substep: ContactSubstep,
 ) {
@@ -168,7 +168,7 @@ pub(crate) fn relax_3d<const FIXED: bool, const P: usize>(
             impulse_change: sum,
             point_changes: changes,
             normal_impulse: load,
-        } = relax_normals::<FIXED, P, _>(contacts, hot, substep);
+        } = relax_normals::<FIXED, P, _>(contacts, states, substep);
         let [mut along, mut across] = tangent_velocities::<FIXED, P>(contacts, &sides, spins);
         let row = &contacts.planar;
         let arms = [row.tangent_arm_a, row.tangent_arm_b];
@@ -195,7 +195,7 @@ pub(crate) fn relax_3d<const FIXED: bool, const P: usize>(
         }
         contacts.accumulate_step_impulses(|total, impulse| total + impulse);
         let impulse = impulse_vector(contacts, sum, [change, change_across]);
-        sides.store_with_impulse::<FIXED, P>(&contacts.planar, hot, true, impulse);
+        sides.store_with_impulse::<FIXED, P>(&contacts.planar, states, true, impulse);
     });
 }
 
@@ -244,14 +244,14 @@ fn solve_twist_friction<const FIXED: bool, const P: usize>(
 pub(crate) fn accumulate_warm_start_3d<const FIXED: bool, const P: usize>(
     rows: &mut ColorSet<ContactConstraint3Simd<P>>,
     warm: &mut [[f32; 4]],
-    hot: &[MotionState],
+    states: &[MotionState],
     spins: &mut [BallSpin],
-    (learning, masks): (&LoadAdaptation, Option<&[u32]>),
+    (adaptation, masks): (&LoadAdaptation, Option<&[u32]>),
     restitution_threshold: Option<f32>,
 ) -> bool {
     let mut may_bounce = false;
     rows.for_each(|contacts| {
-        let sides = load_velocities::<FIXED, P>(&contacts.planar, hot);
+        let sides = load_velocities::<FIXED, P>(&contacts.planar, states);
         if let Some(threshold) = restitution_threshold {
             may_bounce |= record_approach_velocity::<FIXED, P, _>(contacts, &sides, threshold);
         }
@@ -259,8 +259,8 @@ pub(crate) fn accumulate_warm_start_3d<const FIXED: bool, const P: usize>(
         let slip = [along - contacts.planar.tangent_speed, across - contacts.second_surface_speed];
         let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
         match masks {
-            None => adapt_load::<FIXED, P, _>(contacts, &sides, speed, learning),
-            Some(masks) => adapt_load_with_joints::<FIXED, P, _>(contacts, &sides, speed, learning, masks),
+            None => adapt_load::<FIXED, P, _>(contacts, &sides, speed, adaptation),
+            Some(masks) => adapt_load_with_joints::<FIXED, P, _>(contacts, &sides, speed, adaptation, masks),
         }
         contacts.step_impulses = [ZERO; 4];
         add_impulses_3d::<FIXED, P>(contacts, warm);

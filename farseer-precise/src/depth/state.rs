@@ -360,8 +360,8 @@ impl DepthState {
             kind,
             z: self.z_positions[body],
             last_displacement: motion.unwrap_or_default(),
-            predicted_displacement: bodies.states.at(body).map_or([0.0; 3], |hot| {
-                let [x, y, _, z] = hot.velocity;
+            predicted_displacement: bodies.states.at(body).map_or([0.0; 3], |state| {
+                let [x, y, _, z] = state.velocity;
                 [x * dt, y * dt, z * dt]
             }),
             sheared_box: world_box.map(|world_box| world_box.shape).filter(SlantedBox::is_sheared),

@@ -24,16 +24,16 @@ impl IterativeSolver<'_> {
         let IterativeSolver { bodies, constraints: rows, joints, depth: Some(space), .. } = self else {
             return false;
         };
-        let learning = (&step.load_adaptation, joints.iterative_body_masks());
-        let (warm, hot) = (&mut bodies.warm_start, &bodies.states);
+        let adaptation = (&step.load_adaptation, joints.iterative_body_masks());
+        let (warm, states) = (&mut bodies.warm_start, &bodies.states);
         let spins = &mut space.ball_spins;
         spins.iter_mut().for_each(|spin| spin.warm_start = [0.0; 4]);
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut rows.depth;
-        accumulate_warm_start_3d::<false, 2>(prisms, warm, hot, spins, learning, threshold)
-            | accumulate_warm_start_3d::<false, 1>(balls, warm, hot, spins, learning, threshold)
-            | accumulate_warm_start_3d::<true, 2>(prisms_fixed, warm, hot, spins, learning, threshold)
-            | accumulate_warm_start_3d::<true, 1>(balls_fixed, warm, hot, spins, learning, threshold)
+        accumulate_warm_start_3d::<false, 2>(prisms, warm, states, spins, adaptation, threshold)
+            | accumulate_warm_start_3d::<false, 1>(balls, warm, states, spins, adaptation, threshold)
+            | accumulate_warm_start_3d::<true, 2>(prisms_fixed, warm, states, spins, adaptation, threshold)
+            | accumulate_warm_start_3d::<true, 1>(balls_fixed, warm, states, spins, adaptation, threshold)
     }
 
     /// Start of a substep: adds the warm start of each sphere to its angular velocity about x and y. `is_first` is true in the
@@ -46,33 +46,33 @@ impl IterativeSolver<'_> {
 
     /// Solves the normal rows of all constraints as soft constraints with bias velocity, once per substep.
     pub(crate) fn solve_with_bias_3d(&mut self, step: &StepContext, substep: ContactSubstep) {
-        let hot = &mut self.bodies.states;
+        let states = &mut self.bodies.states;
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut self.constraints.depth;
         if let Some(masks) = self.joints.iterative_body_masks() {
             let (soft, fixed) = (step.softness_with_joints(false), step.softness_with_joints(true));
-            solve_with_joint_softness::<false, 2, _>(prisms, hot, substep, soft, masks);
-            solve_with_joint_softness::<false, 1, _>(balls, hot, substep, soft, masks);
-            solve_with_joint_softness::<true, 2, _>(prisms_fixed, hot, substep, fixed, masks);
-            solve_with_joint_softness::<true, 1, _>(balls_fixed, hot, substep, fixed, masks);
+            solve_with_joint_softness::<false, 2, _>(prisms, states, substep, soft, masks);
+            solve_with_joint_softness::<false, 1, _>(balls, states, substep, soft, masks);
+            solve_with_joint_softness::<true, 2, _>(prisms_fixed, states, substep, fixed, masks);
+            solve_with_joint_softness::<true, 1, _>(balls_fixed, states, substep, fixed, masks);
             return;
         }
-        solve_with_bias::<false, 2, _>(prisms, hot, substep, step.contact_softness);
-        solve_with_bias::<false, 1, _>(balls, hot, substep, step.contact_softness);
-        solve_with_bias::<true, 2, _>(prisms_fixed, hot, substep, step.static_softness);
-        solve_with_bias::<true, 1, _>(balls_fixed, hot, substep, step.static_softness);
+        solve_with_bias::<false, 2, _>(prisms, states, substep, step.contact_softness);
+        solve_with_bias::<false, 1, _>(balls, states, substep, step.contact_softness);
+        solve_with_bias::<true, 2, _>(prisms_fixed, states, substep, step.static_softness);
+        solve_with_bias::<true, 1, _>(balls_fixed, states, substep, step.static_softness);
     }
 
     /// Relaxation: solves the normal rows of all constraints without bias, and friction along both tangents.
     pub(crate) fn relax_3d(&mut self, substep: ContactSubstep) {
         let IterativeSolver { bodies, constraints: rows, depth: Some(space), .. } = self else { return };
-        let (hot, spins) = (&mut bodies.states, &mut space.ball_spins);
+        let (states, spins) = (&mut bodies.states, &mut space.ball_spins);
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
             &mut rows.depth;
-        relax_3d::<false, 2>(prisms, hot, spins, substep);
-        relax_3d::<false, 1>(balls, hot, spins, substep);
-        relax_3d::<true, 2>(prisms_fixed, hot, spins, substep);
-        relax_3d::<true, 1>(balls_fixed, hot, spins, substep);
+        relax_3d::<false, 2>(prisms, states, spins, substep);
+        relax_3d::<false, 1>(balls, states, spins, substep);
+        relax_3d::<true, 2>(prisms_fixed, states, spins, substep);
+        relax_3d::<true, 1>(balls_fixed, states, spins, substep);
     }
 
     /// Applies restitution to all constraints after the substeps. `is_last`: bodies that bounce get the position of a bounce at
@@ -80,16 +80,21 @@ impl IterativeSolver<'_> {
     pub(crate) fn apply_restitution_3d(&mut self, step: &StepContext, is_last: bool) {
         let threshold = self.restitution_threshold;
         let IterativeSolver { constraints: rows, bodies, color_usage, joints, .. } = self;
-        let mut hot = std::mem::take(&mut bodies.states);
+        let mut states = std::mem::take(&mut bodies.states);
         macro_rules! bounce_all {
             ($fixed:literal, $points:literal, $rows:expr) => {
-                apply_restitution::<$fixed, $points, _>($rows, &mut hot, threshold, |row, lanes, hot| {
-                    if is_last {
-                        resolve_bounce(bodies, hot, (color_usage, joints), step, row, lanes)
-                    } else {
-                        joints.record_restitution(&row.planar, lanes)
-                    }
-                })
+                apply_restitution::<$fixed, $points, _>(
+                    $rows,
+                    &mut states,
+                    threshold,
+                    |row, lanes, states| {
+                        if is_last {
+                            resolve_bounce(bodies, states, (color_usage, joints), step, row, lanes)
+                        } else {
+                            joints.record_restitution(&row.planar, lanes)
+                        }
+                    },
+                )
             };
         }
         let ConstraintGraph3 { prisms, balls, prisms_static: prisms_fixed, balls_static: balls_fixed } =
@@ -108,7 +113,7 @@ impl IterativeSolver<'_> {
         bounce_all!(true, 2, prisms_fixed);
         bounce_all!(true, 1, balls_fixed);
         count_all!(|total, impulse| total + impulse);
-        bodies.states = hot;
+        bodies.states = states;
     }
 }
 

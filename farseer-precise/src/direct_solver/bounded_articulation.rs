@@ -23,7 +23,7 @@ use crate::mass::mass_of_inverse;
 use crate::parameters::direct::{
     ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,
 };
-use crate::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, MIN_DIRECT_PARTS};
+use crate::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, MIN_DIRECT_SUBSTEPS};
 use crate::scaled_parameters::StepContext;
 
 impl DirectIsland {
@@ -65,8 +65,8 @@ impl DirectIsland {
             ..
         } = self;
         rows.clear();
-        for (hold, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
-            let mut made = hold.constraint_rows(ends, interval, error_arm);
+        for (joint, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
+            let mut made = joint.constraint_rows(ends, interval, error_arm);
             made.set_effective_masses(members);
             rows.push(made);
         }
@@ -105,9 +105,9 @@ impl DirectIsland {
             ..
         } = self;
         let mut worst = 0.0;
-        for ((rows, hold), &ends) in rows.iter_mut().zip(interval_joints.iter()).zip(joint_bodies.iter()) {
+        for ((rows, joint), &ends) in rows.iter_mut().zip(interval_joints.iter()).zip(joint_bodies.iter()) {
             worst = max_or_nan(
-                rows.set_linearisation_error(hold.linearisation_error(ends, displacements, dt), dt),
+                rows.set_linearisation_error(joint.linearisation_error(ends, displacements, dt), dt),
                 worst,
             );
         }
@@ -154,11 +154,11 @@ impl DirectIsland {
     /// the step. `force_time` is the time for which the forces act, in seconds.
     fn store_forces(&mut self, force_time: f64) {
         let DirectIsland { system, interval_joints, joint_impulses, .. } = self;
-        for ((hold, rows), total) in
+        for ((joint, rows), total) in
             interval_joints.iter_mut().zip(&system.joints).zip(joint_impulses.iter_mut())
         {
-            hold.set_force_from_impulses(rows, force_time);
-            let force = hold.force_and_torque();
+            joint.set_force_from_impulses(rows, force_time);
+            let force = joint.force_and_torque();
             (0..3).for_each(|axis| total[axis] += force[axis] * force_time);
         }
     }
@@ -171,7 +171,7 @@ impl DirectIsland {
         interval_joints
             .iter_mut()
             .zip(joint_bodies.iter())
-            .for_each(|(hold, &ends)| hold.displace(ends, displacements, dt));
+            .for_each(|(joint, &ends)| joint.displace(ends, displacements, dt));
         for (path, displacement) in total_displacements.iter_mut().zip(displacements.iter()) {
             (0..3).for_each(|axis| path[axis] += displacement[axis]);
         }
@@ -200,8 +200,8 @@ impl DirectIsland {
         system.joints.clear();
         system.lateral_frictions.clear();
         let whole_step = StepInterval { dt, force_dt: dt, force_substeps: step.substeps.into(), step_dt: dt };
-        for (hold, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
-            let mut rows = hold.constraint_rows(ends, whole_step, 1.0);
+        for (joint, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
+            let mut rows = joint.constraint_rows(ends, whole_step, 1.0);
             rows.set_effective_masses(&system.members);
             system.joints.push(rows);
         }
@@ -209,7 +209,7 @@ impl DirectIsland {
         let (count, spin) = (system.members.len() as u32, system.max_angular_speed());
         let division =
             SubstepPlan::of(count, step, [spin; 2], |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
-        division.substeps.max(if SubstepPlan::is_energy_balanced(count) { MIN_DIRECT_PARTS } else { 1 })
+        division.substeps.max(if SubstepPlan::is_energy_balanced(count) { MIN_DIRECT_SUBSTEPS } else { 1 })
     }
 }
 

@@ -14,10 +14,11 @@ use super::island_history::{Histories, ReselectionTimer};
 use super::island_io::DirectIsland;
 use super::island_newton::SolveStats;
 use crate::parameters::direct::{
-    BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, FACTOR_BLOCK_COST, FACTOR_PRODUCT_COST,
-    FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST, ITERATIVE_ISLAND_COST,
-    ITERATIVE_JOINT_COST, JOINTED_BUDGET, MASS_RATIO_BUDGET, NEWTON_BODY_COST, NEWTON_CONSTRAINT_COST,
-    NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT, UPDATE_NEWTON_STEPS,
+    BUDGET_AFTER_OVERDRAFT, BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, FACTOR_BLOCK_COST,
+    FACTOR_PRODUCT_COST, FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST,
+    ITERATIVE_ISLAND_COST, ITERATIVE_JOINT_COST, JOINTED_BUDGET, MASS_RATIO_BUDGET, NEWTON_BODY_COST,
+    NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT,
+    UPDATE_NEWTON_STEPS,
 };
 use crate::solver_choice::SolverChoice;
 
@@ -50,7 +51,7 @@ pub(super) fn update_budget(
     let budget = f64::from(history.budget) + (income - cost) / overdraft;
     let is_overdrawn = budget < -1.0;
     // Adding 0 keeps a negative zero out of snapshots.
-    history.budget = if is_overdrawn { -0.5 } else { budget.min(0.0) + 0.0 } as f32;
+    history.budget = if is_overdrawn { BUDGET_AFTER_OVERDRAFT } else { budget.min(0.0) + 0.0 } as f32;
     let is_optional = timer.choice != SolverChoice::Direct;
     if (is_overdrawn || island.is_released) && is_optional {
         history.back_off = history.back_off.saturating_mul(2).max(FIRST_BUDGET_PAUSE);

@@ -25,14 +25,14 @@ impl DirectSolver {
     ///
     /// The rest impulse of a constraint that returns to the iterative solver is its whole last load. After an impact such rest
     /// impulses would press against each other for a second in contact cycles. Islands with joints are softer in the iterative
-    /// solver. In both cases the rest impulse is multiplied by the `adapted_fraction` of `learning`. `h` is the length of the
+    /// solver. In both cases the rest impulse is multiplied by the `adapted_fraction` of `adaptation`. `h` is the length of the
     /// substeps in which the impulses last acted, in seconds.
     pub(crate) fn move_constraints(
         &mut self,
         pairs: &mut Pairs,
         proxies: &Proxies,
         constraints: &mut ConstraintGraph,
-        learning: &LoadAdaptation,
+        adaptation: &LoadAdaptation,
         h: f32,
     ) {
         for pair in pairs.awake() {
@@ -46,7 +46,7 @@ impl DirectSolver {
                     || (formed_by_motion && self.census.stats_of(body).has_contact_cycles());
                 if was_direct && may_rock {
                     let points = &mut constraints.direct_constraint_mut(handle).constraint.points;
-                    points.iter_mut().for_each(|point| point.rest_impulse *= learning.adapted_fraction);
+                    points.iter_mut().for_each(|point| point.rest_impulse *= adaptation.adapted_fraction);
                 }
                 move_to_direct_solver(pairs, constraints, pair, is_direct, h);
             }

@@ -39,8 +39,8 @@ use super::mat3::Vec3;
 use crate::parameters::direct::{
     ACYCLIC_COMPLIANCE, COMPLIANCE_FACTOR, FIRST_COMPLIANCE, FRESH_SOLUTION_NEWTON_STEPS,
     FRICTION_LIMIT_CONVERGED, FRICTION_LIMIT_RELAXATION, FRICTION_LIMIT_ROUNDS, FRICTION_RESIDUAL_WEIGHT,
-    JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, RESTING_COMPLIANCE, ROUND_NEWTON_STEPS, SOLUTION_NEWTON_STEPS,
-    SOLUTION_ROUNDS, STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
+    JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, NEWTON_STEP_TOLERANCE, RESTING_COMPLIANCE, ROUND_NEWTON_STEPS,
+    ROUND_PROGRESS, SOLUTION_NEWTON_STEPS, SOLUTION_ROUNDS, STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
 };
 use crate::reusing_clone;
 
@@ -255,7 +255,7 @@ impl IslandSystem {
     }
 
     /// Returns whether the solution ends after a round: its smallest residual so far is small enough, or a further round would
-    /// hardly reduce it. `improves` tells that the round has reduced it to a quarter.
+    /// hardly reduce it. `improves` tells that the round has reduced it to [`ROUND_PROGRESS`] of it.
     fn is_finished(
         &self,
         plan: &RoundPlan,
@@ -341,10 +341,10 @@ impl IslandSystem {
     }
 
     /// Stores velocity changes and impulses of a round as the best ones if its residual is the smallest so far, and that
-    /// residual in `stats`. Returns whether the residual is less than a quarter of the smallest one before.
+    /// residual in `stats`. Returns whether the residual is less than [`ROUND_PROGRESS`] times the smallest one before.
     fn keep_best(&mut self, stats: &mut SolveStats) -> bool {
         let residual = self.weighted_residual();
-        let improves = residual < 0.25 * stats.residual;
+        let improves = residual < ROUND_PROGRESS * stats.residual;
         if residual < stats.residual || stats.residual == f64::INFINITY {
             stats.residual = residual;
             self.members.iter_mut().for_each(|member| member.best_velocity_change = member.velocity_change);
@@ -429,7 +429,7 @@ impl IslandSystem {
         }
         let mut is_guess = is_first;
         for step in 1..=ROUND_NEWTON_STEPS.min(max_steps) {
-            if self.newton_step(&mut is_guess, step < ROUND_NEWTON_STEPS, 0.1 * tolerance) {
+            if self.newton_step(&mut is_guess, step < ROUND_NEWTON_STEPS, NEWTON_STEP_TOLERANCE * tolerance) {
                 return (step, true);
             }
         }

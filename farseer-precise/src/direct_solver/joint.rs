@@ -261,14 +261,15 @@ impl JointRows {
         }
     }
 
-    /// Sets the stiffness of the rows for a round. A rigid row has the compliance `compliance` (dimensionless) times its
-    /// inverse effective mass. A compliant row keeps its own compliance, unless that is smaller.
-    pub(super) fn set_round_stiffness(&mut self, compliance: f64) {
+    /// Sets the stiffness of the rows for a round. A rigid row has the compliance `round_compliance` (dimensionless) times its
+    /// inverse effective mass. A compliant row keeps its own compliance (velocity per impulse), unless that is smaller.
+    pub(super) fn set_round_stiffness(&mut self, round_compliance: f64) {
         for row in 0..3 {
-            let (rigid, compliance) = (self.effective_masses[row] / compliance, self.compliance[row]);
-            let ratio = (1.0 + rigid * compliance).recip();
-            let is_softer = rigid * compliance >= 1.0;
-            self.stiffness[row] = if is_softer { compliance.recip() } else { rigid * ratio };
+            let (rigid, row_compliance) =
+                (self.effective_masses[row] / round_compliance, self.compliance[row]);
+            let ratio = (1.0 + rigid * row_compliance).recip();
+            let is_softer = rigid * row_compliance >= 1.0;
+            self.stiffness[row] = if is_softer { row_compliance.recip() } else { rigid * ratio };
             self.multiplier_share[row] = if is_softer { 0.0 } else { ratio };
         }
     }

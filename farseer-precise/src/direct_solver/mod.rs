@@ -206,7 +206,7 @@ impl DirectSolver {
     fn is_reselection_due(&mut self, is_quick: bool) -> bool {
         let ReselectionTimer { is_due, may_be_due, waited_updates, has_paused, .. } = &mut self.timer;
         if std::mem::take(has_paused) {
-            for history in self.history.iter_mut().filter(|wear| wear.pause > 0) {
+            for history in self.history.iter_mut().filter(|entry| entry.pause > 0) {
                 history.pause -= 1;
                 *may_be_due |= history.pause == 0;
                 *has_paused |= history.pause > 0;

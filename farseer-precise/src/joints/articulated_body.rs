@@ -15,7 +15,8 @@
 //! at the first.
 //!
 //! Trees that have only rigid revolute joints and no contacts use the same formulas in [`revolute_tree`](super::revolute_tree).
-//! All numbers are `f64`: along a long chain the reciprocal of the inertia loses half of its digits.
+//! All numbers are `f64`: the elimination of a free motion subtracts nearly equal inertias where a light body carries a long or
+//! heavy tail, so that the small difference loses its leading digits.
 
 use super::articulated_inertia::{ArticulatedInertia, ArticulatedMomentum, SymMat2};
 use super::indices::JointIndex;

@@ -66,7 +66,7 @@ impl JointConstraint {
         let mut rows = JointRows::new(body_indices, jacobian, impulses, prescribed, lever);
         let max_impulse = finite_or_infinite(self.max_impulse * substeps);
         let [low, high] = self.range;
-        let mut hold = |row: usize, value: f64, most: f64| {
+        let mut add_row = |row: usize, value: f64, most: f64| {
             if low < high {
                 rows.add_limited_row(row, [value - low, high - value], MotorTarget::NONE, [dt, most]);
             } else if most < f64::INFINITY {
@@ -76,10 +76,10 @@ impl JointConstraint {
             }
         };
         if self.locked == LockedDofs::Distance {
-            hold(ALONG, frame.distance(), max_impulse);
+            add_row(ALONG, frame.distance(), max_impulse);
         } else {
             if self.locked.locks(ANGLE) {
-                hold(ANGLE, self.angle, max_impulse);
+                add_row(ANGLE, self.angle, max_impulse);
             }
             for row in [ALONG, ACROSS].into_iter().filter(|&row| self.locked.locks(row)) {
                 rows.add_bilateral_row(row, f64::INFINITY);

@@ -48,9 +48,9 @@ impl JointAnchor {
             s * self.local_anchor[0] + c * self.local_anchor[1],
         ];
         if self.body == BodyIndex::PLACEHOLDER
-            && let Some(hot) = bodies.states.get(self.pose_body.position())
+            && let Some(state) = bodies.states.get(self.pose_body.position())
         {
-            let [x, y, spin, _] = hot.velocity.map(f64::from);
+            let [x, y, spin, _] = state.velocity.map(f64::from);
             self.velocity = [x, y, spin];
         }
         before != (self.position, self.arm, self.velocity)

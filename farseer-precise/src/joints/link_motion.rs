@@ -9,7 +9,7 @@ use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use crate::bodies::BodySet;
 use crate::index::BodyIndex;
 use crate::mass::radius_of_gyration;
-use crate::parameters::joints::MAX_ROTATION_ROUNDING;
+use crate::parameters::joints::{MAX_ROTATION_ROUNDING, STIFFNESS_JUMP_RATIO};
 
 impl ArticulatedLink {
     /// Adds the fraction `fraction` (0..=1) of the velocity change by applied forces in a substep to the velocity (a kick).
@@ -170,11 +170,12 @@ impl ArticulatedLink {
         if excess > 0.0 && self.locked != LockedDofs::Fixed { excess } else { 0.0 }
     }
 
-    /// Returns whether the geometric stiffness exceeds the added stiffness by more than twice the stable limit. This happens
+    /// Returns whether the geometric stiffness exceeds the added stiffness by more than [`STIFFNESS_JUMP_RATIO`] times the stable limit. This happens
     /// when a chain snaps taut.
     #[inline(always)]
     pub(super) fn stiffness_jumped(&self) -> bool {
-        self.excess_stiffness() > self.added_stiffness + self.stable_stiffness()
+        self.excess_stiffness()
+            > self.added_stiffness + (STIFFNESS_JUMP_RATIO - 1.0) * self.stable_stiffness()
     }
 
     /// Sets the axis of a distance joint to the direction from the parent's anchor to the body's. Returns the distance of the

@@ -257,7 +257,7 @@ impl JointSystem {
         self.articulation_of.clear();
         self.articulation_of.resize(self.constraints.len(), self.articulation_list.next_index());
         for (at, group) in self.articulation_list.enumerated() {
-            group.joints.iter().for_each(|&hold| self.articulation_of[hold] = at);
+            group.joints.iter().for_each(|&joint| self.articulation_of[joint] = at);
         }
         self.tree_index_of = tree_index_of;
         self.soft.plan(&self.constraints, &in_plane, bodies.first_static().position());

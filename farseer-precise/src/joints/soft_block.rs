@@ -141,7 +141,7 @@ impl SoftJointBlock {
         bodies: &BodySet,
         times: [f64; 2],
     ) -> bool {
-        let lane = self.joints.iter().position(|&hold| hold == NO_JOINT).unwrap_or(3);
+        let lane = self.joints.iter().position(|&joint| joint == NO_JOINT).unwrap_or(3);
         self.joints[lane] = index;
         self.pair.set_joint(lane, joint, bodies);
         let [nx, ny] = JointFrame::of(joint).normal();
@@ -432,9 +432,9 @@ impl SoftJointBlock {
             let per_second = |rows: &RowLanes, seconds: f32| -> Vec3 {
                 rows.map(|impulses| f64::from(impulses.to_array()[lane]) / f64::from(seconds) + 0.0)
             };
-            let hold = &mut joints[at];
-            hold.force = per_second(&impulse_on_b, h);
-            hold.mean_force = Some(per_second(&self.total_impulse, dt));
+            let joint = &mut joints[at];
+            joint.force = per_second(&impulse_on_b, h);
+            joint.mean_force = Some(per_second(&self.total_impulse, dt));
         }
     }
 }

@@ -89,9 +89,9 @@ impl SoftJoints {
         self.blocks.iter_mut().for_each(|block| block.prepare(&softness, length_unit as f32));
         let max_initial_speed =
             [f64::from(JOINTED_BODY_SPEED) * length_unit, f64::from(SOFT_ROW_ARM) * length_unit];
-        for hold in springs.unsolved() {
-            self.springs.push(SoftSpring::new(hold, bodies, times[1], max_initial_speed));
-            self.mark_bodies(hold.ends());
+        for spring in springs.unsolved() {
+            self.springs.push(SoftSpring::new(spring, bodies, times[1], max_initial_speed));
+            self.mark_bodies(spring.ends());
         }
     }
 
@@ -111,21 +111,21 @@ impl SoftJoints {
             if !is_iterative(at) {
                 continue;
             }
-            let (hold, is_new) = (&joints[at], last.replace(color) != Some(color));
+            let (joint, is_new) = (&joints[at], last.replace(color) != Some(color));
             if is_new || color.is_overflow() {
                 open = [None; BlockKind::COUNT];
             }
-            let kind = BlockKind::of_joint(hold);
+            let kind = BlockKind::of_joint(joint);
             let block = *open[kind.index()].get_or_insert_with(|| {
                 self.blocks.push(SoftJointBlock::new(kind));
                 self.blocks.len() - 1
             });
-            let is_acting = self.blocks[block].add_joint(at, hold, bodies, times);
+            let is_acting = self.blocks[block].add_joint(at, joint, bodies, times);
             if self.blocks[block].is_full() {
                 open[kind.index()] = None;
             }
             if is_acting {
-                self.mark_bodies(&hold.anchors);
+                self.mark_bodies(&joint.anchors);
             }
         }
     }

@@ -93,8 +93,8 @@ impl SpringRows {
         }
         is_body_attached.clear();
         is_body_attached.resize(if constraints.is_empty() { 0 } else { bodies.states.len() }, false);
-        for hold in constraints.iter() {
-            for (end, accelerations) in hold.ends.iter().zip(hold.accelerations) {
+        for spring in constraints.iter() {
+            for (end, accelerations) in spring.ends.iter().zip(spring.accelerations) {
                 if end.body != BodyIndex::PLACEHOLDER {
                     is_body_attached[end.body] = true;
                     let position_delta = &mut bodies.force_position_delta[end.body];
@@ -106,9 +106,9 @@ impl SpringRows {
 
     /// Returns the springs of this step as candidates for islands of the direct solver.
     pub(crate) fn candidates(&self) -> impl Iterator<Item = JointCandidate> + '_ {
-        self.constraints.enumerated().map(|(at, hold)| JointCandidate {
+        self.constraints.enumerated().map(|(at, spring)| JointCandidate {
             index: CandidateIndex::Spring(at),
-            bodies: hold.ends.map(|end| end.body),
+            bodies: spring.ends.map(|end| end.body),
             is_free_articulation: false,
             has_rows: true,
             error: 0.0,
@@ -127,7 +127,7 @@ impl SpringRows {
 
     /// Returns the springs that the direct solver has not solved.
     pub(super) fn unsolved(&self) -> impl Iterator<Item = &SpringConstraint> + '_ {
-        self.constraints.iter().filter(|hold| !hold.is_solved)
+        self.constraints.iter().filter(|spring| !spring.is_solved)
     }
 
     /// Returns whether the direct solver has solved all springs of this step.

@@ -5,9 +5,10 @@ use super::articulated_body::Links;
 use super::energy_balance::{BalancedLink, EnergyBalance, InitialEnergy};
 use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::{
-    ARTICULATION_SUBSTEP_PARTS, LARGE_ARTICULATION_BODIES, MAX_BALANCED_ARTICULATION_BODIES,
-    MAX_FAILED_SUBSTEP_PARTS, MAX_REPEATED_SUBSTEP_PARTS, MIN_ARTICULATION_PARTS, MOMENTUM_SHARE_HALVED_AT,
-    MOMENTUM_SHARE_OF_STIFFNESS, PREDICTED_ROTATION_ERROR, ROTATION_PER_PART,
+    ARTICULATION_SUBSTEP_RATIO, BALANCED_PREDICTION_SHARE, LARGE_ARTICULATION_BODIES,
+    MAX_BALANCED_ARTICULATION_BODIES, MAX_FAILED_SUBSTEP_RATIO, MAX_REPEATED_SUBSTEP_RATIO,
+    MIN_ARTICULATION_SUBSTEPS, MOMENTUM_SHARE_HALVED_AT, MOMENTUM_SHARE_OF_STIFFNESS,
+    PREDICTED_ROTATION_ERROR, REPEATED_SUBSTEP_FACTOR, ROTATION_PER_SUBSTEP, SUBSTEP_GROWTH_DIVISOR,
 };
 
 /// Number of substeps of a free articulation's step, with the choices of the method that depend on it.
@@ -38,7 +39,7 @@ impl SubstepPlan {
     /// step, in radians/s. `is_stiffer(f)` returns whether a geometric stiffness exceeds f times the limit of an undivided
     /// step.
     ///
-    /// The number of substeps grows until no body turns by more than [`ROTATION_PER_PART`] in one. Up to
+    /// The number of substeps grows until no body turns by more than [`ROTATION_PER_SUBSTEP`] in one. Up to
     /// [`LARGE_ARTICULATION_BODIES`] bodies it also grows until every stiffness is within the limit.
     pub(crate) fn of(
         bodies: u32,
@@ -50,21 +51,22 @@ impl SubstepPlan {
         let is_balanced = Self::is_energy_balanced(bodies);
         let spin = if is_balanced { start_spin.max(end_spin) } else { start_spin };
         let rotation = spin * f64::from(step.dt);
-        let is_stiff = |parts: u32| is_stiffer(f64::from(parts * parts));
-        let max_substeps = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_PARTS * step.substeps };
-        let mut substeps = if is_balanced { MIN_ARTICULATION_PARTS } else { 1 };
+        let is_stiff = |substeps: u32| is_stiffer(f64::from(substeps * substeps));
+        let max_substeps = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_RATIO * step.substeps };
+        let mut substeps = if is_balanced { MIN_ARTICULATION_SUBSTEPS } else { 1 };
         while substeps < max_substeps
-            && (f64::from(substeps) * ROTATION_PER_PART < rotation || (!is_large && is_stiff(substeps)))
+            && (f64::from(substeps) * ROTATION_PER_SUBSTEP < rotation || (!is_large && is_stiff(substeps)))
         {
-            substeps += (substeps / 2).max(1);
+            substeps += (substeps / SUBSTEP_GROWTH_DIVISOR).max(1);
         }
         SubstepPlan {
             substeps: substeps.min(max_substeps),
-            max_substeps: MAX_REPEATED_SUBSTEP_PARTS * step.substeps,
-            max_failed_substeps: MAX_FAILED_SUBSTEP_PARTS * step.substeps,
+            max_substeps: MAX_REPEATED_SUBSTEP_RATIO * step.substeps,
+            max_failed_substeps: MAX_FAILED_SUBSTEP_RATIO * step.substeps,
             is_kick_drift: !is_balanced,
             predicts_spin: is_balanced,
-            max_prediction_error: if is_balanced { 0.5 } else { 1.0 } * PREDICTED_ROTATION_ERROR,
+            max_prediction_error: if is_balanced { BALANCED_PREDICTION_SHARE } else { 1.0 }
+                * PREDICTED_ROTATION_ERROR,
         }
     }
 
@@ -85,13 +87,13 @@ impl SubstepPlan {
         EnergyBalance::of(links, start?, [dt, dt / f64::from(self.substeps)])
     }
 
-    /// Returns the plan for the repetition of a step with this energy balance: twice the substeps, within `max_substeps`.
-    /// Returns `None` if the energy error is small or the number of substeps cannot grow. It grows further after a step that
-    /// [has failed](EnergyBalance::has_failed).
+    /// Returns the plan for the repetition of a step with this energy balance: [`REPEATED_SUBSTEP_FACTOR`] times the substeps,
+    /// within `max_substeps`. Returns `None` if the energy error is small or the number of substeps cannot grow. It grows further
+    /// after a step that [has failed](EnergyBalance::has_failed).
     pub(super) fn refined(&self, balance: &EnergyBalance) -> Option<Self> {
         let has_failed = balance.has_failed();
         let most = if has_failed { self.max_failed_substeps } else { self.max_substeps };
-        let substeps = (2 * self.substeps).min(most);
+        let substeps = (REPEATED_SUBSTEP_FACTOR * self.substeps).min(most);
         ((has_failed || balance.exceeds_tolerance()) && substeps > self.substeps)
             .then_some(SubstepPlan { substeps, ..*self })
     }

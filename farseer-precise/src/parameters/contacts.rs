@@ -85,9 +85,9 @@ pub(crate) const MIDPOINT_MAX_VELOCITY_CHANGE: f32 = 2.0;
 /// dimensionless. Only central impacts have a closed form. Value chosen; its sensitivity is not measured.
 pub(crate) const CENTRAL_IMPACT_TOLERANCE: f32 = 1e-3;
 
-/// Most Gauss-Seidel sweeps over contacts and joints for the velocities after an impact. Unit: dimensionless, a count. If a
-/// body is welded to a body of a quarter of its mass, each sweep leaves 4 / 5 of the error: after 32 sweeps a thousandth is
-/// left.
+/// Most Gauss-Seidel sweeps over contacts and joints for the velocities after an impact. Unit: dimensionless, a count. Of two
+/// welded bodies let one have a quarter of the other's mass. If the light one is hit, each sweep leaves 4 / 5 of the error, and
+/// 32 sweeps a thousandth; if the heavy one is hit, each sweep leaves 1 / 5.
 pub(crate) const JOINTED_RESTITUTION_MAX_SWEEPS: usize = 32;
 
 /// Velocity error of joints at which the sweeps of [`JOINTED_RESTITUTION_MAX_SWEEPS`] end early, as a fraction of the

@@ -99,12 +99,12 @@ pub(crate) const HEAVY_MASS_RATIO: f32 = 1.5;
 /// most 1. The value is cos^2 of 60 degrees, the steepest slope.
 pub(crate) const SUPPORT_NORMAL_SQUARED: f32 = 0.25;
 
-/// Most bodies of an island with contact cycles that the direct solver takes because of mass ratios: in 2.5D, and among those
-/// that may jam in 2D. Unit: dimensionless, a count. Value chosen; its sensitivity is not measured.
+/// Most bodies of an island with contact cycles that the direct solver takes because of mass ratios. It holds for
+/// islands in 2.5D, and for islands in 2D whose mass ratio may jam them. Unit: dimensionless, a count. Value chosen; its sensitivity is not measured.
 pub(crate) const CYCLIC_DEPTH_ISLAND_BODIES: u32 = 24;
 
-/// Average Newton steps per update above which an island in 2.5D, or an island in 2D that may jam, goes to the iterative solver
-/// for a pause. Unit: dimensionless, a count. Value chosen; its sensitivity is not measured.
+/// Newton steps per update, averaged, above which an island pauses in the iterative solver. It holds for islands
+/// in 2.5D, and for islands in 2D whose mass ratio may jam them. Unit: dimensionless, a count. Value chosen; its sensitivity is not measured.
 pub(crate) const DEPTH_NEWTON_LIMIT: f32 = 40.0;
 
 /// Most Gauss-Seidel sweeps over friction along the depth axis. Unit: dimensionless, a count. After a warm start one sweep is
@@ -162,6 +162,15 @@ pub(crate) const ROUND_NEWTON_STEPS: usize = 25;
 /// dimensionless, a count. Value chosen; its sensitivity is not measured.
 pub(crate) const SOLUTION_ROUNDS: usize = 7;
 
+/// Velocity residual of a round, as a fraction of the smallest one before, below which the round counts as an improvement.
+/// Unit: dimensionless, at most 1. A solution may end at [`SOLVED_VELOCITY_ERROR`] after a round without improvement; else it
+/// continues down to [`EXACT_VELOCITY_ERROR`]. Value chosen; its sensitivity is not measured.
+pub(crate) const ROUND_PROGRESS: f64 = 0.25;
+
+/// Greatest change of a velocity error in a Newton step that ends its round, as a fraction of the tolerance of the
+/// round. Unit: dimensionless, at most 1. Value chosen; its sensitivity is not measured.
+pub(crate) const NEWTON_STEP_TOLERANCE: f64 = 0.1;
+
 /// Most Newton steps in the solution of one island without joints in one update. Unit: dimensionless, a count. Value chosen;
 /// its sensitivity is not measured.
 pub(crate) const SOLUTION_NEWTON_STEPS: usize = 100;
@@ -194,6 +203,11 @@ pub(crate) const ISLAND_SWEEPS: usize = 8;
 /// Most iterations of the line search, each a Newton step or a bisection. Unit: dimensionless, a count. Value chosen; its
 /// sensitivity is not measured.
 pub(crate) const LINE_SEARCH_STEPS: usize = 20;
+
+/// Directional derivative at the end of a full Newton step, as a fraction of the negative initial one, above which a line search
+/// follows. Unit: dimensionless, at most 1. A full step that overshoots less is taken as it is. Value chosen; its sensitivity is
+/// not measured.
+pub(crate) const FULL_STEP_SLOPE: f64 = 0.25;
 
 /// Fraction of the initial directional derivative at which the line search ends. Unit: dimensionless, at most 1. The curvature
 /// condition of J. Nocedal and S. Wright, "Numerical Optimization" (2006), 3.1. They give 0.1 for nonlinear conjugate gradients,
@@ -412,6 +426,11 @@ pub(crate) const UPDATE_COST_LIMIT: f64 = 30.0;
 /// [`UPDATE_COST_LIMIT`]. Unit: dimensionless, a count. Fewer steps than the least find no active set; more than the greatest
 /// can as well be done in the next update. Value chosen; its sensitivity is not measured.
 pub(crate) const UPDATE_NEWTON_STEPS: [f64; 2] = [4.0, 20.0];
+
+/// Budget that an island gets after it has overdrawn its budget. Unit: dimensionless, fraction of the greatest overdraft,
+/// -1..=0. When the island returns from its pause, half of the overdraft is left to it: less than to an island that never
+/// overdrew. Value chosen; its sensitivity is not measured.
+pub(crate) const BUDGET_AFTER_OVERDRAFT: f64 = -0.5;
 
 /// Length of the first pause in the iterative solver of an island that overdraws its budget. Unit: updates. Each following
 /// pause is twice as long, up to 255. Value chosen; its sensitivity is not measured.

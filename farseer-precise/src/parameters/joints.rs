@@ -1,6 +1,6 @@
 //! Parameters of the joints in the plane: free articulations, and the soft rows of the iterative solver.
 //!
-//! A free articulation divides its step into substeps of its own, called *parts* in the names of the constants. Effects of half
+//! A free articulation divides its step into substeps of its own; in the direct solver they are called intervals. Effects of half
 //! or twice a value are those of the sensitivity report, docs/measured/sensitivity/report.md: "no measured row changes" means
 //! that none of the report's measurements does. The final speed of the scene "chain 5" is chaotic: it changes with most values.
 
@@ -15,7 +15,7 @@ pub(crate) const JOINT_CORRECTION_SPEED: f64 = 3.0;
 /// Largest number of dynamic bodies of a free articulation that gets an energy balance (scaling of velocities against energy
 /// errors). Unit: number of bodies.
 ///
-/// Such articulations divide their step into at least [`MIN_ARTICULATION_PARTS`] substeps of their own. Half of the force
+/// Such articulations divide their step into at least [`MIN_ARTICULATION_SUBSTEPS`] substeps of their own. Half of the force
 /// impulse acts at each end of the step. The reason of the limit is time: with an energy balance chains of 20 take 1.7 times as
 /// long, more than in Box2D. Chains of 12 and fewer gained up to 50 % energy without it. With half the value the Newton steps of
 /// 20 ragdolls change, with twice the final speed of a ball of 100 mass units on a chain of 20; no verdict changes.
@@ -28,37 +28,37 @@ pub(crate) const MAX_BALANCED_ARTICULATION_BODIES: u32 = 12;
 /// substeps of their own as the solver has. No measured row depends on it from half to twice the value.
 pub(crate) const LARGE_ARTICULATION_BODIES: u32 = 50;
 
-/// Fewest substeps into which a free articulation with an energy balance divides its step. Unit: number of parts.
+/// Fewest substeps into which a free articulation with an energy balance divides its step. Unit: number of substeps.
 ///
 /// Measured: with 1, pendulums of one to three links deviate three times as far from the motion at fine steps as with 2. Of the
 /// measured rows only that of chain 5 changes with half or twice the value.
-pub(crate) const MIN_ARTICULATION_PARTS: u32 = 2;
+pub(crate) const MIN_ARTICULATION_SUBSTEPS: u32 = 2;
 
 /// Fewest intervals into which the direct solver divides the step of a free articulation of up to
-/// [`MAX_BALANCED_ARTICULATION_BODIES`] bodies. Unit: number of parts.
+/// [`MAX_BALANCED_ARTICULATION_BODIES`] bodies. Unit: number of substeps.
 ///
 /// The direct solver does not correct energy errors by scaling velocities, so that it needs more intervals. Measured: a double
 /// pendulum with limits keeps its energy within 1 % at 60 steps/s.
-pub(crate) const MIN_DIRECT_PARTS: u32 = 3;
+pub(crate) const MIN_DIRECT_SUBSTEPS: u32 = 3;
 
-/// Most substeps of a free articulation per substep of the solver. Unit: number of parts.
+/// Most substeps of a free articulation per substep of the solver. Unit: dimensionless, ratio of two numbers of substeps.
 ///
 /// It bounds the cost of fast and stiff articulations. Measured: with 1 the energy error of a chain of 20 is 1.6e-2 instead of
 /// 1.8e-3; no measured row changes with 4.
-pub(crate) const ARTICULATION_SUBSTEP_PARTS: u32 = 2;
+pub(crate) const ARTICULATION_SUBSTEP_RATIO: u32 = 2;
 
-/// Most substeps of a free articulation per substep of the solver, when its step is repeated for an energy error. Unit: number
-/// of parts.
+/// Most substeps of a free articulation per substep of the solver, when its step is repeated for an energy error. Unit: ratio
+/// of two numbers of substeps.
 ///
 /// Measured: chains of 12 at 30 steps/s need this many when they whip. No measured row changes with twice the value, and chain 5
 /// alone with half.
-pub(crate) const MAX_REPEATED_SUBSTEP_PARTS: u32 = 4;
+pub(crate) const MAX_REPEATED_SUBSTEP_RATIO: u32 = 4;
 
-/// As [`MAX_REPEATED_SUBSTEP_PARTS`], for a step that has failed: its energy error exceeds [`FAILED_STEP_ENERGY_ERROR`]. Unit:
-/// number of parts.
+/// As [`MAX_REPEATED_SUBSTEP_RATIO`], for a step that has failed: its energy error exceeds [`FAILED_STEP_ENERGY_ERROR`]. Unit:
+/// ratio of two numbers of substeps.
 ///
 /// A heavy ball at the end of a light chain makes the joints' forces vary within a hundredth of a step when it whips.
-pub(crate) const MAX_FAILED_SUBSTEP_PARTS: u32 = 64;
+pub(crate) const MAX_FAILED_SUBSTEP_RATIO: u32 = 64;
 
 /// Energy error above which the step of a free articulation has failed: its positions are as wrong as its energy. Unit: fraction
 /// of the kinetic energy plus the work of forces, dimensionless. Value chosen.
@@ -110,7 +110,7 @@ pub(crate) const MAX_WHIP_JOINT_ERROR: f64 = 0.1;
 pub(crate) const MAX_ENERGY_VELOCITY_SCALE: f64 = 1.1;
 
 /// Largest deviation of a body's rotation from its prediction in a substep of a free articulation; a larger one repeats the
-/// solve. Unit: radians; half of the value applies to articulations with an energy balance.
+/// solve. Unit: radians; [`BALANCED_PREDICTION_SHARE`] of it applies to articulations with an energy balance.
 ///
 /// The position error that stays, as a fraction of the arm from the centre of mass to the anchor, is this value times the angle
 /// of rotation. Measured: chains with an energy balance move the same with 0.0015; longer ones take 18 % more time with half
@@ -118,17 +118,41 @@ pub(crate) const MAX_ENERGY_VELOCITY_SCALE: f64 = 1.1;
 /// 10 mass units on a chain of 20 gains 11 % of its energy.
 pub(crate) const PREDICTED_ROTATION_ERROR: f64 = 0.01;
 
+/// Fraction of [`PREDICTED_ROTATION_ERROR`] that applies to articulations with an energy balance. Unit: dimensionless, at most
+/// 1. Value chosen; its sensitivity is not measured.
+pub(crate) const BALANCED_PREDICTION_SHARE: f64 = 0.5;
+
 /// Most repetitions of the solve of a substep of a free articulation after a jump of its geometric stiffness. Unit: number of
 /// repetitions.
 ///
 /// It bounds the cost where a chain snaps taut. No measured row depends on it from half to twice the value.
 pub(crate) const STIFFNESS_JUMP_RETRIES: usize = 3;
 
+/// Excess of the geometric stiffness over the added stiffness above which the stiffness counts as jumped and the solve of a
+/// substep is repeated, as a multiple of the stable stiffness. Unit: dimensionless.
+///
+/// One multiple is the stable stiffness itself, which an explicit substep integrates; the rest is the tolerance of the added
+/// stiffness. Value chosen; its sensitivity is not measured.
+pub(crate) const STIFFNESS_JUMP_RATIO: f64 = 2.0;
+
+/// Divisor of the growth of a free articulation's substeps while their number is sought: n grows by n divided by it, at least
+/// by 1. Unit: dimensionless, a count.
+///
+/// Growth by a half needs few trials, and exceeds the necessary number by less than a half. Value chosen; its sensitivity is
+/// not measured.
+pub(crate) const SUBSTEP_GROWTH_DIVISOR: u32 = 2;
+
+/// Factor of the substeps of a free articulation when its step is repeated for an energy error. Unit: dimensionless, a count.
+///
+/// The energy error is of second order in the length of a substep: twice as many leave about a quarter of it. Value chosen; its
+/// sensitivity is not measured.
+pub(crate) const REPEATED_SUBSTEP_FACTOR: u32 = 2;
+
 /// Largest rotation of a body in a substep of a free articulation; faster rotation adds substeps. Unit: radians.
 ///
 /// Position errors of the linearised joints grow with it. No measured row changes with half the value. With twice, four rows of
 /// joint scenes change and no verdict: the final speed of a ball of 10 mass units on a chain of 20 halves.
-pub(crate) const ROTATION_PER_PART: f64 = 0.15;
+pub(crate) const ROTATION_PER_SUBSTEP: f64 = 0.15;
 
 /// Multiple of the stable limit up to which a free articulation integrates geometric stiffness implicitly. Unit: dimensionless.
 /// The stable limit is [`STABLE_STIFFNESS`](super::direct::STABLE_STIFFNESS) times the moment of inertia about the farthest

@@ -33,7 +33,7 @@ impl Saved {
             && self
                 .solver_history
                 .iter()
-                .all(|(_, wear)| wear.average_newton_steps.is_finite() && wear.budget.is_finite())
+                .all(|(_, history)| history.average_newton_steps.is_finite() && history.budget.is_finite())
             && self.sleeping_bodies.iter().all(|sleeper| sleeper.is_valid(self.sleeping_bodies.len()))
     }
 }

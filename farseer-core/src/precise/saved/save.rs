@@ -91,8 +91,8 @@ impl Precise {
     fn save_solver_history(&self) -> impl Iterator<Item = (BodyId, IslandHistory)> + '_ {
         let histories =
             self.solver.bodies.movable().map(|number| (number, self.solver.direct_solver.history[number]));
-        let worn = histories.filter(|&(_, history)| history != IslandHistory::default());
-        worn.filter_map(|(number, wear)| Some((self.ids.bodies[number]?, wear)))
+        let changed = histories.filter(|&(_, history)| history != IslandHistory::default());
+        changed.filter_map(|(number, history)| Some((self.ids.bodies[number]?, history)))
     }
 
     /// Returns all sleeping bodies, in the order of their indices.

@@ -6,7 +6,9 @@ use super::super::constraint_list::{
 };
 use super::super::island_body::{add, dot};
 use super::IslandSystem;
-use crate::parameters::direct::{FRICTION_LIMIT_RELAXATION, LINE_SEARCH_SLOPE, LINE_SEARCH_STEPS};
+use crate::parameters::direct::{
+    FRICTION_LIMIT_RELAXATION, FULL_STEP_SLOPE, LINE_SEARCH_SLOPE, LINE_SEARCH_STEPS,
+};
 
 impl IslandSystem {
     /// Makes one semismooth Newton step with line search. Returns whether it is the last step of the round.
@@ -39,7 +41,7 @@ impl IslandSystem {
                     return false;
                 }
             }
-            if end_slope > 0.25 * -slope {
+            if end_slope > FULL_STEP_SLOPE * -slope {
                 fraction = self.line_search([slope, end_slope], product_with_change, product_with_direction);
             }
             self.step_along(fraction - 1.0);

@@ -11,6 +11,7 @@ use super::super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
 use super::RevoluteLink;
 use crate::bodies::BodySet;
 use crate::index::{BodyIndex, DenseIndex};
+use crate::parameters::joints::STIFFNESS_JUMP_RATIO;
 
 impl RevoluteLink {
     /// Copies pose and velocity of the body to the link, and computes arms, joint error, geometric stiffness and predicted
@@ -315,7 +316,7 @@ impl RevoluteLink {
     /// units^2, >= 0.
     #[inline(always)]
     pub(super) fn set_added_stiffness(&mut self, stiffness: f64) {
-        self.jump_stiffness = stiffness + 2.0 * self.stable_stiffness;
+        self.jump_stiffness = stiffness + STIFFNESS_JUMP_RATIO * self.stable_stiffness;
         (self.added_stiffness, self.momentum_stiffness) =
             (stiffness, momentum_carrying_stiffness(stiffness, self.stable_stiffness));
     }

@@ -25,15 +25,15 @@ pub(in super::super) fn spatial_groups(
     bodies: &BodySet,
 ) -> (Vec<SpatialJointGroup>, Vec<JointIndex>) {
     let mut unions = UnionFind::new(bodies.states.len());
-    for [a, b] in joints.iter().map(|hold| hold.anchors.map(|end| end.body)) {
+    for [a, b] in joints.iter().map(|joint| joint.anchors.map(|end| end.body)) {
         if a != BodyIndex::PLACEHOLDER && b != BodyIndex::PLACEHOLDER {
             unions.unite(a, b);
         }
     }
-    let mut root_of = |hold: &JointConstraint| unions.find(hold.anchors[0].body.max(hold.anchors[1].body));
+    let mut root_of = |joint: &JointConstraint| unions.find(joint.anchors[0].body.max(joint.anchors[1].body));
     let roots: Vec<BodyIndex> = joints.iter().map(&mut root_of).collect();
     let mut groups: Vec<Vec<JointIndex>> = Vec::new();
-    let distances = joints.iter().zip(&roots).filter(|(hold, _)| hold.locked == LockedDofs::Distance);
+    let distances = joints.iter().zip(&roots).filter(|(joint, _)| joint.locked == LockedDofs::Distance);
     let mut has_distance: Vec<BodyIndex> = distances.map(|(_, &root)| root).collect();
     has_distance.sort_unstable();
     has_distance.dedup();
@@ -68,16 +68,16 @@ impl SpatialJointGroup {
             SpatialJointGroup { has_loops: closing.contains(&true), ..SpatialJointGroup::default() };
         let mut ground_sides = 0;
         for (&at, closes_loop) in members.iter().zip(closing) {
-            let hold = &joints[at];
-            let nodes = hold.anchors.map(|end| {
+            let joint = &joints[at];
+            let nodes = joint.anchors.map(|end| {
                 body_indices.binary_search(&end.body).unwrap_or_else(|_| {
                     ground_sides += 1;
                     body_indices.len() + ground_sides - 1
                 })
             });
             let nodes = nodes.map(NodeIndex::new);
-            let of_joint = (group.joints.push(JointState::new(at, hold.locked, nodes)), nodes);
-            let kinds = row_kinds(hold).into_iter();
+            let of_joint = (group.joints.push(JointState::new(at, joint.locked, nodes)), nodes);
+            let kinds = row_kinds(joint).into_iter();
             group.rows.extend(kinds.map(|kind| SpatialJointRow::new(of_joint, kind, closes_loop)));
         }
         let inverses = body_indices.iter().map(|&body| {

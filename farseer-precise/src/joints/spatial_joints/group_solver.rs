@@ -139,7 +139,8 @@ impl SpatialJointGroup {
                 let (end, z) = (&joint.anchors[at], f64::from(depth_of(state.joint, at)));
                 (side.origin, side.arm, side.rotation) =
                     ([end.position[0], end.position[1], z], end.arm, 0.0);
-                let along_z = bodies.states.at(end.pose_body).map_or(0.0, |hot| f64::from(hot.velocity[3]));
+                let along_z =
+                    bodies.states.at(end.pose_body).map_or(0.0, |state| f64::from(state.velocity[3]));
                 let [x, y, spin] = end.velocity;
                 let velocity =
                     [x, y, spin, if end.pose_body == BodyIndex::PLACEHOLDER { 0.0 } else { along_z }];
@@ -212,9 +213,11 @@ impl SpatialJointGroup {
         if has_errors {
             self.correction_velocities.copy_from_slice(&self.velocities);
             let is_solved = self.solve(joints, h, (SolvePhase::CorrectPosition, true));
-            for (undoing, velocity) in self.correction_velocities.iter_mut().zip(self.velocities.iter_mut()) {
-                let uncorrected = *undoing;
-                *undoing =
+            for (correction, velocity) in
+                self.correction_velocities.iter_mut().zip(self.velocities.iter_mut())
+            {
+                let uncorrected = *correction;
+                *correction =
                     std::array::from_fn(|i| if is_solved { velocity[i] - uncorrected[i] } else { 0.0 });
                 if !is_solved {
                     *velocity = uncorrected;
@@ -260,8 +263,8 @@ impl SpatialJointGroup {
     /// Removes the correction velocities from the group's velocities, and solves the velocities for the joints (RATTLE). Adds
     /// the impulses of the substep of `h` seconds to the sums of the step.
     pub(super) fn relax_velocities(&mut self, joints: &JointList, h: f64) {
-        for (undoing, velocity) in self.correction_velocities.iter().zip(self.velocities.iter_mut()) {
-            (0..4).for_each(|i| velocity[i] -= undoing[i]);
+        for (correction, velocity) in self.correction_velocities.iter().zip(self.velocities.iter_mut()) {
+            (0..4).for_each(|i| velocity[i] -= correction[i]);
         }
         let (inverse_masses, count) = (self.inverse_masses.borrowed(), self.bodies.len());
         for row in self.rows.iter_mut() {

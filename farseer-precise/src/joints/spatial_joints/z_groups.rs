@@ -29,13 +29,13 @@ impl ZGroup {
     /// the number of bodies.
     pub(in super::super) fn find_all(joints: &JointList, body_count: usize) -> Vec<ZGroup> {
         let mut unions = UnionFind::new(body_count);
-        for [one, other] in point_joints(joints).map(|hold| hold.anchors.map(|end| end.body)) {
+        for [one, other] in point_joints(joints).map(|joint| joint.anchors.map(|end| end.body)) {
             if one != BodyIndex::PLACEHOLDER && other != BodyIndex::PLACEHOLDER {
                 unions.unite(one, other);
             }
         }
         let mut bodies: Vec<BodyIndex> =
-            point_joints(joints).flat_map(|hold| hold.anchors.map(|end| end.body)).collect();
+            point_joints(joints).flat_map(|joint| joint.anchors.map(|end| end.body)).collect();
         bodies.sort_unstable();
         bodies.dedup();
         // The representative of a component is its smallest index, so that it occurs first.
@@ -65,7 +65,7 @@ impl ZGroup {
     /// momentum.
     fn z_velocity(&self, bodies: &BodySet) -> f32 {
         match self.carrier {
-            Some(carrier) => bodies.states.get(carrier.position()).map_or(0.0, |hot| hot.velocity[3]),
+            Some(carrier) => bodies.states.get(carrier.position()).map_or(0.0, |state| state.velocity[3]),
             None => self.mass_weighted_mean(bodies, |body| {
                 bodies.states[BodyIndex::new(body.position())].velocity[3]
             }),
@@ -105,12 +105,12 @@ impl ZGroup {
 fn point_joints(joints: &JointList) -> impl Iterator<Item = &JointConstraint> {
     joints
         .iter()
-        .filter(|hold| matches!(hold.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line))
+        .filter(|joint| matches!(joint.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line))
 }
 
 /// Sets the carrier of each group in `all`, which is sorted by the root of its bodies in `unions`.
 fn find_carriers(joints: &JointList, unions: &mut UnionFind<BodyIndex>, all: &mut [(BodyIndex, ZGroup)]) {
-    for [one, other] in point_joints(joints).map(|hold| hold.anchors) {
+    for [one, other] in point_joints(joints).map(|joint| joint.anchors) {
         for (anchor, carrier) in [(one, other), (other, one)] {
             let root = unions.find(anchor.body);
             if carrier.body == BodyIndex::PLACEHOLDER
