@@ -8,9 +8,9 @@
 //! In three cases nothing is stored, and the island goes to the iterative solver at once:
 //!
 //! - the solution gains energy;
-//! - it diverges: a body rotates by more than [`ACCEPTED_ROTATION`], a joint error exceeds [`ACCEPTED_JOINT_ERROR`], and the
+//! - it diverges: a body rotates by more than `ACCEPTED_ROTATION`, a joint error exceeds `ACCEPTED_JOINT_ERROR`, and the
 //!   island has had no stored solution since the direct solver took it;
-//! - the island has no contacts, and the position solve hardly closes such an error ([`JOINT_ERROR_PROGRESS`]).
+//! - the island has no contacts, and the position solve hardly closes such an error (`JOINT_ERROR_PROGRESS`).
 //!
 //! With [`SolverChoice::Direct`] every solution is stored, even one that gains energy.
 
