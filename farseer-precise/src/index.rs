@@ -55,6 +55,7 @@ macro_rules! index_type {
     };
 }
 
+#[cfg(feature = "engine")]
 pub(crate) use index_type;
 
 index_type! {

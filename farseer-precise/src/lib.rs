@@ -36,6 +36,7 @@ pub mod convex_parts;
 pub mod edge_adjacency;
 pub mod footprint_corners;
 mod former_names;
+pub mod index;
 pub mod island_report;
 pub mod math;
 pub mod pieces;
@@ -60,8 +61,6 @@ pub mod depth;
 pub mod direct_solver;
 #[cfg(feature = "engine")]
 pub mod fingerprint;
-#[cfg(feature = "engine")]
-pub mod index;
 #[cfg(feature = "engine")]
 pub mod integration;
 #[cfg(feature = "engine")]
