@@ -385,7 +385,8 @@ impl Precise {
     /// Returns the index of the proxy of a geom's convex piece; `None` if there is none.
     pub(super) fn proxy_of(&self, geom: GeomId, piece: u32) -> Option<ProxyIndex> {
         let first = if is_geom(geom) { self.ids.first_proxy(geom) } else { self.world_proxy_of(geom) };
-        piece_at(&self.solver.proxies, ProxyIndex(first?.0 + piece), (geom, piece))
+        let at = first?.0.checked_add(piece)?;
+        piece_at(&self.solver.proxies, ProxyIndex(at), (geom, piece))
     }
 }
 
