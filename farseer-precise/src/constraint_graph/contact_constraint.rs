@@ -96,7 +96,7 @@ impl ContactConstraint {
     }
 
     /// Returns whether load adaptation still raises the rest impulses of the points: see
-    /// [`adapt_load`](crate::contact_solver::soft_step::adapt_load).
+    /// [`adapt_load`](crate::contact_solver::load_adaptation::adapt_load).
     pub(crate) fn is_adapting_load(&self, adaptation: &LoadAdaptation) -> bool {
         let [one, two] = &self.points;
         let deepest = one.separation.min(two.separation);

@@ -16,11 +16,10 @@ use crate::bodies::{BodySet, MotionState};
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ColorUsage, ConstraintGraph};
+use crate::contact_solver::restitution::apply_restitution;
 use crate::contact_solver::rolling::{RollingContact, RollingSolver};
-use crate::contact_solver::soft_step::{
-    ContactSubstep, accumulate_warm_start, apply_restitution, relax, solve_with_bias,
-    solve_with_joint_softness,
-};
+use crate::contact_solver::soft_step::{ContactSubstep, relax, solve_with_bias, solve_with_joint_softness};
+use crate::contact_solver::warm_start::accumulate_warm_start;
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
 use crate::index::{IndexedVec, ProxyIndex};

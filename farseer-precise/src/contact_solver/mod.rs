@@ -1,8 +1,12 @@
-//! The [iterative solver](iterative_solver) with its contact rows ([`soft_step`]), and closed forms for polygons that roll ([`rolling`]) or pivot from vertex to
-//! vertex ([`pivoting`]) over a static face.
+//! The [iterative solver](iterative_solver) with its contact rows ([`soft_step`]), and closed forms for polygons that roll
+//! ([`rolling`]) or pivot from vertex to vertex ([`pivoting`]) over a static face.
 
 pub mod iterative_solver;
+pub mod load_adaptation;
+pub mod pair_velocities;
 pub mod pivoting;
 pub mod pivoting_bodies;
+pub mod restitution;
 pub mod rolling;
 pub mod soft_step;
+pub mod warm_start;

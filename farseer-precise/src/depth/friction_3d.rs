@@ -12,10 +12,13 @@ use wide::f32x4;
 
 use crate::bodies::MotionState;
 use crate::constraint_graph::{ColorSet, ContactConstraint3Simd, ContactConstraintSimd, ContactPointSimd};
-use crate::contact_solver::soft_step::{
-    ContactSubstep, PairVelocities, RelaxResult, adapt_load, adapt_load_with_joints, add_columns,
-    angular_coupling, angular_impulses, load_velocities, record_approach_velocity, relax_normals,
+use crate::contact_solver::load_adaptation::{adapt_load, adapt_load_with_joints};
+use crate::contact_solver::pair_velocities::{
+    PairVelocities, angular_coupling, angular_impulses, load_velocities,
 };
+use crate::contact_solver::restitution::record_approach_velocity;
+use crate::contact_solver::soft_step::{ContactSubstep, RelaxResult, relax_normals};
+use crate::contact_solver::warm_start::add_columns;
 use crate::index::{BodyIndex, DenseIndex};
 use crate::math::lanes::{greater, select, smaller};
 use crate::scaled_parameters::LoadAdaptation;
@@ -239,7 +242,7 @@ fn solve_twist_friction<const FIXED: bool, const P: usize>(
 
 /// Adds the velocity changes by the accumulated impulses of all constraints to `warm` (by body: x, y, rotation, z) and to
 /// `BallSpin::warm_start`. Also performs load adaptation, stores approach velocities, and sets `step_impulses` to 0. See
-/// [`accumulate_warm_start`](crate::contact_solver::soft_step::accumulate_warm_start).
+/// [`accumulate_warm_start`](crate::contact_solver::warm_start::accumulate_warm_start).
 #[inline(always)]
 pub(crate) fn accumulate_warm_start_3d<const FIXED: bool, const P: usize>(
     rows: &mut ColorSet<ContactConstraint3Simd<P>>,

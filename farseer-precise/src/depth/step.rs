@@ -6,9 +6,8 @@
 use super::friction_3d::{accumulate_warm_start_3d, apply_spin_warm_start, relax_3d};
 use crate::constraint_graph::{ConstraintGraph3, ContactConstraint3Simd};
 use crate::contact_solver::iterative_solver::IterativeSolver;
-use crate::contact_solver::soft_step::{
-    ContactSubstep, apply_restitution, solve_with_bias, solve_with_joint_softness,
-};
+use crate::contact_solver::restitution::apply_restitution;
+use crate::contact_solver::soft_step::{ContactSubstep, solve_with_bias, solve_with_joint_softness};
 use crate::integration::resolve_bounce;
 use crate::math::plane::{Vector, length};
 use crate::parameters::depth::RESTITUTION_GRAVITY_STEPS;

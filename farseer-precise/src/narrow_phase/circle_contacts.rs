@@ -2,10 +2,14 @@
 
 use super::{NarrowPhase, ProxyPair};
 use crate::broad_phase::proxies::Proxy;
-use crate::contact_solver::soft_step::{update_circle_contact, update_circle_contacts};
-use crate::index::PairIndex;
+use crate::constraint_graph::{ColorSet, ContactConstraint, ContactConstraintSimd, SimdSlot};
+use crate::index::{BodyIndex, DenseIndex, PairIndex};
+use crate::math::lanes::{gather, select};
 use crate::math::plane::{difference, scaled, sum};
 use crate::narrow_phase::manifold::{Manifold, circles_at_toi};
+use wide::f32x4;
+
+const ZERO: f32x4 = f32x4::ZERO;
 
 impl NarrowPhase<'_> {
     /// Computes normals and separations of all touching circles for the present poses. Pairs that are separated by more than
@@ -58,4 +62,76 @@ impl NarrowPhase<'_> {
     pub fn is_circle_pair(&self, pair: PairIndex) -> bool {
         self.are_both_circles(self.proxy_pair(pair))
     }
+}
+
+/// Updates normals, separations and friction arms of all contacts between two circles. Calls `on_separation` with the index of
+/// each pair whose separation exceeds `reach`, the speculative distance in length units.
+#[inline(always)]
+fn update_circle_contacts(
+    constraints: &mut ColorSet<ContactConstraintSimd<1>>,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
+    reach: f32,
+    mut on_separation: impl FnMut(PairIndex),
+) {
+    constraints.for_each(|constraint| {
+        let separated = update_circle_lanes(constraint, poses, circles, reach);
+        for lane in
+            (0..4).filter(|lane| separated >> lane & 1 == 1 && constraint.b[*lane] != BodyIndex::PLACEHOLDER)
+        {
+            on_separation(constraint.pair[lane]);
+        }
+    });
+}
+
+/// Runs [`update_circle_contacts`] for one constraint in the direct solver. Returns whether the separation exceeds `reach`
+/// (length units); `None` if one of the bodies is no circle.
+fn update_circle_contact(
+    lane: &mut ContactConstraint,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
+    reach: f32,
+) -> Option<bool> {
+    let is_round = |body: BodyIndex| circles.get(body.position()).is_some_and(|circle| circle[3] > 0.0);
+    if !(is_round(lane.a) && is_round(lane.b)) {
+        return None;
+    }
+    let mut constraint = ContactConstraintSimd::<1>::default();
+    constraint.insert(0, lane);
+    let separated = update_circle_lanes(&mut constraint, poses, circles, reach);
+    *lane = constraint.extract(0);
+    Some(separated & 1 == 1)
+}
+
+/// Updates normals, separations and friction arms of the contacts between two circles in a block. Returns the mask of the lanes
+/// whose separation exceeds `reach`, in length units.
+#[inline(always)]
+fn update_circle_lanes(
+    constraint: &mut ContactConstraintSimd<1>,
+    poses: &[[f32; 4]],
+    circles: &[[f32; 4]],
+    reach: f32,
+) -> u32 {
+    let [_, _, radius_a, is_round_a] = gather(circles, &constraint.a);
+    let [_, _, radius_b, is_round_b] = gather(circles, &constraint.b);
+    let are_round = (is_round_a * is_round_b).simd_gt(ZERO);
+    if are_round.to_bitmask() == 0 {
+        return 0;
+    }
+    let [ax, ay, _, _] = gather(poses, &constraint.a);
+    let [bx, by, _, _] = gather(poses, &constraint.b);
+    let (dx, dy) = (bx - ax, by - ay);
+    let squared = dx * dx + dy * dy;
+    let is_far = squared.simd_gt(f32x4::splat(f32::MIN_POSITIVE));
+    let distance = squared.sqrt();
+    let inverse = f32x4::splat(1.0) / select(is_far, distance, f32x4::splat(1.0));
+    let separation = distance - radius_a - radius_b;
+    let half = f32x4::splat(0.5) * separation;
+    constraint.normal_x = select(are_round, dx * inverse, constraint.normal_x);
+    constraint.normal_y =
+        select(are_round, select(is_far, dy * inverse, f32x4::splat(1.0)), constraint.normal_y);
+    constraint.points[0].separation = select(are_round, separation, constraint.points[0].separation);
+    constraint.tangent_arm_a = select(are_round, ZERO - (radius_a + half), constraint.tangent_arm_a);
+    constraint.tangent_arm_b = select(are_round, radius_b + half, constraint.tangent_arm_b);
+    (separation.simd_gt(f32x4::splat(reach)) & are_round).to_bitmask()
 }
