@@ -342,8 +342,8 @@ impl<I, T> DerefMut for IndexedVec<I, T> {
     }
 }
 
-/// A borrowed list whose entries are found by an index of type `I`. In a loop that changes other lists it spares the processor to
-/// read again where the list is.
+/// A borrowed list whose entries are found by an index of type `I`. In a loop that changes other lists the compiler does not read
+/// again where the list is.
 pub struct IndexedSlice<'a, I, T> {
     /// The entries, by the position of their indices.
     entries: &'a [T],

@@ -162,6 +162,16 @@ impl InitialEnergy {
     }
 }
 
+/// Returns the largest work in a step of `dt` seconds of the joints with the world that were pulled apart before the step, in mass
+/// units * length units^2/s^2. `None` if no joint was.
+fn closing_work<N: BalancedLink>(links: &Links<N>, dt: f64) -> Option<f64> {
+    let has_moved_anchor = |node: &&N| {
+        node.has_joint_error_above(MAX_STEP_JOINT_ERROR) && links[node.parent()].end_state().is_none()
+    };
+    let moved = links.iter().filter(has_moved_anchor);
+    moved.map(|node| node.max_closing_work(&links[node.parent()], dt)).reduce(|sum, work| sum + work)
+}
+
 /// Energies of a free articulation over a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EnergyBalance {
@@ -188,17 +198,10 @@ impl EnergyBalance {
         start: InitialEnergy,
         [dt, h]: [f64; 2],
     ) -> Option<Self> {
-        let has_moved_anchor = |node: &N| {
-            node.has_joint_error_above(MAX_STEP_JOINT_ERROR) && links[node.parent()].end_state().is_none()
-        };
         if links.iter().any(N::is_moving_fixed_root) {
             return None;
         }
-        let closing_works = links
-            .iter()
-            .filter(|node| has_moved_anchor(node))
-            .map(|node| node.max_closing_work(&links[node.parent()], dt));
-        let closing_work = closing_works.reduce(|sum, work| sum + work);
+        let closing_work = closing_work(links, dt);
         let max_rounding_work: f64 = links.iter().map(|node| node.max_rounding_work(dt)).sum();
         let (mut end_kinetic, mut work, mut work_size) = (0.0, 0.0, 0.0);
         for body in links.iter().filter_map(N::end_state) {

@@ -77,7 +77,7 @@ impl SubstepPlan {
     }
 
     /// Returns the energy balance of the step of `dt` seconds that followed this plan. Returns `None` if `start`, the energy at
-    /// the start, is `None`, or if a moving root or a moved anchor did work.
+    /// the start, is `None`, or if a moving root did work.
     pub(super) fn energy_balance<N: BalancedLink>(
         &self,
         links: &Links<N>,

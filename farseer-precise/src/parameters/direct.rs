@@ -100,11 +100,13 @@ pub(crate) const HEAVY_MASS_RATIO: f32 = 1.5;
 pub(crate) const SUPPORT_NORMAL_SQUARED: f32 = 0.25;
 
 /// Most bodies of an island with contact cycles that the direct solver takes because of mass ratios. It holds for
-/// islands in 2.5D, and for islands in 2D whose mass ratio may jam them. Unit: dimensionless, a count. Value chosen; its sensitivity is not measured.
+/// islands in 2.5D, and for islands in 2D whose mass ratio may jam them. Unit: dimensionless, a count. Value chosen; its
+/// sensitivity is not measured.
 pub(crate) const CYCLIC_DEPTH_ISLAND_BODIES: u32 = 24;
 
 /// Newton steps per update, averaged, above which an island pauses in the iterative solver. It holds for islands
-/// in 2.5D, and for islands in 2D whose mass ratio may jam them. Unit: dimensionless, a count. Value chosen; its sensitivity is not measured.
+/// in 2.5D, and for islands in 2D whose mass ratio may jam them. Unit: dimensionless, a count. Value chosen; its sensitivity is
+/// not measured.
 pub(crate) const DEPTH_NEWTON_LIMIT: f32 = 40.0;
 
 /// Most Gauss-Seidel sweeps over friction along the depth axis. Unit: dimensionless, a count. After a warm start one sweep is

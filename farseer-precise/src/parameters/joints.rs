@@ -57,11 +57,15 @@ pub(crate) const MAX_REPEATED_SUBSTEP_RATIO: u32 = 4;
 /// As [`MAX_REPEATED_SUBSTEP_RATIO`], for a step that has failed: its energy error exceeds [`FAILED_STEP_ENERGY_ERROR`]. Unit:
 /// ratio of two numbers of substeps.
 ///
-/// A heavy ball at the end of a light chain makes the joints' forces vary within a hundredth of a step when it whips.
+/// Measured with 10 to 1,000 times a link's mass at the end of chains of 2 to 10, 120 s each: gaps of 5 m without such
+/// repetitions. From 16 to 128 they are at most 0.2 m, and at most 0.006 m in 11 of 14 chains. With 64, the chain with 1,000
+/// times the mass opens once by 2.2 m.
 pub(crate) const MAX_FAILED_SUBSTEP_RATIO: u32 = 64;
 
 /// Energy error above which the step of a free articulation has failed: its positions are as wrong as its energy. Unit: fraction
-/// of the kinetic energy plus the work of forces, dimensionless. Value chosen.
+/// of the kinetic energy plus the work of forces, dimensionless.
+///
+/// Measured on the chains of [`MAX_FAILED_SUBSTEP_RATIO`]: 0.02 to 0.1 differ little, with 0.2 two chains open by 1.9 and 2.6 m.
 pub(crate) const FAILED_STEP_ENERGY_ERROR: f64 = 0.05;
 
 /// Energy error above which the step of a free articulation is repeated with more substeps. Unit: fraction of the kinetic
@@ -94,7 +98,8 @@ pub(crate) const MAX_ROTATION_ROUNDING: f64 = 3e-5;
 /// (vectors from the centres of mass to the anchors), dimensionless; for angles radians.
 ///
 /// A larger error at a joint with the world or a static or kinematic body shows that the anchor was moved, which does work.
-/// Then the energy is not balanced. Value chosen; no measured row depends on it from half to twice the value.
+/// Then only a failed step is repeated: see [`FAILED_STEP_ENERGY_ERROR`]. Value chosen; no measured row depends on it from half
+/// to twice the value.
 pub(crate) const MAX_STEP_JOINT_ERROR: f64 = 0.002;
 
 /// Largest joint error at the start of a step that counts as left by a step in which a chain whips. Unit: fraction of the

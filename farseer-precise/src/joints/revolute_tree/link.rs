@@ -89,7 +89,8 @@ impl RevoluteLink {
     /// start of the step.
     ///
     /// `dt` is the step in seconds; `parts` and `substeps` are the numbers of substeps of the articulation and of the solver.
-    /// The predicted change is converted if the articulation [`is_balanced`](super::super::substep_plan::SubstepPlan::is_energy_balanced).
+    /// The predicted change is converted if the articulation
+    /// [`is_balanced`](super::super::substep_plan::SubstepPlan::is_energy_balanced).
     #[inline(always)]
     pub(super) fn scale_to_substep(
         &mut self,
