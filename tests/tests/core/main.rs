@@ -48,6 +48,7 @@ mod physics;
 mod polygon_tools_random;
 mod precise_bridges;
 mod precise_capsules;
+mod precise_chains;
 mod precise_driven;
 mod precise_drives;
 mod precise_edited_links;
