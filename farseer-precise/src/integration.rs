@@ -32,9 +32,8 @@ pub struct BodyForces {
 
 impl BodyForces {
     /// Returns the changes of a velocity in a step of `dt` and its substeps of `h` seconds by accelerations and drag rates
-    /// (1/s, of the
-    /// velocity in the plane and of the spin). The accelerations are those by applied forces and by gravity.
-    /// The velocity after the step is the exact solution of `v' = a - r v` for drag rate r (1/s) and acceleration a: `v E + a (1 -
+    /// (1/s, of the velocity in the plane and of the spin). The accelerations are those by applied forces and by gravity. The
+    /// velocity after the step is the exact solution of `v' = a - r v` for drag rate r (1/s) and acceleration a: `v E + a (1 -
     /// E) / r` with `E = exp(-r dt)`. Quadratic drag has the rate of the beginning of the step throughout.
     ///
     /// `force_position_delta` corrects the displacement for forces that a game or a spring has applied, since they may depend on

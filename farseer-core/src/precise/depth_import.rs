@@ -1,6 +1,5 @@
-//! Adapter: import of depth states of bodies, depth shapes of geoms, forces along z and world boxes, which the engine above sets,
-//! and
-//! output of the depth states of moved bodies. Only with the feature `space`.
+//! Adapter: import of depth states of bodies, depth shapes of geoms, forces along z and world boxes, which the engine above
+//! sets, and output of the depth states of moved bodies. Only with the feature `space`.
 
 use super::Precise;
 use crate::body::BodyId;

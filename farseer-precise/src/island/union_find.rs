@@ -7,9 +7,8 @@ use std::ops::Range;
 use crate::index::{DenseIndex, IndexedVec};
 use crate::reusing_clone;
 
-/// Disjoint sets of indices of type `I`: of bodies, each set is an island. The representative of a set is its smallest index, so
-/// that the result does
-/// not depend on the order of unions.
+/// Disjoint sets of indices of type `I`: of bodies, each set is an island. The representative of a set is its smallest index,
+/// so that the result does not depend on the order of unions.
 #[derive(Debug)]
 pub struct UnionFind<I> {
     /// For each index, a smaller index of its set, or the index itself if it is the smallest of the set.

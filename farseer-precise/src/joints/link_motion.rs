@@ -170,9 +170,8 @@ impl ArticulatedLink {
         if excess > 0.0 && self.locked != LockedDofs::Fixed { excess } else { 0.0 }
     }
 
-    /// Returns whether the geometric stiffness exceeds the added stiffness by more than [`STIFFNESS_JUMP_RATIO`] times the stable
-    /// limit. This happens
-    /// when a chain snaps taut.
+    /// Returns whether the geometric stiffness exceeds the added stiffness by more than [`STIFFNESS_JUMP_RATIO`] times the
+    /// stable limit. This happens when a chain snaps taut.
     #[inline(always)]
     pub(super) fn stiffness_jumped(&self) -> bool {
         self.excess_stiffness()

@@ -94,9 +94,8 @@ pub(super) struct RevoluteLink {
     added_stiffness: f64,
     /// Least geometric stiffness that counts as a [jump](Self::stiffness_jumped). Unit: mass units * length units^2.
     jump_stiffness: f64,
-    /// Amount of `added_stiffness` that [carries momentum](super::substep_plan::momentum_carrying_stiffness). Unit: mass units *
-    /// length
-    /// units^2, >= 0.
+    /// Amount of `added_stiffness` that [carries momentum](super::substep_plan::momentum_carrying_stiffness). Unit: mass units
+    /// * length units^2, >= 0.
     momentum_stiffness: f64,
     /// Mass of the body. Unit: mass units.
     mass: f64,

@@ -88,9 +88,9 @@ pub(crate) const ROPE_RETRY_FACTOR: u32 = 3;
 /// chosen; its sensitivity is not measured.
 pub(crate) const ROPE_MAX_ENERGY_GAIN: f64 = 0.01;
 
-/// Fraction of a position error that a substep corrects at limits and in loops of joints in three axes (J.
-/// Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems",
-/// 1972). Unit: dimensionless, at most 1. Value chosen; its sensitivity is not measured.
+/// Fraction of a position error that a substep corrects at limits and in loops of joints in three axes (J. Baumgarte,
+/// "Stabilization of constraints and integrals of motion in dynamical systems", 1972). Unit: dimensionless, at most 1. Value
+/// chosen; its sensitivity is not measured.
 pub(crate) const LOOP_BAUMGARTE_FACTOR: f64 = 0.2;
 
 /// Largest position error of a joint in three axes that a substep corrects at once. Unit: length units, in angular rows

@@ -2,9 +2,8 @@
 //!
 //! A 2D game needs nothing of this module. An engine with depth owns a [`PhysicsSimulator`](crate::PhysicsSimulator) and adds a
 //! third axis to it by [`DepthAxisMut::enable`]. It sets positions, velocities and forces along z ([`DepthBodyState`]), depth
-//! shapes
-//! of geoms ([`DepthShape`]), and boxes of the world that have no body ([`WorldBox`]). Axes: x and y (down) are those of the core,
-//! z is depth; the ground is the plane y = 0.
+//! shapes of geoms ([`DepthShape`]), and boxes of the world that have no body ([`WorldBox`]). Axes: x and y (down) are those of
+//! the core, z is depth; the ground is the plane y = 0.
 //!
 //! The stages of an update:
 //!
