@@ -95,15 +95,23 @@ fn card_house(count: usize, press: f64) -> Scene {
 }
 
 /// Returns a half-circle arch of `count` stones. Each stone overlaps its neighbours by `press` px.
+///
+/// The stones have exactly their share of the half circle, and start too near to its centre. An arch of wider stones would
+/// be higher than the half circle once the overlaps are gone.
 fn arch(count: usize, press: f64) -> Scene {
     let mut stage = stage(format!("arch_of_{count}")).with_surface(FRICTION, 0.0);
     ground(&mut stage, 4.0 * SPAN + 320.0, 0.0);
-    // Stones are wider than their share of the arc by the overlap, so that neighbours touch.
-    let slack = press / 2.0 / SPAN;
+    let share = std::f64::consts::PI / count as f64;
+    // Two neighbours at a distance `inwards` from their places overlap by 2 inwards sin(share / 2).
+    let inwards = press / (2.0 * (share / 2.0).sin());
     for index in 0..count {
-        let angle = |share: f64| std::f64::consts::PI * share / count as f64;
-        let (from, to) = (angle(index as f64) - slack, angle(index as f64 + 1.0) + slack);
-        let corner = |radius: f64, angle: f64| [-radius * angle.cos(), -radius * angle.sin()];
+        let (from, to) = (share * index as f64, share * (index + 1) as f64);
+        let towards = |length: f64, angle: f64| [-length * angle.cos(), -length * angle.sin()];
+        let offset = towards(-inwards, (from + to) / 2.0);
+        let corner = |radius: f64, angle: f64| {
+            let [x, y] = towards(radius, angle);
+            [x + offset[0], y + offset[1]]
+        };
         let corners =
             [corner(SPAN, from), corner(SPAN + DEPTH, from), corner(SPAN + DEPTH, to), corner(SPAN, to)];
         stage.stone(&corners);

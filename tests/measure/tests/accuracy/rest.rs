@@ -18,13 +18,14 @@ fn an_undisturbed_structure_has_no_motion_and_is_lower_by_its_initial_overlap() 
     // - box_stack: 5 overlaps of 0.02 px; height 4.5 boxes of 32 px.
     // - pyramid: 3 overlaps of 0.05 px; height 2.5 boxes of 20 px, which differ by up to 0.05 px each.
     // - circle_stack: 0.02 px and twice 0.017 px of 71.4 px. card_house: 0.06 px of 97 px.
-    // - arch: the stones overlap sideways, and not down.
+    // - arch: stones overlap by 0.02 px, and start 0.02 / (2 sin 18 degrees) = 0.032 px too near to the centre; middle of the
+    //   third stone 168 px above it.
     for (name, least, most) in [
         ("box_stack", 0.0694, 0.0695),
         ("pyramid", 0.0, 0.5),
         ("circle_stack", 0.07, 0.08),
         ("card_house", 0.03, 0.07),
-        ("arch", 0.0, 0.003),
+        ("arch", 0.0192, 0.0193),
     ] {
         let (error, failed) = watched(&format!("{name}_height"), 0.05, |_, _| {});
         assert_eq!(failed, None);
