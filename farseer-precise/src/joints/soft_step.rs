@@ -15,6 +15,7 @@ use super::super::scaled_parameters::StepContext;
 use super::colours::{JointColor, assign_colors};
 use super::indices::JointIndex;
 use super::joint_constraint::{JointAnchor, JointList};
+use super::soft_angle_spring::SoftAngleSpring;
 use super::soft_block::{BlockKind, SoftJointBlock};
 use super::soft_law::{RowSoftness, RowSoftnessLanes};
 use super::soft_spring::SoftSpring;
@@ -30,9 +31,11 @@ pub(super) struct SoftJoints {
     colored_joints: Vec<(JointIndex, JointColor)>,
     /// Joints that the iterative solver has in this update, in blocks of four.
     blocks: Vec<SoftJointBlock>,
-    /// Springs that the iterative solver has in this update.
+    /// Linear springs that the iterative solver has in this update.
     springs: Vec<SoftSpring>,
-    /// Indices of the dynamic bodies of `blocks` and `springs`, into the arrays of `BodySet`.
+    /// Angle springs that the iterative solver has in this update.
+    angle_springs: Vec<SoftAngleSpring>,
+    /// Indices of the dynamic bodies of `blocks` and of the springs, into the arrays of `BodySet`.
     jointed_bodies: Vec<BodyIndex>,
     /// For each body index all bits set if the body is in `jointed_bodies`, else 0.
     jointed_masks: IndexedVec<BodyIndex, u32>,
@@ -42,7 +45,7 @@ pub(super) struct SoftJoints {
     impacted_masks: IndexedVec<BodyIndex, u32>,
 }
 
-reusing_clone! { SoftJoints { colored_joints, blocks, springs, jointed_bodies, jointed_masks, impacted_bodies, impacted_masks } }
+reusing_clone! { SoftJoints { colored_joints, blocks, springs, angle_springs, jointed_bodies, jointed_masks, impacted_bodies, impacted_masks } }
 
 impl SoftJoints {
     /// Assigns colours to the 2D joints, whose indices into `joints` are `in_plane`, and reserves memory. Called after the list
@@ -68,6 +71,7 @@ impl SoftJoints {
     pub(super) fn clear(&mut self) {
         self.blocks.clear();
         self.springs.clear();
+        self.angle_springs.clear();
         self.jointed_bodies.drain(..).for_each(|body| self.jointed_masks[body] = 0);
     }
 
@@ -87,10 +91,13 @@ impl SoftJoints {
         self.add_joints(joints, is_iterative, bodies, times);
         let softness = RowSoftness::soft(step.h.into());
         self.blocks.iter_mut().for_each(|block| block.prepare(&softness, length_unit as f32));
-        let max_initial_speed =
-            [f64::from(JOINTED_BODY_SPEED) * length_unit, f64::from(SOFT_ROW_ARM) * length_unit];
+        let max_speed = f64::from(JOINTED_BODY_SPEED) * length_unit;
+        let max_spin = max_speed / (f64::from(SOFT_ROW_ARM) * length_unit);
         for spring in springs.unsolved() {
-            self.springs.push(SoftSpring::new(spring, bodies, times[1], max_initial_speed));
+            match spring.is_linear {
+                true => self.springs.push(SoftSpring::new(spring, bodies, times[1], max_speed)),
+                false => self.angle_springs.push(SoftAngleSpring::new(spring, bodies, times[1], max_spin)),
+            }
             self.mark_bodies(spring.ends());
         }
     }
@@ -141,7 +148,7 @@ impl SoftJoints {
 
     /// Returns whether the iterative solver has neither joints nor springs in this update.
     pub(super) fn is_empty(&self) -> bool {
-        self.blocks.is_empty() && self.springs.is_empty()
+        self.blocks.is_empty() && self.springs.is_empty() && self.angle_springs.is_empty()
     }
 
     /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0.
@@ -152,12 +159,14 @@ impl SoftJoints {
     /// Adds the velocity changes by the accumulated impulses of joints and springs to the warm-start sums in `bodies`.
     pub(super) fn add_warm_start(&self, bodies: &mut BodySet) {
         self.springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
+        self.angle_springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
         self.blocks.iter().for_each(|block| block.add_warm_start(&mut bodies.warm_start));
     }
 
     /// Solves springs and joints once with bias, before bodies move in a substep of `h` seconds.
     pub(super) fn solve_with_bias(&mut self, bodies: &mut BodySet, h: f32) {
         self.springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.states));
+        self.angle_springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.states));
         self.solve(bodies, &RowSoftness::soft(h.into()), h);
     }
 
@@ -176,6 +185,7 @@ impl SoftJoints {
     /// Updates poses and rows of joints and springs after bodies have moved in a substep.
     pub(super) fn advance(&mut self, bodies: &mut BodySet) {
         self.springs.iter_mut().for_each(|spring| spring.advance(bodies));
+        self.angle_springs.iter_mut().for_each(|spring| spring.advance(bodies));
         self.blocks.iter_mut().for_each(|block| block.advance(bodies));
     }
 
