@@ -21,6 +21,7 @@
 use super::articulated_inertia::{ArticulatedInertia, ArticulatedMomentum, SymMat2};
 use super::indices::JointIndex;
 use super::locked_dofs::LockedDofs;
+use super::rod::RodState;
 use super::vec2::{Vec2, add_scaled, dot, perp};
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, index_type};
 
@@ -82,6 +83,8 @@ pub(super) struct ArticulatedLink {
     /// Unit vector in world coordinates. Distance joint: from the parent's anchor to the body's. Prismatic joint: along its
     /// axis. Unused in other joints.
     pub(super) axis: Vec2,
+    /// State of a distance joint across its axis; unused in other joints.
+    pub(super) rod: RodState,
     /// Target velocity of the body relative to its parent at the joint: x and y in length units/s, angular in radians/s. For a
     /// distance joint the first component is the velocity along `axis`, and the others are unused.
     pub(super) target_velocity: [f64; 3],
@@ -122,11 +125,11 @@ pub(super) struct AbaScratch {
     reduced_mass: SymMat2,
     /// Linear momentum of the link and its subtree, with rotation eliminated. Unit: mass units * length units/s.
     reduced_momentum: Vec2,
-    /// Results for a distance joint with axis n. Let t be perpendicular to n, and B be `reduced_mass`.
+    /// Results for a distance joint with axis n. Let t be perpendicular to n, B be `reduced_mass`, and s the added stiffness of
+    /// the [rod](RodState).
     ///
-    /// The elements are: effective mass along n (mass units); negative joint impulse along n if the parent rests (mass units *
-    /// length units/s); coupling ratio n.B t / t.B t (dimensionless).
-    along_axis: [f64; 3],
+    /// B t, in mass units, and 1 / (t.B t + s), in 1/(mass units).
+    across_axis: (Vec2, f64),
 }
 
 /// Backward pass of the articulated-body algorithm: computes inertias and momenta of all subtrees, from the leaves to the
@@ -187,6 +190,50 @@ pub(super) fn for_each_down<N: TreeNode>(
         let (before, rest) = links.split_at_mut(at);
         let parent = rest[0].parent();
         visit(&mut rest[0], before.get_mut(parent.position()));
+    }
+}
+
+/// A distance joint is a rod without mass. It holds its length along the axis n, and its added stiffness s transmits forces
+/// across it: with t perpendicular to n, the impulse along t is m u - s u', where u and u' are the velocities of the body
+/// relative to the parent along t before and after, and m is the amount of s that carries momentum.
+///
+/// With B and b the reduced mass and momentum of the subtree, and w the parent's velocity at the joint plus the target velocity
+/// along n, the joint gives the body the velocity w + t u' with u' = (t.b + m u - t.B w) / (t.B t + s). The subtree then acts on
+/// the parent as the mass B - (B t)(B t)^T / (t.B t + s).
+impl ArticulatedLink {
+    /// Returns the inertia of the subtree that a distance joint transmits to the parent, and stores its terms in `scratch`.
+    #[inline(always)]
+    fn rod_mass(&mut self) -> SymMat2 {
+        let (mass, across) = (self.scratch.reduced_mass, perp(self.axis));
+        let moved = mass.mul_vec(across);
+        let inverse = 1.0 / (dot(across, moved) + self.rod.added_stiffness);
+        self.scratch.across_axis = (moved, inverse);
+        mass.with_outer_product(moved, -inverse)
+    }
+
+    /// Returns the momentum that a distance joint transmits to the parent, x and y in mass units * length units/s.
+    #[inline(always)]
+    fn rod_momentum(&self) -> Vec2 {
+        let AbaScratch { across_axis: (moved, inverse), reduced_mass, reduced_momentum, .. } = self.scratch;
+        let target = [0, 1].map(|i| self.axis[i] * self.target_velocity[0]);
+        // The body's momentum beyond that at the target velocity.
+        let held = add_scaled(reduced_momentum, reduced_mass.mul_vec(target), -1.0);
+        let across = (dot(perp(self.axis), held) + self.rod.momentum()) * inverse;
+        add_scaled(held, moved, -across)
+    }
+
+    /// Computes velocity and joint impulse of a body with a distance joint. `at_parent` is the velocity of the parent at the
+    /// joint, along x and y in length units/s.
+    #[inline(always)]
+    fn propagate_rod_down(&mut self, at_parent: Vec2) {
+        let AbaScratch { across_axis: (moved, inverse), reduced_mass, reduced_momentum, .. } = self.scratch;
+        let (n, t) = (self.axis, perp(self.axis));
+        let along = add_scaled(at_parent, n, self.target_velocity[0]);
+        let across = (dot(t, reduced_momentum) + self.rod.momentum() - dot(moved, along)) * inverse;
+        let at_joint = add_scaled(along, t, across);
+        let [x, y] = add_scaled(reduced_mass.mul_vec(at_joint), reduced_momentum, -1.0);
+        self.impulse = [x, y, 0.0];
+        self.solve_rotation(at_joint);
     }
 }
 
@@ -254,9 +301,7 @@ impl ArticulatedLink {
             }
             LockedDofs::Distance => {
                 self.eliminate_rotation();
-                let effective_mass = self.effective_mass_along();
-                parent_inertia
-                    .add_point_mass(&SymMat2::default().with_outer_product(self.axis, effective_mass), lever);
+                parent_inertia.add_point_mass(&self.rod_mass(), lever);
             }
             LockedDofs::Weld => parent_inertia.add_at(&self.scratch.inertia, lever),
             LockedDofs::Line => {
@@ -286,7 +331,7 @@ impl ArticulatedLink {
             }
             LockedDofs::Distance => {
                 self.eliminate_rotational_momentum();
-                parent_momentum.add_at(self.momentum_along_axis(), 0.0, lever);
+                parent_momentum.add_at(self.rod_momentum(), 0.0, lever);
             }
             LockedDofs::Weld => {
                 let ArticulatedMomentum { linear, angular } = self.scratch.momentum;
@@ -312,18 +357,6 @@ impl ArticulatedLink {
             add_scaled(linear, self.scratch.inertia.coupling, -angular * self.scratch.inverse_rotational);
     }
 
-    /// Returns the momentum that a distance joint transmits along its axis: x and y in mass units * length units/s. Stores its
-    /// size in `scratch`.
-    #[inline(always)]
-    fn momentum_along_axis(&mut self) -> Vec2 {
-        let (n, t) = (self.axis, perp(self.axis));
-        let [effective_mass, axial_impulse, coupling_ratio] = &mut self.scratch.along_axis;
-        let load =
-            dot(n, self.scratch.reduced_momentum) - *coupling_ratio * dot(t, self.scratch.reduced_momentum);
-        *axial_impulse = load - *effective_mass * self.target_velocity[0];
-        [n[0] * *axial_impulse, n[1] * *axial_impulse]
-    }
-
     /// Returns the momentum that a prismatic joint transmits, with the motion along its axis eliminated.
     #[inline(always)]
     fn momentum_without_slide(&self) -> ArticulatedMomentum {
@@ -343,20 +376,6 @@ impl ArticulatedLink {
         let ArticulatedInertia { mass, coupling, rotational } = self.scratch.inertia;
         self.scratch.inverse_rotational = 1.0 / rotational;
         self.scratch.reduced_mass = mass.with_outer_product(coupling, -self.scratch.inverse_rotational);
-    }
-
-    /// Returns the effective mass along the axis of a distance joint, in mass units, and stores it in `scratch`. The joint
-    /// leaves translation across the axis free.
-    #[inline(always)]
-    fn effective_mass_along(&mut self) -> f64 {
-        let (rest, n, t) = (self.scratch.reduced_mass, self.axis, perp(self.axis));
-        let along_t = rest.mul_vec(t);
-        let coupling_ratio = dot(n, along_t) / dot(t, along_t);
-        let effective_mass = dot(n, rest.mul_vec(n)) - coupling_ratio * dot(n, along_t);
-        // The joint impulse on the body is the effective mass times the parent's velocity along the axis, minus the second
-        // entry of `along_axis`.
-        self.scratch.along_axis = [effective_mass, 0.0, coupling_ratio];
-        effective_mass
     }
 
     /// Computes the velocity of a root from the momentum and inertia of its tree; a fixed root keeps its velocity.
@@ -387,7 +406,7 @@ impl ArticulatedLink {
                 self.impulse = [x, y, 0.0];
                 self.solve_rotation(at_joint);
             }
-            LockedDofs::Distance => self.propagate_distance_down(at_parent),
+            LockedDofs::Distance => self.propagate_rod_down(at_parent),
             LockedDofs::Weld | LockedDofs::Line => {
                 self.propagate_locked_angle_down(at_joint, spin + self.target_velocity[2])
             }
@@ -417,26 +436,6 @@ impl ArticulatedLink {
         let [fx, fy] = add_scaled(add_scaled(mass.mul_vec(at_joint), coupling, spin), linear, -1.0);
         self.impulse = [fx, fy, dot(coupling, at_joint) + rotational * spin - angular];
         self.set_joint_velocity(at_joint, spin);
-    }
-
-    /// Computes velocity and joint impulse of a body with a distance joint. `at_parent` is the velocity of the parent at the
-    /// joint, along x and y in length units/s.
-    #[inline(always)]
-    fn propagate_distance_down(&mut self, at_parent: Vec2) {
-        let AbaScratch {
-            along_axis: [effective_mass, axial_impulse, coupling_ratio],
-            reduced_mass: rest,
-            reduced_momentum: load,
-            ..
-        } = self.scratch;
-        let (n, t) = (self.axis, perp(self.axis));
-        let along = dot(n, at_parent);
-        let impulse = effective_mass * along - axial_impulse;
-        let along = along + self.target_velocity[0];
-        // The impulse across the axis is 0.
-        let across = dot(t, load) / dot(t, rest.mul_vec(t)) - coupling_ratio * along;
-        self.impulse = [n[0] * impulse, n[1] * impulse, 0.0];
-        self.solve_rotation([n[0] * along + t[0] * across, n[1] * along + t[1] * across]);
     }
 
     /// Sets the velocity of a body whose joint leaves rotation free. `at_joint` is the velocity of the body at the joint, along

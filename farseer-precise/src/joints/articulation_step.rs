@@ -32,6 +32,7 @@ use super::energy_balance::{BalancedLink, InitialEnergy};
 use super::joint_constraint::JointList;
 use super::link_state::begin_links;
 use super::locked_dofs::LockedDofs;
+use super::rod::RodState;
 use super::substep_plan::{SubstepPlan, max_spins};
 use crate::index::BodyIndex;
 use crate::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, MAX_WHIP_JOINT_ERROR, STIFFNESS_JUMP_RETRIES};
@@ -47,6 +48,7 @@ fn raise_added_stiffness(links: &mut Links<ArticulatedLink>) {
     for link in links.iter_mut() {
         let excess = link.excess_stiffness();
         link.added_stiffness = if excess > link.added_stiffness { excess } else { link.added_stiffness };
+        link.rod.raise_added_stiffness();
     }
 }
 
@@ -92,13 +94,17 @@ fn begin_step(
 ) -> SubstepPlan {
     let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
     begin_links(links, constraints, bodies, f64::from(step.h));
+    let mut rod_spin: f64 = 0.0;
+    for_each_down(links, |link, parent| {
+        rod_spin = parent.map_or(rod_spin, |parent| rod_spin.max(link.begin_rod(parent)));
+    });
     // The impulse of one undivided step is `substeps` times that of a solver substep.
     compute_geometric_stiffness(links, dt * substeps);
     for_each_down(links, |link, parent| {
         link.initial_error = parent.as_deref().map_or(0.0, |parent| link.relative_joint_error(parent));
         link.accumulate_joint_torque(parent);
     });
-    let (mut count, mut spins, mut has_large_error) = (0, [0.0; 2], false);
+    let (mut count, mut spins, mut has_large_error) = (0, [rod_spin, 0.0], false);
     for link in links.iter_mut() {
         if link.body == BodyIndex::PLACEHOLDER {
             link.joint_spin_change = 0.0;
@@ -112,7 +118,9 @@ fn begin_step(
     let plan = SubstepPlan::of(count, step, spins, |ratio| {
         let bears = IMPLICIT_STIFFNESS_RATIO * ratio;
         links.iter().any(|link| {
-            link.geometric_stiffness > bears * link.stable_stiffness() && link.locked != LockedDofs::Fixed
+            link.rod.is_stiffer(bears)
+                || (link.geometric_stiffness > bears * link.stable_stiffness()
+                    && link.locked != LockedDofs::Fixed)
         })
     });
     SubstepPlan { predicts_spin: plan.predicts_spin && !has_large_error, ..plan }
@@ -141,6 +149,7 @@ fn run_substeps(
             let joint_spin_change = if predicts_spin { link.predicted_spin_change() } else { 0.0 };
             (link.unconstrained_velocity, link.predicted_spin) =
                 (link.velocity, link.velocity[2] + share * joint_spin_change);
+            link.rod.begin_substep();
         }
         solve_substep(links, (h, length_unit), max_prediction_error / h);
         for_each_down(links, |link, parent| {
@@ -163,6 +172,7 @@ fn project_velocities(links: &mut Links<ArticulatedLink>) {
     for link in links.iter_mut() {
         link.apply_forces(0.5);
         link.clear_target_velocity();
+        link.rod = RodState::default();
         link.init_own(0.0);
     }
     propagate_up(links);
@@ -190,11 +200,17 @@ fn solve_substep(links: &mut Links<ArticulatedLink>, (h, length_unit): (f64, f64
         }
         propagate_down(links);
         compute_geometric_stiffness(links, h);
-        has_stiffness_jump = links.iter().any(ArticulatedLink::stiffness_jumped);
+        has_stiffness_jump = links.iter().any(|link| link.stiffness_jumped() || link.rod.stiffness_jumped());
         let is_mispredicted =
             |link: &ArticulatedLink| (link.velocity[2] - link.predicted_spin).abs() > max_spin_error;
+        let mut is_rod_mispredicted = false;
+        for_each_down(links, |link, parent| {
+            is_rod_mispredicted |= parent.is_some_and(|parent| link.predict_rod(parent) > max_spin_error);
+        });
         if iteration == STIFFNESS_JUMP_RETRIES
-            || !(has_stiffness_jump || (iteration == 0 && links.iter().any(is_mispredicted)))
+            || !(has_stiffness_jump
+                || is_rod_mispredicted
+                || (iteration == 0 && links.iter().any(is_mispredicted)))
         {
             break;
         }

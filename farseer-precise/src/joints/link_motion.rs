@@ -3,6 +3,7 @@
 use super::articulated_body::ArticulatedLink;
 use super::energy_balance::{BalancedLink, LinkEndState, max_rounding_error};
 use super::locked_dofs::LockedDofs;
+use super::rod::RodState;
 use super::rotation::cos_sin;
 use super::substep_plan::{momentum_carrying_stiffness, predict_spin_change, stable_stiffness};
 use super::vec2::{Vec2, add_scaled, cross, dot, perp, rotate};
@@ -63,6 +64,7 @@ impl ArticulatedLink {
         self.geometric_stiffness *= 1.0 / (substeps * substeps);
         self.joint_spin_change *= 1.0 / substeps;
         self.added_stiffness = self.excess_stiffness();
+        self.rod.begin_substeps(substeps);
         if self.body != BodyIndex::PLACEHOLDER {
             let (force_delta, force_position_delta) =
                 (bodies.force_delta[self.body], bodies.force_position_delta[self.body]);
@@ -86,7 +88,53 @@ impl ArticulatedLink {
         self.geometric_stiffness = h * dot(self.arm, [x, y]);
         if let Some(parent) = parent {
             parent.geometric_stiffness -= h * dot(self.parent_arm, [x, y]);
+            if self.locked == LockedDofs::Distance {
+                let tension = -dot(self.axis, [x, y]);
+                self.rod.set_stiffness(h * tension / self.angle_error_or_length);
+            }
         }
+    }
+
+    /// Returns the velocity of the body's anchor relative to the parent's across the axis of a distance joint, in length
+    /// units/s.
+    #[inline(always)]
+    pub(super) fn velocity_across(&self, parent: &ArticulatedLink) -> f64 {
+        let relative =
+            add_scaled(self.anchor_velocity(self.arm), parent.anchor_velocity(self.parent_arm), -1.0);
+        dot(perp(self.axis), relative)
+    }
+
+    /// Predicts the velocity across a distance joint in a repeated solve by that of the last solve. Returns the deviation of that
+    /// velocity from the last prediction, as an angular velocity of the rod in radians/s; 0 for other joints.
+    #[inline(always)]
+    pub(super) fn predict_rod(&mut self, parent: &ArticulatedLink) -> f64 {
+        if self.locked != LockedDofs::Distance {
+            return 0.0;
+        }
+        let deviation = self.rod.predict(self.velocity_across(parent)).abs();
+        if deviation > 0.0 { deviation / self.angle_error_or_length } else { 0.0 }
+    }
+
+    /// Sets axis and stable stiffness of a distance joint at the start of a step. Returns the angular velocity of the rod, in
+    /// radians/s, >= 0; 0 for other joints.
+    pub(super) fn begin_rod(&mut self, parent: &ArticulatedLink) -> f64 {
+        if self.locked != LockedDofs::Distance {
+            return 0.0;
+        }
+        self.update_axis(parent.position);
+        let t = perp(self.axis);
+        let inverse_mass = |link: &ArticulatedLink, arm: Vec2| {
+            let turned = cross(arm, t);
+            if link.body == BodyIndex::PLACEHOLDER {
+                0.0
+            } else {
+                1.0 / link.mass + turned * turned / link.inertia
+            }
+        };
+        let inverse = inverse_mass(self, self.arm) + inverse_mass(parent, self.parent_arm);
+        self.rod = RodState::of_mass(inverse.recip());
+        let speed = self.velocity_across(parent).abs();
+        if speed > 0.0 { speed / self.angle_error_or_length } else { 0.0 }
     }
 
     /// Returns the velocity of the body's point at the end of `arm`, a vector from the centre of mass. Unit: length units/s.

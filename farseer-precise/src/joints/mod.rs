@@ -30,6 +30,7 @@ pub mod link_motion;
 pub mod link_state;
 pub mod locked_dofs;
 pub mod revolute_tree;
+pub mod rod;
 pub mod rotation;
 pub mod soft_angle_spring;
 pub mod soft_block;

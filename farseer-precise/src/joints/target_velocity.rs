@@ -6,7 +6,7 @@ use super::locked_dofs::LockedDofs;
 use super::rotation::{cos_sin, nonlinear_rotation};
 use super::substep_plan::clamped_remainder;
 use super::vec2::{Vec2, add_scaled, dot, perp, rotate};
-use crate::parameters::joints::JOINT_CORRECTION_SPEED;
+use crate::parameters::joints::{JOINT_CORRECTION_SPEED, MAX_ROD_SLOPE};
 
 impl ArticulatedLink {
     /// Computes the target velocity with which the joint holds at the end of a substep of `h` seconds. `length_unit` is the
@@ -100,8 +100,11 @@ fn point_target_velocity(child: &AnchorState, parent: &AnchorState, h: f64, leng
     [x * rate, y * rate, 0.0]
 }
 
-/// Returns the target speed of a distance joint along its axis, in length units/s, and sets `axis` of `link` to the present
-/// direction.
+/// Returns the target speed of a distance joint along its axis, in length units/s, and begins the solve of its rod.
+///
+/// With the predicted velocity across the axis, the rod ends the substep at the offset across that this velocity gives. The
+/// target speed brings it to the target length there. Beyond [`MAX_ROD_SLOPE`] the length is linearised about the velocity before
+/// joint impulses instead.
 #[inline(always)]
 fn distance_target_velocity(
     link: &mut ArticulatedLink,
@@ -112,11 +115,17 @@ fn distance_target_velocity(
 ) -> f64 {
     let error = link.update_axis(parent.position) - link.angle_error_or_length;
     let relative_velocity = add_scaled(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
-    let speed = dot(link.axis, relative_velocity);
     let nonlinear_offset = add_scaled(child.nonlinear_anchor(), parent.nonlinear_anchor(), -1.0);
-    let predicted_offset = add_scaled(nonlinear_offset, relative_velocity, h);
+    let (n, t) = (link.axis, perp(link.axis));
+    link.rod.begin_solve(dot(t, relative_velocity));
     let remainder = error * clamped_remainder(error.abs(), JOINT_CORRECTION_SPEED * h * length_unit);
-    speed - (dot(predicted_offset, predicted_offset).sqrt() - link.angle_error_or_length - remainder) / h
+    let length = link.angle_error_or_length + remainder;
+    let across = dot(t, nonlinear_offset) + h * link.rod.predicted_velocity();
+    if across.abs() <= MAX_ROD_SLOPE * length {
+        return ((length * length - across * across).sqrt() - dot(n, nonlinear_offset)) / h;
+    }
+    let predicted_offset = add_scaled(nonlinear_offset, relative_velocity, h);
+    dot(n, relative_velocity) - (dot(predicted_offset, predicted_offset).sqrt() - length) / h
 }
 
 /// Returns the target angular velocity of the body relative to its parent, in radians/s, for a joint that locks the angle.
