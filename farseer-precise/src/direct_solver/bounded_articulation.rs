@@ -207,9 +207,11 @@ impl DirectIsland {
         }
         let stiffness = system.max_geometric_stiffness(dt);
         let (count, spin) = (system.members.len() as u32, system.max_angular_speed());
-        let division =
-            SubstepPlan::of(count, step, [spin; 2], |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
-        division.substeps.max(if SubstepPlan::is_energy_balanced(count) { MIN_DIRECT_SUBSTEPS } else { 1 })
+        let is_balanced = SubstepPlan::is_energy_balanced(count);
+        let division = SubstepPlan::of((count, is_balanced), step, [spin; 2], |bears| {
+            stiffness > IMPLICIT_STIFFNESS_RATIO * bears
+        });
+        division.substeps.max(if is_balanced { MIN_DIRECT_SUBSTEPS } else { 1 })
     }
 }
 

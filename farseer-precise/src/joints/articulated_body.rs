@@ -193,13 +193,14 @@ pub(super) fn for_each_down<N: TreeNode>(
     }
 }
 
-/// A distance joint is a rod without mass. It holds its length along the axis n, and its added stiffness s transmits forces
-/// across it: with t perpendicular to n, the impulse along t is m u - s u', where u and u' are the velocities of the body
-/// relative to the parent along t before and after, and m is the amount of s that carries momentum.
+/// A distance joint is a rod without mass, and holds its length along the axis n.
 ///
-/// With B and b the reduced mass and momentum of the subtree, and w the parent's velocity at the joint plus the target velocity
-/// along n, the joint gives the body the velocity w + t u' with u' = (t.b + m u - t.B w) / (t.B t + s). The subtree then acts on
-/// the parent as the mass B - (B t)(B t)^T / (t.B t + s).
+/// Its added stiffness s transmits impulses across it, along t perpendicular to n: m u - s u'. Here u and u' are the velocities of
+/// the body relative to the parent along t, before and after, and m is the amount of s that carries momentum.
+///
+/// Let B and b be the reduced mass and momentum of the subtree. Let w be the parent's velocity at the joint plus the target
+/// velocity along n. Then the body gets the velocity w + t u' with u' = (t.b + m u - t.B w) / (t.B t + s). The subtree acts on the
+/// parent as the mass B - (B t)(B t)^T / (t.B t + s).
 impl ArticulatedLink {
     /// Returns the inertia of the subtree that a distance joint transmits to the parent, and stores its terms in `scratch`.
     #[inline(always)]

@@ -10,15 +10,15 @@
 //! **Velocities.** Forces act by halves at the start and the end of a step (kick-drift-kick, as in a leapfrog). After the last
 //! substep the velocity is projected on the joints (RATTLE, H. C. Andersen 1983). One projection suffices, since SHAKE and
 //! RATTLE visit the same positions (B. Leimkuhler, R. Skeel, "Symplectic numerical integrators in constrained Hamiltonian
-//! systems", 1994). Articulations above `MAX_BALANCED_ARTICULATION_BODIES` get full kicks at the start instead, without the
-//! projection.
+//! systems", 1994). Articulations above `MAX_BALANCED_ARTICULATION_BODIES` without distance joints get full kicks at the start
+//! instead, without the projection.
 //!
 //! RATTLE is symplectic, without energy drift, in a limit only: joints solved to convergence, and a constant number of substeps.
 //! Here a substep ends after a few iterations, and the number of substeps follows the motion. The [energy
 //! balance](super::energy_balance) bounds the drift of articulations of up to `MAX_BALANCED_ARTICULATION_BODIES` bodies.
 //!
-//! **Geometric stiffness** above the stable limit occurs in a whip. It is added to the inertia. Most
-//! of the added stiffness carries momentum, so that little energy is lost.
+//! **Geometric stiffness** above the stable limit occurs in a whip. That of a body is added to the inertia, that of a [rod](super::rod)
+//! to the coupling of its two bodies. Most of the added stiffness carries momentum, so that little energy is lost.
 //!
 //! The module reads the links, joint constraints and forces of [`BodySet`]. It writes velocities, displacements and joint
 //! impulses of the links.
@@ -94,17 +94,14 @@ fn begin_step(
 ) -> SubstepPlan {
     let (dt, substeps) = (f64::from(step.dt), f64::from(step.substeps));
     begin_links(links, constraints, bodies, f64::from(step.h));
-    let mut rod_spin: f64 = 0.0;
-    for_each_down(links, |link, parent| {
-        rod_spin = parent.map_or(rod_spin, |parent| rod_spin.max(link.begin_rod(parent)));
-    });
+    let rod_spin = begin_rods(links);
     // The impulse of one undivided step is `substeps` times that of a solver substep.
     compute_geometric_stiffness(links, dt * substeps);
     for_each_down(links, |link, parent| {
         link.initial_error = parent.as_deref().map_or(0.0, |parent| link.relative_joint_error(parent));
         link.accumulate_joint_torque(parent);
     });
-    let (mut count, mut spins, mut has_large_error) = (0, [rod_spin, 0.0], false);
+    let (mut count, mut spins, mut has_large_error) = (0, [rod_spin.unwrap_or(0.0), 0.0], false);
     for link in links.iter_mut() {
         if link.body == BodyIndex::PLACEHOLDER {
             link.joint_spin_change = 0.0;
@@ -115,15 +112,22 @@ fn begin_step(
         link.joint_spin_change *= substeps / link.inertia;
         spins = max_spins(spins, link.velocity[2], link.joint_spin_change);
     }
-    let plan = SubstepPlan::of(count, step, spins, |ratio| {
-        let bears = IMPLICIT_STIFFNESS_RATIO * ratio;
-        links.iter().any(|link| {
-            link.rod.is_stiffer(bears)
-                || (link.geometric_stiffness > bears * link.stable_stiffness()
-                    && link.locked != LockedDofs::Fixed)
-        })
+    let is_balanced = rod_spin.is_some() || SubstepPlan::is_energy_balanced(count);
+    let plan = SubstepPlan::of((count, is_balanced), step, spins, |ratio| {
+        links.iter().any(|link| link.is_stiffer(IMPLICIT_STIFFNESS_RATIO * ratio))
     });
     SubstepPlan { predicts_spin: plan.predicts_spin && !has_large_error, ..plan }
+}
+
+/// Begins the step of all distance joints. Returns the greatest angular velocity of one, in radians/s; `None` if there is none.
+fn begin_rods(links: &mut Links<ArticulatedLink>) -> Option<f64> {
+    let mut greatest: Option<f64> = None;
+    for_each_down(links, |link, parent| {
+        if let Some(parent) = parent.filter(|_| link.locked == LockedDofs::Distance) {
+            greatest = Some(link.begin_rod(parent).max(greatest.unwrap_or(0.0)));
+        }
+    });
+    greatest
 }
 
 /// Runs all substeps of a step with as few passes over the links as possible. Returns the energy at the start of the step, or
@@ -180,10 +184,23 @@ fn project_velocities(links: &mut Links<ArticulatedLink>) {
     links.iter_mut().for_each(ArticulatedLink::accumulate_impulse);
 }
 
+/// Predicts the velocities across all distance joints in a repeated solve by those of the last one. Returns whether an angular
+/// velocity of a rod deviates from its last prediction by more than `max_spin_error`, in radians/s.
+fn predict_rods(links: &mut Links<ArticulatedLink>, max_spin_error: f64) -> bool {
+    let mut deviates = false;
+    for_each_down(links, |link, parent| {
+        if let Some(parent) = parent.filter(|_| link.locked == LockedDofs::Distance) {
+            deviates |= link.predict_rod(parent) > max_spin_error;
+        }
+    });
+    deviates
+}
+
 /// Solves a substep of `h` seconds for the velocities with which the joints hold at the end of the substep.
 ///
 /// The solve is repeated once if a body's rotation deviates from the prediction. It is repeated up to
-/// [`STIFFNESS_JUMP_RETRIES`] times while the [stiffness jumps](ArticulatedLink::stiffness_jumped). `max_spin_error` is the
+/// [`STIFFNESS_JUMP_RETRIES`] times while the [stiffness jumps](ArticulatedLink::stiffness_jumped) or the rotation of a rod
+/// deviates. `max_spin_error` is the
 /// largest accepted deviation of an angular velocity, in radians/s.
 fn solve_substep(links: &mut Links<ArticulatedLink>, (h, length_unit): (f64, f64), max_spin_error: f64) {
     let mut has_stiffness_jump = true;
@@ -200,18 +217,13 @@ fn solve_substep(links: &mut Links<ArticulatedLink>, (h, length_unit): (f64, f64
         }
         propagate_down(links);
         compute_geometric_stiffness(links, h);
-        has_stiffness_jump = links.iter().any(|link| link.stiffness_jumped() || link.rod.stiffness_jumped());
+        has_stiffness_jump = links.iter().any(ArticulatedLink::stiffness_jumped);
         let is_mispredicted =
             |link: &ArticulatedLink| (link.velocity[2] - link.predicted_spin).abs() > max_spin_error;
-        let mut is_rod_mispredicted = false;
-        for_each_down(links, |link, parent| {
-            is_rod_mispredicted |= parent.is_some_and(|parent| link.predict_rod(parent) > max_spin_error);
-        });
-        if iteration == STIFFNESS_JUMP_RETRIES
-            || !(has_stiffness_jump
-                || is_rod_mispredicted
-                || (iteration == 0 && links.iter().any(is_mispredicted)))
-        {
+        let has_rod_error = predict_rods(links, max_spin_error);
+        let repeats =
+            has_stiffness_jump || has_rod_error || (iteration == 0 && links.iter().any(is_mispredicted));
+        if iteration == STIFFNESS_JUMP_RETRIES || !repeats {
             break;
         }
         if has_stiffness_jump {

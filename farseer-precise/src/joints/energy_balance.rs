@@ -17,8 +17,9 @@ use super::articulated_body::{Links, TreeNode};
 use super::locked_dofs::LockedDofs;
 use super::vec2::{Vec2, add_scaled, cross, dot, perp};
 use crate::parameters::joints::{
-    FAILED_STEP_ENERGY_ERROR, MAX_ENERGY_VELOCITY_SCALE, MAX_INELASTIC_LOSS, MAX_POSITION_ROUNDING,
-    MAX_ROTATION_ROUNDING, MAX_STEP_ENERGY_ERROR, MAX_STEP_JOINT_ERROR, MAX_WHIP_JOINT_ERROR,
+    FAILED_STEP_ENERGY_ERROR, FAILED_STEP_JOINT_ERROR, MAX_ENERGY_VELOCITY_SCALE, MAX_INELASTIC_LOSS,
+    MAX_POSITION_ROUNDING, MAX_ROTATION_ROUNDING, MAX_STEP_ENERGY_ERROR, MAX_STEP_JOINT_ERROR,
+    MAX_WHIP_JOINT_ERROR,
 };
 
 /// Pose, velocity, mass and forces of one body of an articulation at the end of a step.
@@ -54,6 +55,9 @@ pub(super) trait BalancedLink: TreeNode {
     fn max_closing_work(&self, parent: &Self, dt: f64) -> f64;
     /// Returns the speed at which the bodies violate the joint with the parent. Unit: length units/s, >= 0.
     fn joint_velocity_error(&self, parent: &Self) -> f64;
+    /// Returns the error of the joint with the parent at the end of the step minus that when the step began. Errors of linear rows
+    /// are fractions of the joint's arms plus the radius of gyration, dimensionless; errors of angular rows are in radians.
+    fn joint_error_growth(&self, parent: &Self) -> f64;
     /// Returns whether the error of the joint with the parent exceeded `error` when the step began. Errors of linear rows are
     /// fractions of the joint's arms plus the radius of gyration, dimensionless; errors of angular rows are in radians.
     fn has_joint_error_above(&self, error: f64) -> bool;
@@ -183,6 +187,9 @@ pub(super) struct EnergyBalance {
     /// Scale of `excess`: the larger of the kinetic energies at start and end, plus the sum of the absolute work of forces on
     /// each body. Unit: mass units * length units^2/s^2.
     scale: f64,
+    /// Greatest growth of a joint error in the step. Errors of linear rows are fractions of the joint's arms plus the radius of
+    /// gyration, dimensionless; errors of angular rows are in radians.
+    max_error_growth: f64,
     /// Whether joints closed position errors or removed velocities that violated the joints in this step. Energy losses are
     /// then legitimate.
     has_inelastic_loss: bool,
@@ -219,7 +226,9 @@ impl EnergyBalance {
         let has_inelastic_loss = closing_work.is_some()
             || links.iter().any(|node| node.has_joint_error_above(MAX_WHIP_JOINT_ERROR))
             || start.max_inelastic_loss > MAX_INELASTIC_LOSS * scale;
-        Some(EnergyBalance { end_kinetic, excess, scale, has_inelastic_loss })
+        let growth = |node: &N| node.joint_error_growth(&links[node.parent()]);
+        let max_error_growth = links.iter().fold(0.0, |most: f64, node| most.max(growth(node)));
+        Some(EnergyBalance { end_kinetic, excess, scale, max_error_growth, has_inelastic_loss })
     }
 
     /// Returns whether the energy error is so large that the step must be repeated with more substeps.
@@ -227,11 +236,12 @@ impl EnergyBalance {
         !self.has_inelastic_loss && self.excess.abs() > MAX_STEP_ENERGY_ERROR * self.scale
     }
 
-    /// Returns whether the energy error is so large that the positions cannot be right either. A loss counts unless it is
-    /// legitimate.
+    /// Returns whether the step has opened a joint, or the energy error is so large that the positions cannot be right either. A
+    /// loss counts unless it is legitimate.
     pub(super) fn has_failed(&self) -> bool {
         let loss = if self.has_inelastic_loss { 0.0 } else { -self.excess };
-        self.excess.max(loss) > FAILED_STEP_ENERGY_ERROR * self.scale
+        self.max_error_growth > FAILED_STEP_JOINT_ERROR
+            || self.excess.max(loss) > FAILED_STEP_ENERGY_ERROR * self.scale
     }
 
     /// Scales the velocities of `links` so that the energy error becomes 0. [`MAX_ENERGY_VELOCITY_SCALE`] bounds the factor;

@@ -105,22 +105,16 @@ impl ArticulatedLink {
     }
 
     /// Predicts the velocity across a distance joint in a repeated solve by that of the last solve. Returns the deviation of that
-    /// velocity from the last prediction, as an angular velocity of the rod in radians/s; 0 for other joints.
+    /// velocity from the last prediction, as an angular velocity of the rod in radians/s.
     #[inline(always)]
     pub(super) fn predict_rod(&mut self, parent: &ArticulatedLink) -> f64 {
-        if self.locked != LockedDofs::Distance {
-            return 0.0;
-        }
         let deviation = self.rod.predict(self.velocity_across(parent)).abs();
         if deviation > 0.0 { deviation / self.angle_error_or_length } else { 0.0 }
     }
 
     /// Sets axis and stable stiffness of a distance joint at the start of a step. Returns the angular velocity of the rod, in
-    /// radians/s, >= 0; 0 for other joints.
+    /// radians/s, >= 0.
     pub(super) fn begin_rod(&mut self, parent: &ArticulatedLink) -> f64 {
-        if self.locked != LockedDofs::Distance {
-            return 0.0;
-        }
         self.update_axis(parent.position);
         let t = perp(self.axis);
         let inverse_mass = |link: &ArticulatedLink, arm: Vec2| {
@@ -180,7 +174,7 @@ impl ArticulatedLink {
     /// (dimensionless), angular errors are in radians. Welds and prismatic joints return the larger of both.
     pub(super) fn relative_joint_error(&self, parent: &ArticulatedLink) -> f64 {
         let offset = self.anchor_offset(parent.position);
-        let angle_error = self.angle_error_or_length.abs();
+        let angle_error = (self.angle_error_or_length + self.delta_pose[2] - parent.delta_pose[2]).abs();
         let (distance, length) = (dot(offset, offset).sqrt(), self.linear_error_scale(parent));
         let relative = |gap: f64, reach: f64| if gap > 0.0 { gap / reach } else { 0.0 };
         match self.locked {
@@ -218,12 +212,20 @@ impl ArticulatedLink {
         if excess > 0.0 && self.locked != LockedDofs::Fixed { excess } else { 0.0 }
     }
 
-    /// Returns whether the geometric stiffness exceeds the added stiffness by more than [`STIFFNESS_JUMP_RATIO`] times the
-    /// stable limit. This happens when a chain snaps taut.
+    /// Returns whether the geometric stiffness of the body or of its rod exceeds the added stiffness by more than
+    /// [`STIFFNESS_JUMP_RATIO`] times the stable limit. This happens when a chain snaps taut.
     #[inline(always)]
     pub(super) fn stiffness_jumped(&self) -> bool {
-        self.excess_stiffness()
-            > self.added_stiffness + (STIFFNESS_JUMP_RATIO - 1.0) * self.stable_stiffness()
+        self.rod.stiffness_jumped()
+            || self.excess_stiffness()
+                > self.added_stiffness + (STIFFNESS_JUMP_RATIO - 1.0) * self.stable_stiffness()
+    }
+
+    /// Returns whether the geometric stiffness of the body or of its rod exceeds `ratio` times the stable limit; false for a fixed
+    /// root.
+    pub(super) fn is_stiffer(&self, ratio: f64) -> bool {
+        let is_free = self.locked != LockedDofs::Fixed;
+        self.rod.is_stiffer(ratio) || (is_free && self.geometric_stiffness > ratio * self.stable_stiffness())
     }
 
     /// Sets the axis of a distance joint to the direction from the parent's anchor to the body's. Returns the distance of the
@@ -295,6 +297,13 @@ impl BalancedLink for ArticulatedLink {
                 (dot(perp(self.axis), relative_velocity) - line_spin * along).abs().max(rotation_speed)
             }
         }
+    }
+
+    fn joint_error_growth(&self, parent: &Self) -> f64 {
+        if !self.locked.is_joint() {
+            return 0.0;
+        }
+        self.relative_joint_error(parent) - self.initial_error
     }
 
     fn has_joint_error_above(&self, error: f64) -> bool {

@@ -153,6 +153,15 @@ impl BalancedLink for RevoluteLink {
         dot(relative_velocity, relative_velocity).sqrt()
     }
 
+    fn joint_error_growth(&self, parent: &Self) -> f64 {
+        if !self.locked.is_joint() {
+            return 0.0;
+        }
+        let offset = self.anchor_offset(parent);
+        let growth = dot(offset, offset).sqrt() - self.initial_error;
+        if growth > 0.0 { growth / self.reach } else { 0.0 }
+    }
+
     fn has_joint_error_above(&self, error: f64) -> bool {
         self.initial_error > error * self.reach
     }
@@ -207,7 +216,8 @@ fn begin_step(
 ) -> SubstepPlan {
     let dt = f64::from(step.dt);
     let (mut spins, mut has_large_error) = ([0.0; 2], false);
-    if SubstepPlan::is_energy_balanced(count) {
+    let is_balanced = SubstepPlan::is_energy_balanced(count);
+    if is_balanced {
         for_each_down(links, |link, parent| link.begin_step(parent, constraints, bodies, (dt, true)));
         for link in links.iter_mut() {
             if link.body == BodyIndex::PLACEHOLDER {
@@ -225,7 +235,7 @@ fn begin_step(
             spins[0] = if spin > spins[0] { spin } else { spins[0] };
         });
     }
-    let plan = SubstepPlan::of(count, step, spins, |ratio| {
+    let plan = SubstepPlan::of((count, is_balanced), step, spins, |ratio| {
         let bears = IMPLICIT_STIFFNESS_RATIO * ratio;
         links.iter().any(|link| link.geometric_stiffness > bears * link.stable_stiffness)
     });

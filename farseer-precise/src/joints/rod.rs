@@ -4,7 +4,6 @@
 //! turns with the rod. An explicit substep cannot integrate that stiffness beyond a limit, so that a chain of rods with a heavy
 //! end would be torn apart. The excess is integrated implicitly, as that of [bodies](super::articulation_step) is.
 
-use super::substep_plan::momentum_carrying_stiffness;
 use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::STIFFNESS_JUMP_RATIO;
 
@@ -17,6 +16,8 @@ pub(super) struct RodState {
     stable_stiffness: f64,
     /// Excess of `stiffness` over the stable one, integrated implicitly. Unit: mass units, >= 0.
     pub(super) added_stiffness: f64,
+    /// Amount of `added_stiffness` that [carries momentum](super::substep_plan::momentum_carrying_stiffness). Unit: mass units, >= 0.
+    momentum_stiffness: f64,
     /// Velocity of the body's anchor relative to the parent's across the axis, before joint impulses. Unit: length units/s.
     initial_velocity: f64,
     /// Predicted change of that velocity by joints in this substep. Unit: length units/s.
@@ -42,10 +43,12 @@ impl RodState {
         self.predicted_change = 0.0;
     }
 
-    /// Starts a solve with this velocity across the axis before joint impulses, in length units/s.
+    /// Starts a solve with this velocity across the axis before joint impulses, in length units/s. `with_momentum(added, stable)`
+    /// returns the amount of the added stiffness that carries momentum, all in mass units.
     #[inline(always)]
-    pub(super) fn begin_solve(&mut self, velocity: f64) {
+    pub(super) fn begin_solve(&mut self, velocity: f64, with_momentum: impl Fn(f64, f64) -> f64) {
         self.initial_velocity = velocity;
+        self.momentum_stiffness = with_momentum(self.added_stiffness, self.stable_stiffness);
     }
 
     /// Sets the geometric stiffness, in mass units. A rod of no length has none.
@@ -72,7 +75,7 @@ impl RodState {
     /// Returns the momentum across the axis that the added stiffness carries, in mass units * length units/s.
     #[inline(always)]
     pub(super) fn momentum(&self) -> f64 {
-        momentum_carrying_stiffness(self.added_stiffness, self.stable_stiffness) * self.initial_velocity
+        self.momentum_stiffness * self.initial_velocity
     }
 
     /// Returns the excess of the stiffness over the stable one. Unit: mass units, >= 0.

@@ -5,7 +5,7 @@ use super::articulated_body::Links;
 use super::energy_balance::{BalancedLink, EnergyBalance, InitialEnergy};
 use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::{
-    ARTICULATION_SUBSTEP_RATIO, BALANCED_PREDICTION_SHARE, LARGE_ARTICULATION_BODIES,
+    ARTICULATION_SUBSTEP_RATIO, BALANCED_PREDICTION_SHARE, LARGE_ARTICULATION_BODIES, LEAST_DIVISION,
     MAX_BALANCED_ARTICULATION_BODIES, MAX_FAILED_SUBSTEP_RATIO, MAX_REPEATED_SUBSTEP_RATIO,
     MIN_ARTICULATION_SUBSTEPS, MOMENTUM_SHARE_HALVED_AT, MOMENTUM_SHARE_OF_STIFFNESS,
     PREDICTED_ROTATION_ERROR, REPEATED_SUBSTEP_FACTOR, ROTATION_PER_SUBSTEP, SUBSTEP_GROWTH_DIVISOR,
@@ -33,7 +33,8 @@ pub(crate) struct SubstepPlan {
 }
 
 impl SubstepPlan {
-    /// Returns the plan for the step of an articulation with `bodies` dynamic bodies.
+    /// Returns the plan for the step of an articulation with `bodies` dynamic bodies, which gets an energy balance if it
+    /// `is_balanced`.
     ///
     /// `start_spin` and `end_spin` are the greatest absolute angular velocities at the start and at the predicted end of the
     /// step, in radians/s. `is_stiffer(f)` returns whether a geometric stiffness exceeds f times the limit of an undivided
@@ -42,17 +43,18 @@ impl SubstepPlan {
     /// The number of substeps grows until no body turns by more than [`ROTATION_PER_SUBSTEP`] in one. Up to
     /// [`LARGE_ARTICULATION_BODIES`] bodies it also grows until every stiffness is within the limit.
     pub(crate) fn of(
-        bodies: u32,
+        (bodies, is_balanced): (u32, bool),
         step: &StepContext,
         [start_spin, end_spin]: [f64; 2],
         is_stiffer: impl Fn(f64) -> bool,
     ) -> Self {
         let is_large = bodies > LARGE_ARTICULATION_BODIES;
-        let is_balanced = Self::is_energy_balanced(bodies);
         let spin = if is_balanced { start_spin.max(end_spin) } else { start_spin };
         let rotation = spin * f64::from(step.dt);
         let is_stiff = |substeps: u32| is_stiffer(f64::from(substeps * substeps));
-        let max_substeps = if is_large { step.substeps } else { ARTICULATION_SUBSTEP_RATIO * step.substeps };
+        let solver_substeps = step.substeps.max(LEAST_DIVISION);
+        let max_substeps =
+            if is_large { solver_substeps } else { ARTICULATION_SUBSTEP_RATIO * solver_substeps };
         let mut substeps = if is_balanced { MIN_ARTICULATION_SUBSTEPS } else { 1 };
         while substeps < max_substeps
             && (f64::from(substeps) * ROTATION_PER_SUBSTEP < rotation || (!is_large && is_stiff(substeps)))
@@ -61,8 +63,8 @@ impl SubstepPlan {
         }
         SubstepPlan {
             substeps: substeps.min(max_substeps),
-            max_substeps: MAX_REPEATED_SUBSTEP_RATIO * step.substeps,
-            max_failed_substeps: MAX_FAILED_SUBSTEP_RATIO * step.substeps,
+            max_substeps: MAX_REPEATED_SUBSTEP_RATIO * solver_substeps,
+            max_failed_substeps: MAX_FAILED_SUBSTEP_RATIO * solver_substeps,
             is_kick_drift: !is_balanced,
             predicts_spin: is_balanced,
             max_prediction_error: if is_balanced { BALANCED_PREDICTION_SHARE } else { 1.0 }
@@ -70,7 +72,8 @@ impl SubstepPlan {
         }
     }
 
-    /// Returns whether an articulation of `bodies` dynamic bodies gets an [energy balance](super::energy_balance).
+    /// Returns whether an articulation of `bodies` dynamic bodies gets an [energy balance](super::energy_balance) by its size.
+    /// Trees with distance joints always get one.
     #[inline(always)]
     pub(crate) fn is_energy_balanced(bodies: u32) -> bool {
         bodies <= MAX_BALANCED_ARTICULATION_BODIES

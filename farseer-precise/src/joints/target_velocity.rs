@@ -4,7 +4,7 @@
 use super::articulated_body::ArticulatedLink;
 use super::locked_dofs::LockedDofs;
 use super::rotation::{cos_sin, nonlinear_rotation};
-use super::substep_plan::clamped_remainder;
+use super::substep_plan::{clamped_remainder, momentum_carrying_stiffness};
 use super::vec2::{Vec2, add_scaled, dot, perp, rotate};
 use crate::parameters::joints::{JOINT_CORRECTION_SPEED, MAX_ROD_SLOPE};
 
@@ -117,7 +117,7 @@ fn distance_target_velocity(
     let relative_velocity = add_scaled(child.anchor_velocity(), parent.anchor_velocity(), -1.0);
     let nonlinear_offset = add_scaled(child.nonlinear_anchor(), parent.nonlinear_anchor(), -1.0);
     let (n, t) = (link.axis, perp(link.axis));
-    link.rod.begin_solve(dot(t, relative_velocity));
+    link.rod.begin_solve(dot(t, relative_velocity), momentum_carrying_stiffness);
     let remainder = error * clamped_remainder(error.abs(), JOINT_CORRECTION_SPEED * h * length_unit);
     let length = link.angle_error_or_length + remainder;
     let across = dot(t, nonlinear_offset) + h * link.rod.predicted_velocity();
