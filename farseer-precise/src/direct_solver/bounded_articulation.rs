@@ -21,7 +21,8 @@ use crate::joints::island_rows::StepInterval;
 use crate::joints::substep_plan::{SubstepPlan, momentum_carrying_stiffness};
 use crate::mass::mass_of_inverse;
 use crate::parameters::direct::{
-    ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, MOVING_VELOCITY_ERROR,
+    ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, INTERVAL_ENERGY_GAIN,
+    MAX_INTERVAL_FACTOR, MOVING_VELOCITY_ERROR,
 };
 use crate::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, MIN_DIRECT_SUBSTEPS};
 use crate::scaled_parameters::StepContext;
@@ -57,7 +58,7 @@ impl DirectIsland {
 
     /// Builds the rows of all joints at their present positions, for one `interval`. `error_arm` is the length that one radian
     /// counts as, in length units per radian.
-    fn make_interval_rows(&mut self, interval: StepInterval, error_arm: f64) {
+    fn make_interval_rows(&mut self, interval: StepInterval, error_arm: f64, moves: bool) {
         let DirectIsland {
             system: IslandSystem { members, joints: rows, .. },
             interval_joints,
@@ -67,7 +68,11 @@ impl DirectIsland {
         rows.clear();
         for (joint, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
             let mut made = joint.constraint_rows(ends, interval, error_arm);
+            if moves {
+                joint.add_rod_stiffness(&mut made, interval.dt);
+            }
             made.set_effective_masses(members);
+            made.carry_transverse_momentum(members, momentum_carrying_stiffness);
             rows.push(made);
         }
     }
@@ -89,7 +94,7 @@ impl DirectIsland {
             let more = self.system.solve_velocities(reader, unit, max_steps);
             stats = SolveStats { newton_steps: stats.newton_steps + more.newton_steps, ..more };
         }
-        let gains = self.system.gains_energy(free_energy, reader.dt, unit);
+        let gains = self.system.gains_energy(free_energy, reader.dt, unit, INTERVAL_ENERGY_GAIN);
         SolveStats { is_solved: stats.is_solved && !gains, ..stats }
     }
 
@@ -135,7 +140,7 @@ impl DirectIsland {
             force_substeps: share_of_step * reader.substeps,
             step_dt: f64::from(reader.step.dt),
         };
-        self.make_interval_rows(span, ERROR_ARM * unit);
+        self.make_interval_rows(span, ERROR_ARM * unit, moves);
         if moves {
             self.system.add_geometric_stiffness(h / share, momentum_carrying_stiffness);
         }
@@ -187,7 +192,6 @@ impl DirectIsland {
             joint_impulses,
             total_displacements,
             joints: of_island,
-            joint_bodies,
             ..
         } = self;
         interval_joints.clear();
@@ -199,31 +203,64 @@ impl DirectIsland {
         system.contacts.clear();
         system.joints.clear();
         system.lateral_frictions.clear();
-        let whole_step = StepInterval { dt, force_dt: dt, force_substeps: step.substeps.into(), step_dt: dt };
-        for (joint, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
-            let mut rows = joint.constraint_rows(ends, whole_step, 1.0);
-            rows.set_effective_masses(&system.members);
-            system.joints.push(rows);
-        }
-        let stiffness = system.max_geometric_stiffness(dt);
-        let (count, spin) = (system.members.len() as u32, system.max_angular_speed());
+        let [rod_stiffness, rod_spin] = self.make_first_rows(step);
+        let system = &mut self.system;
+        let stiffness = max_or_nan(system.max_geometric_stiffness(dt), rod_stiffness);
+        let count = system.members.len() as u32;
+        let spin = max_or_nan(system.max_angular_speed(), rod_spin);
         let is_balanced = SubstepPlan::is_energy_balanced(count);
         let division = SubstepPlan::of((count, is_balanced), step, [spin; 2], |bears| {
             stiffness > IMPLICIT_STIFFNESS_RATIO * bears
         });
         division.substeps.max(if is_balanced { MIN_DIRECT_SUBSTEPS } else { 1 })
     }
+
+    /// Builds the rows of all joints for the whole step. Returns the greatest ratio of the geometric stiffness of a distance joint to
+    /// its stable limit, dimensionless, and the greatest angular speed of one, in radians/s.
+    fn make_first_rows(&mut self, step: &StepContext) -> [f64; 2] {
+        let DirectIsland { system, interval_joints, joint_bodies, .. } = self;
+        let dt = f64::from(step.dt);
+        let whole_step = StepInterval { dt, force_dt: dt, force_substeps: step.substeps.into(), step_dt: dt };
+        let (mut stiffness, mut spin) = (0.0, 0.0);
+        for (joint, &ends) in interval_joints.iter().zip(joint_bodies.iter()) {
+            let mut rows = joint.constraint_rows(ends, whole_step, 1.0);
+            joint.add_rod_stiffness(&mut rows, dt);
+            rows.set_effective_masses(&system.members);
+            stiffness = max_or_nan(rows.transverse_stiffness_ratio(), stiffness);
+            let length = joint.rod_length().filter(|&length| length > 0.0);
+            let of_rod = length.map_or(0.0, |length| rows.speed_across(&system.members) / length);
+            spin = max_or_nan(of_rod, spin);
+            system.joints.push(rows);
+        }
+        [stiffness, spin]
+    }
 }
 
 impl IslandSolver<'_> {
     /// Solves an island that is a [free articulation](DirectIsland::is_free_articulation), in intervals of the step. Returns
     /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted.
+    ///
+    /// A chain that snaps taut may need shorter intervals: a step without an accepted solution is repeated with twice as many, up to
+    /// [`MAX_INTERVAL_FACTOR`] times the planned number.
     pub(super) fn solve_articulation(&mut self, island: &mut DirectIsland) -> SolveStats {
+        let (mut factor, mut newton_steps) = (1, 0);
+        loop {
+            let stats = self.solve_in_intervals(island, factor);
+            newton_steps += stats.newton_steps;
+            factor *= 2;
+            if stats.is_solved || factor > MAX_INTERVAL_FACTOR {
+                return SolveStats { newton_steps, ..stats };
+            }
+        }
+    }
+
+    /// As [`solve_articulation`](Self::solve_articulation), in `factor` times the planned number of intervals.
+    fn solve_in_intervals(&mut self, island: &mut DirectIsland, factor: u32) -> SolveStats {
         let unit = self.length_unit();
         let slop = island.load_bodies(self.bodies, 0.0, unit);
         island.is_released = false;
         island.resting_bodies.clear();
-        let intervals = island.begin_articulation(self.joints, self.step);
+        let intervals = factor * island.begin_articulation(self.joints, self.step);
         // The tolerance at rest would add up to a wrong angle of a slow motor.
         let reader = RowReader::new(self.bodies, self.step, slop, unit * MOVING_VELOCITY_ERROR)
             .of_interval(f64::from(self.step.dt) / f64::from(intervals));

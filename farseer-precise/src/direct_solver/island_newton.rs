@@ -39,8 +39,9 @@ use super::mat3::Vec3;
 use crate::parameters::direct::{
     ACYCLIC_COMPLIANCE, COMPLIANCE_FACTOR, FIRST_COMPLIANCE, FRESH_SOLUTION_NEWTON_STEPS,
     FRICTION_LIMIT_CONVERGED, FRICTION_LIMIT_RELAXATION, FRICTION_LIMIT_ROUNDS, FRICTION_RESIDUAL_WEIGHT,
-    JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, NEWTON_STEP_TOLERANCE, RESTING_COMPLIANCE, ROUND_NEWTON_STEPS,
-    ROUND_PROGRESS, SOLUTION_NEWTON_STEPS, SOLUTION_ROUNDS, STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
+    FULL_NEWTON_STEPS, JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, NEWTON_STEP_TOLERANCE, RESTING_COMPLIANCE,
+    ROUND_NEWTON_STEPS, ROUND_PROGRESS, SOLUTION_NEWTON_STEPS, SOLUTION_ROUNDS, STIFF_ROUND_RESIDUAL,
+    STIFF_ROUND_STEPS,
 };
 use crate::reusing_clone;
 
@@ -111,6 +112,8 @@ pub(super) struct IslandSystem {
     pub(super) factor: BlockLdlt,
     /// Whether `factor` has been computed in this solution, so that it may be updated incrementally.
     is_factored: bool,
+    /// Number of Newton steps that this solution may still take without a line search.
+    full_steps_left: usize,
     /// Compliance of contact rows in the present round, as a fraction of their inverse effective mass, dimensionless.
     compliance: f64,
     /// Negative gradient of the augmented Lagrangian, one vector per member of the island: mass units * length units/s for x
@@ -134,7 +137,7 @@ pub(super) struct SolutionScratch {
 
 reusing_clone! { SolutionScratch { contacts, joints, lateral_frictions, blocks, negative_gradient } }
 
-reusing_clone! { IslandSystem { members, contacts, joints, lateral_frictions, factor, is_factored, compliance, negative_gradient, direction } }
+reusing_clone! { IslandSystem { members, contacts, joints, lateral_frictions, factor, is_factored, full_steps_left, compliance, negative_gradient, direction } }
 
 impl IslandSystem {
     /// Exchanges the memory of the rows and blocks with `scratch`: before a solution, and again after it.
@@ -175,6 +178,7 @@ impl IslandSystem {
     /// (length units/s) along the depth axis divide their friction between that axis and the plane.
     pub(super) fn begin_solve(&mut self, dt: f64, [slop, min_slip_speed]: [f64; 2]) -> f64 {
         (self.is_factored, self.compliance) = (false, 0.0);
+        self.full_steps_left = if self.contacts.is_empty() { FULL_NEWTON_STEPS } else { 0 };
         let IslandSystem { members, contacts, joints, .. } = self;
         contacts.iter_mut().for_each(|contact| contact.add_relative_velocity(members, dt.recip(), slop));
         joints.iter_mut().for_each(|joint| joint.add_relative_velocity(members));

@@ -92,7 +92,7 @@ pub(crate) struct JointRows {
     spring_row: usize,
     /// Velocity error that stands for the stretch of the spring. Unit for translation: length units/s; angle: radians/s.
     stretch_bias: f64,
-    /// Geometric stiffness of a spring under tension times dt^2: impulse per transverse velocity, mass units.
+    /// Geometric stiffness of a spring or rod under tension times dt^2: impulse per transverse velocity, mass units.
     transverse_stiffness: f64,
     /// Second-order term in the velocity error of each row: its linearisation error divided by dt. Unit for translation: length
     /// units/s; angle: radians/s.
@@ -208,7 +208,7 @@ impl JointRows {
         }
     }
 
-    /// Adds a transverse row for the geometric stiffness of a spring under tension. `slope` is impulse per transverse velocity,
+    /// Adds a transverse row for the geometric stiffness of a spring or rod under tension. `slope` is impulse per transverse velocity,
     /// mass units. The step integrates stiffness up to the stable limit explicitly; the row takes the excess.
     pub(crate) fn add_transverse_stiffness(&mut self, slope: f64) {
         if slope > 0.0 && slope < f64::INFINITY {
@@ -258,6 +258,40 @@ impl JointRows {
             self.compliance[ACROSS] = slope.recip();
         } else {
             (self.present_rows, self.effective_masses[ACROSS]) = (self.present_rows & !(1 << ACROSS), 0.0);
+        }
+    }
+
+    /// Returns the ratio of the geometric stiffness of a rod to its stable limit, dimensionless; 0 without an excess.
+    pub(super) fn transverse_stiffness_ratio(&self) -> f64 {
+        if self.has_row(ACROSS) && self.transverse_stiffness > 0.0 {
+            self.transverse_stiffness / (STABLE_STIFFNESS * self.effective_masses[ACROSS])
+        } else {
+            0.0
+        }
+    }
+
+    /// Returns the relative speed of the anchors across the normal at the velocities of the `members`, in length units/s, >= 0.
+    pub(super) fn speed_across(&self, members: &Members) -> f64 {
+        (self.relative_velocities_of(|member| members[member].velocity)[ACROSS]
+            + self.driven_velocity_error[ACROSS])
+            .abs()
+    }
+
+    /// Lets the transverse row of a rod carry momentum: of the geometric stiffness that it takes, the part
+    /// `with_momentum(added, stable)` acts at the present velocities of the `members`. All are in mass units.
+    pub(super) fn carry_transverse_momentum(
+        &mut self,
+        members: &Members,
+        with_momentum: impl Fn(f64, f64) -> f64,
+    ) {
+        if self.has_row(ACROSS) && self.transverse_stiffness > 0.0 {
+            let stable = STABLE_STIFFNESS * self.effective_masses[ACROSS];
+            let share = self.compliance[ACROSS] * with_momentum(self.compliance[ACROSS].recip(), stable);
+            let velocity = self.relative_velocities_of(|member| members[member].velocity)[ACROSS];
+            let bias = -share * (velocity + self.velocity_error[ACROSS]);
+            (self.spring_row, self.stretch_bias) = (ACROSS, bias);
+            self.velocity_error[ACROSS] += bias;
+            self.driven_velocity_error[ACROSS] += bias;
         }
     }
 

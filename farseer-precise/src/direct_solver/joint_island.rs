@@ -31,11 +31,11 @@ use crate::joints::island_rows::StepInterval;
 use crate::joints::springs::SpringRows;
 use crate::mass::INFINITE_MASS;
 use crate::parameters::direct::{
-    ACCEPTED_ENERGY_RATIO, ACCEPTED_ENERGY_SLACK, ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL,
-    ACCEPTED_RESIDUAL_FRACTION, ACCEPTED_ROTATION, ACCEPTED_VELOCITY_ERROR, CORRECTION_ERROR_RATIO,
-    CORRECTION_HALVINGS, CYCLIC_VELOCITY_ERROR, ERROR_ARM, EXACT_VELOCITY_ERROR, JACOBIAN_ROTATION,
-    JOINT_ERROR_PROGRESS, JOINTED_PENETRATION_RATE, JOINTED_PENETRATION_SPEED, LATERAL_SLIP_MIN_SPEED,
-    MOVING_VELOCITY_ERROR, POSITION_CORRECTIONS, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+    ACCEPTED_ENERGY_GAIN, ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL, ACCEPTED_RESIDUAL_FRACTION,
+    ACCEPTED_ROTATION, ACCEPTED_VELOCITY_ERROR, CORRECTION_ERROR_RATIO, CORRECTION_HALVINGS,
+    CYCLIC_VELOCITY_ERROR, ERROR_ARM, EXACT_VELOCITY_ERROR, JACOBIAN_ROTATION, JOINT_ERROR_PROGRESS,
+    JOINTED_PENETRATION_RATE, JOINTED_PENETRATION_SPEED, LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR,
+    POSITION_CORRECTIONS, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
 use crate::solver_choice::SolverChoice;
 
@@ -206,7 +206,7 @@ impl DirectIsland {
         self.system.warm_start();
         let max_steps = max_newton_steps(self);
         let stats = self.system.solve_velocities(reader, unit, max_steps);
-        (stats, self.system.gains_energy(free_energy, reader.dt, unit))
+        (stats, self.system.gains_energy(free_energy, reader.dt, unit, ACCEPTED_ENERGY_GAIN))
     }
 
     /// Returns whether nothing drives the island and no member is faster than the velocity tolerance. An island with springs is
@@ -252,6 +252,7 @@ impl DirectIsland {
         rows.reserve(of_island.len());
         for (&at, &ends) in of_island.iter().zip(joint_bodies.iter()) {
             let mut made = joints.constraint(at).constraint_rows(ends, interval, error_arm);
+            joints.constraint(at).add_rod_stiffness(&mut made, interval.dt);
             made.set_effective_masses(members);
             rows.push(made);
         }
@@ -477,13 +478,14 @@ impl IslandSystem {
     /// Returns whether the kinetic energy of the island is greater than it would be without constraints, by more than motors
     /// and springs supply in `dt` seconds.
     ///
-    /// `free` is twice the kinetic energy without constraints, mass units * length units^2/s^2. `unit` is the length unit.
-    /// [`ACCEPTED_ENERGY_RATIO`] and [`ACCEPTED_ENERGY_SLACK`] are the tolerances.
-    pub(super) fn gains_energy(&self, free: f64, dt: f64, unit: f64) -> bool {
+    /// `free` is twice the kinetic energy without constraints, mass units * length units^2/s^2. `unit` is the length unit. The
+    /// tolerances are `ratio`, as a multiple of `free`, and `slack`, as twice the energy divided by the mass of the island in length
+    /// units^2/s^2 at a length unit of 1.
+    pub(super) fn gains_energy(&self, free: f64, dt: f64, unit: f64, [ratio, slack]: [f64; 2]) -> bool {
         let supplied = self.supplied_energy() + 0.5 * self.doubled_released_energy(dt);
-        let slack = ACCEPTED_ENERGY_SLACK * unit * unit * self.mass();
+        let slack = slack * unit * unit * self.mass();
         // An energy of NaN counts as a gain.
-        let keeps = self.doubled_kinetic_energy() <= ACCEPTED_ENERGY_RATIO * free + 2.0 * supplied + slack;
+        let keeps = self.doubled_kinetic_energy() <= ratio * free + 2.0 * supplied + slack;
         !keeps
     }
 

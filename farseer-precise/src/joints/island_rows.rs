@@ -89,6 +89,21 @@ impl JointConstraint {
         rows
     }
 
+    /// Adds the geometric stiffness of a distance joint under tension to its `rows`: the tension of the last force divided by the
+    /// length, against motion across the axis.
+    pub(crate) fn add_rod_stiffness(&self, rows: &mut JointRows, dt: f64) {
+        if self.locked == LockedDofs::Distance {
+            let frame = JointFrame::of(self);
+            let [tension, ..] = self.row_impulses(&frame.jacobian(), -dt * dt);
+            rows.add_transverse_stiffness(tension / frame.distance());
+        }
+    }
+
+    /// Returns the distance of the anchors of a distance joint, in length units; `None` for other joints.
+    pub(crate) fn rod_length(&self) -> Option<f64> {
+        (self.locked == LockedDofs::Distance).then(|| JointFrame::of(self).distance())
+    }
+
     /// Adds the row of motor and limits to `rows`, if the joint has a motor or limits.
     fn add_motor_and_limits(&self, rows: &mut JointRows, frame: &JointFrame, interval: StepInterval) {
         let Some(drive) = &self.drive else { return };
@@ -212,12 +227,12 @@ impl JointConstraint {
         let before = JointFrame::of(self);
         let after = before.displaced(displacements);
         let predicted = before.jacobian().relative_velocities(displacements[0], displacements[1]);
+        if self.locked == LockedDofs::Distance {
+            return [after.distance() - before.distance() - predicted[ALONG], 0.0, 0.0];
+        }
         let values = |frame: &JointFrame| {
             let (gap, [nx, ny]) = (frame.anchor_offset(), frame.normal());
-            match self.locked {
-                LockedDofs::Distance => [frame.distance(), 0.0],
-                _ => [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx],
-            }
+            [gap[0] * nx + gap[1] * ny, gap[0] * ny - gap[1] * nx]
         };
         let ([along, across], [was_along, was_across]) = (values(&after), values(&before));
         [along - was_along - predicted[ALONG], 0.0, across - was_across - predicted[ACROSS]]

@@ -41,9 +41,7 @@ impl IslandSystem {
                     return false;
                 }
             }
-            if end_slope > FULL_STEP_SLOPE * -slope {
-                fraction = self.line_search([slope, end_slope], product_with_change, product_with_direction);
-            }
+            fraction = self.step_fraction([slope, end_slope], [product_with_change, product_with_direction]);
             self.step_along(fraction - 1.0);
         }
         *is_guess = false;
@@ -54,6 +52,24 @@ impl IslandSystem {
             self.relax_friction_limits();
         }
         is_same || fraction * greatest < min_change
+    }
+
+    /// Returns the fraction of a Newton step that changes the active set: all of it while there are
+    /// [full steps](crate::parameters::direct::FULL_NEWTON_STEPS) left or it overshoots little, else that of a line search. The
+    /// slopes and products are those of [`line_search`](Self::line_search).
+    fn step_fraction(
+        &mut self,
+        [slope, end_slope]: [f64; 2],
+        [with_change, with_direction]: [f64; 2],
+    ) -> f64 {
+        if self.full_steps_left > 0 {
+            self.full_steps_left -= 1;
+            1.0
+        } else if end_slope > FULL_STEP_SLOPE * -slope {
+            self.line_search([slope, end_slope], with_change, with_direction)
+        } else {
+            1.0
+        }
     }
 
     /// Moves the friction limits towards Coulomb's law, and projects the impulses onto them.
