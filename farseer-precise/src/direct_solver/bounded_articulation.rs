@@ -21,8 +21,8 @@ use crate::joints::island_rows::StepInterval;
 use crate::joints::substep_plan::{SubstepPlan, momentum_carrying_stiffness};
 use crate::mass::mass_of_inverse;
 use crate::parameters::direct::{
-    ACCEPTED_JOINT_ERROR, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM, INTERVAL_ENERGY_GAIN,
-    MAX_INTERVAL_FACTOR, MOVING_VELOCITY_ERROR,
+    ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM,
+    INTERVAL_ENERGY_GAIN, MAX_INTERVAL_FACTOR, MOVING_VELOCITY_ERROR,
 };
 use crate::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, MIN_DIRECT_SUBSTEPS};
 use crate::scaled_parameters::StepContext;
@@ -240,15 +240,16 @@ impl IslandSolver<'_> {
     /// Solves an island that is a [free articulation](DirectIsland::is_free_articulation), in intervals of the step. Returns
     /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted.
     ///
-    /// A chain that snaps taut may need shorter intervals: a step without an accepted solution is repeated with twice as many, up to
-    /// [`MAX_INTERVAL_FACTOR`] times the planned number.
+    /// A chain that snaps taut may need shorter intervals: a step whose solution gains energy or turns a body too far is repeated with
+    /// twice as many, up to [`MAX_INTERVAL_FACTOR`] times the planned number.
     pub(super) fn solve_articulation(&mut self, island: &mut DirectIsland) -> SolveStats {
         let (mut factor, mut newton_steps) = (1, 0);
         loop {
             let stats = self.solve_in_intervals(island, factor);
             newton_steps += stats.newton_steps;
             factor *= 2;
-            if stats.is_solved || factor > MAX_INTERVAL_FACTOR {
+            let has_residual = stats.residual > ACCEPTED_RESIDUAL * self.length_unit();
+            if stats.is_solved || has_residual || factor > MAX_INTERVAL_FACTOR {
                 return SolveStats { newton_steps, ..stats };
             }
         }

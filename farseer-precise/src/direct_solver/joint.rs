@@ -295,10 +295,18 @@ impl JointRows {
         }
     }
 
-    /// Sets the stiffness of the rows for a round. A rigid row has the compliance `round_compliance` (dimensionless) times its
-    /// inverse effective mass. A compliant row keeps its own compliance (velocity per impulse), unless that is smaller.
-    pub(super) fn set_round_stiffness(&mut self, round_compliance: f64) {
+    /// Sets the stiffness of the rows for a round. A rigid row has the compliance of its kind, as a fraction of its inverse effective
+    /// mass (dimensionless): `bilateral` rows, rows with a `limit` alone, or rows with a `motor`. A compliant row keeps its own
+    /// compliance (velocity per impulse), unless that is smaller.
+    pub(super) fn set_round_stiffness(&mut self, [bilateral, limit, motor]: [f64; 3]) {
         for row in 0..3 {
+            let round_compliance = if self.has_motor(row) {
+                motor
+            } else if row == self.limited_row {
+                limit
+            } else {
+                bilateral
+            };
             let (rigid, row_compliance) =
                 (self.effective_masses[row] / round_compliance, self.compliance[row]);
             let ratio = (1.0 + rigid * row_compliance).recip();
@@ -431,6 +439,11 @@ impl JointRows {
     /// Returns whether the impulse of the row with index `row` has no bounds.
     fn is_bilateral(&self, row: usize) -> bool {
         self.low[row] == f64::NEG_INFINITY && self.high[row] == f64::INFINITY
+    }
+
+    /// Returns whether the row with index `row` has finite bounds on both sides, as a motor or brake.
+    fn has_motor(&self, row: usize) -> bool {
+        self.high[row] > 0.0 && self.high[row] < f64::INFINITY
     }
 
     /// Returns the factor that converts an error of the row with index `row` to length units: 1 (dimensionless) for
