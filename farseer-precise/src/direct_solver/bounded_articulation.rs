@@ -18,7 +18,7 @@ use super::island_newton::{IslandSystem, SolveStats};
 use super::island_solver::IslandSolver;
 use crate::joints::JointSystem;
 use crate::joints::island_rows::StepInterval;
-use crate::joints::substep_plan::{SubstepPlan, momentum_carrying_stiffness};
+use crate::joints::substep_plan::{ArticulationSize, SubstepPlan, momentum_carrying_stiffness};
 use crate::mass::mass_of_inverse;
 use crate::parameters::direct::{
     ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL, ACCEPTED_ROTATION, ARTICULATION_SOLUTIONS, ERROR_ARM,
@@ -206,12 +206,12 @@ impl DirectIsland {
         let [rod_stiffness, rod_spin] = self.make_first_rows(step);
         let system = &mut self.system;
         let stiffness = max_or_nan(system.max_geometric_stiffness(dt), rod_stiffness);
-        let count = system.members.len() as u32;
+        let bodies = system.members.len() as u32;
         let spin = max_or_nan(system.max_angular_speed(), rod_spin);
-        let is_balanced = SubstepPlan::is_energy_balanced(count);
-        let division = SubstepPlan::of((count, is_balanced), step, [spin; 2], |bears| {
-            stiffness > IMPLICIT_STIFFNESS_RATIO * bears
-        });
+        let is_balanced = SubstepPlan::is_energy_balanced(bodies);
+        let size = ArticulationSize { bodies, is_balanced };
+        let division =
+            SubstepPlan::of(size, step, [spin; 2], |bears| stiffness > IMPLICIT_STIFFNESS_RATIO * bears);
         division.substeps.max(if is_balanced { MIN_DIRECT_SUBSTEPS } else { 1 })
     }
 

@@ -6,6 +6,7 @@ use super::indices::JointIndex;
 use super::joint_constraint::JointList;
 use super::locked_dofs::LockedDofs;
 use super::revolute_tree::{RevoluteLink, revolute_links};
+use super::substep_plan::ArticulationSize;
 use crate::bodies::BodySet;
 use crate::index::BodyIndex;
 use crate::mass::mass_of_inverse;
@@ -31,11 +32,13 @@ pub(super) struct Articulation {
     pub(super) is_contact_free: bool,
     /// Whether the direct solver has solved the articulation in this step.
     pub(super) is_solved: bool,
+    /// Size of the tree; 0 without links.
+    pub(super) size: ArticulationSize,
     /// Number of substeps into which the articulation divided its last step without contacts.
     pub(super) substeps: u32,
 }
 
-reusing_clone! { Articulation { links, bodies, joints, has_loop, is_soft, revolute_links, is_contact_free, is_solved, substeps } }
+reusing_clone! { Articulation { links, bodies, joints, has_loop, is_soft, revolute_links, is_contact_free, is_solved, size, substeps } }
 
 impl Articulation {
     /// Returns the articulation of a plan, whose trees have the masses of `bodies` and the degrees of freedom of `constraints`.
@@ -52,6 +55,9 @@ impl Articulation {
         let links: Links<ArticulatedLink> =
             entries.iter().map(|seat| link_of(seat, constraints, bodies)).collect();
         let revolute_links = revolute_links(&links, constraints);
+        let has_rod = links.iter().any(|link| link.locked == LockedDofs::Distance);
+        let dynamic_links = links.iter().filter(|link| link.body != BodyIndex::PLACEHOLDER);
+        let size = ArticulationSize::of(dynamic_links.map(|link| link.mass), has_rod);
         let has_loop = plan.non_tree_joints.iter().any(|&at| !constraints[at].edge().is_bounded);
         let is_soft = plan.joints.iter().any(|&at| constraints[at].is_compliant());
         Articulation {
@@ -61,6 +67,7 @@ impl Articulation {
             has_loop,
             is_soft,
             revolute_links,
+            size,
             ..Articulation::default()
         }
     }

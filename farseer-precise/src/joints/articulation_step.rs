@@ -10,8 +10,7 @@
 //! **Velocities.** Forces act by halves at the start and the end of a step (kick-drift-kick, as in a leapfrog). After the last
 //! substep the velocity is projected on the joints (RATTLE, H. C. Andersen 1983). One projection suffices, since SHAKE and
 //! RATTLE visit the same positions (B. Leimkuhler, R. Skeel, "Symplectic numerical integrators in constrained Hamiltonian
-//! systems", 1994). Articulations above `MAX_BALANCED_ARTICULATION_BODIES` without distance joints get full kicks at the start
-//! instead, without the projection.
+//! systems", 1994). Articulations without an energy balance get full kicks at the start instead, without the projection.
 //!
 //! RATTLE is symplectic, without energy drift, in a limit only: joints solved to convergence, and a constant number of substeps.
 //! Here a substep ends after a few iterations, and the number of substeps follows the motion. The [energy
@@ -33,7 +32,7 @@ use super::joint_constraint::JointList;
 use super::link_state::begin_links;
 use super::locked_dofs::LockedDofs;
 use super::rod::RodState;
-use super::substep_plan::{SubstepPlan, max_spins};
+use super::substep_plan::{ArticulationSize, SubstepPlan, max_spins};
 use crate::index::BodyIndex;
 use crate::parameters::joints::{IMPLICIT_STIFFNESS_RATIO, MAX_WHIP_JOINT_ERROR, STIFFNESS_JUMP_RETRIES};
 
@@ -64,14 +63,14 @@ fn compute_geometric_stiffness(links: &mut Links<ArticulatedLink>, h: f64) {
 /// Forces of springs and of the game may depend on the position. They act in full at the start of the step, as for bodies
 /// without joints. `length_unit` is the length unit of the simulator.
 pub(super) fn step_free_tree(
-    links: &mut Links<ArticulatedLink>,
+    (links, size): (&mut Links<ArticulatedLink>, ArticulationSize),
     constraints: &JointList,
     bodies: &BodySet,
     step: &StepContext,
     length_unit: f64,
 ) -> u32 {
     let dt = f64::from(step.dt);
-    let mut plan = begin_step(links, constraints, bodies, step);
+    let mut plan = begin_step((links, size), constraints, bodies, step);
     loop {
         let start = run_substeps(links, bodies, step, &plan, length_unit);
         let balance = plan.energy_balance(links, start, dt);
@@ -79,7 +78,7 @@ pub(super) fn step_free_tree(
             balance.inspect(|balance| balance.project_energy(links));
             break;
         };
-        begin_step(links, constraints, bodies, step);
+        begin_step((links, size), constraints, bodies, step);
         plan = refined;
     }
     plan.substeps
@@ -87,7 +86,7 @@ pub(super) fn step_free_tree(
 
 /// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps.
 fn begin_step(
-    links: &mut Links<ArticulatedLink>,
+    (links, size): (&mut Links<ArticulatedLink>, ArticulationSize),
     constraints: &JointList,
     bodies: &BodySet,
     step: &StepContext,
@@ -101,30 +100,28 @@ fn begin_step(
         link.initial_error = parent.as_deref().map_or(0.0, |parent| link.relative_joint_error(parent));
         link.accumulate_joint_torque(parent);
     });
-    let (mut count, mut spins, mut has_large_error) = (0, [rod_spin.unwrap_or(0.0), 0.0], false);
+    let (mut spins, mut has_large_error) = ([rod_spin, 0.0], false);
     for link in links.iter_mut() {
         if link.body == BodyIndex::PLACEHOLDER {
             link.joint_spin_change = 0.0;
             continue;
         }
-        count += 1;
         has_large_error |= link.has_joint_error_above(MAX_WHIP_JOINT_ERROR);
         link.joint_spin_change *= substeps / link.inertia;
         spins = max_spins(spins, link.velocity[2], link.joint_spin_change);
     }
-    let is_balanced = rod_spin.is_some() || SubstepPlan::is_energy_balanced(count);
-    let plan = SubstepPlan::of((count, is_balanced), step, spins, |ratio| {
+    let plan = SubstepPlan::of(size, step, spins, |ratio| {
         links.iter().any(|link| link.is_stiffer(IMPLICIT_STIFFNESS_RATIO * ratio))
     });
     SubstepPlan { predicts_spin: plan.predicts_spin && !has_large_error, ..plan }
 }
 
-/// Begins the step of all distance joints. Returns the greatest angular velocity of one, in radians/s; `None` if there is none.
-fn begin_rods(links: &mut Links<ArticulatedLink>) -> Option<f64> {
-    let mut greatest: Option<f64> = None;
+/// Begins the step of all distance joints. Returns the greatest angular velocity of one, in radians/s, >= 0.
+fn begin_rods(links: &mut Links<ArticulatedLink>) -> f64 {
+    let mut greatest = 0.0;
     for_each_down(links, |link, parent| {
         if let Some(parent) = parent.filter(|_| link.locked == LockedDofs::Distance) {
-            greatest = Some(link.begin_rod(parent).max(greatest.unwrap_or(0.0)));
+            greatest = link.begin_rod(parent).max(greatest);
         }
     });
     greatest

@@ -326,7 +326,7 @@ impl JointSystem {
         let has_generic_step = |group: &&mut Articulation| group.is_free() && !group.is_free_revolute_tree();
         for group in self.articulation_list.iter_mut().filter(has_generic_step) {
             group.substeps = articulation_step::step_free_tree(
-                &mut group.links,
+                (&mut group.links, group.size),
                 &self.constraints,
                 bodies,
                 step,
@@ -448,7 +448,7 @@ impl JointSystem {
         for group in self.articulation_list.iter_mut().filter(|group| group.is_free()) {
             if group.is_free_revolute_tree() {
                 group.substeps = revolute_tree::step_revolute_tree(
-                    (&mut group.revolute_links, u32::try_from(group.bodies.len()).unwrap_or(u32::MAX)),
+                    (&mut group.revolute_links, group.size),
                     &mut self.constraints,
                     bodies,
                     step,

@@ -19,7 +19,7 @@ use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_round
 use super::indices::JointIndex;
 use super::joint_constraint::JointList;
 use super::locked_dofs::LockedDofs;
-use super::substep_plan::{SubstepPlan, max_spins};
+use super::substep_plan::{ArticulationSize, SubstepPlan, max_spins};
 use super::vec2::{Vec2, add_scaled, dot, perp};
 use crate::index::BodyIndex;
 
@@ -167,20 +167,19 @@ impl BalancedLink for RevoluteLink {
     }
 }
 
-/// Moves a free tree through all substeps of a step. `count` is the number of its dynamic bodies. Returns the number of
-/// substeps.
+/// Moves a free tree of this size through all substeps of a step. Returns the number of substeps.
 ///
 /// Writes velocities and displacements of `bodies`, and errors and forces of `constraints`. Repeats the step with more substeps
 /// if its energy error is too large. `length_unit` is the length unit of the simulator.
 pub(super) fn step_revolute_tree(
-    (links, count): (&mut Links<RevoluteLink>, u32),
+    (links, size): (&mut Links<RevoluteLink>, ArticulationSize),
     constraints: &mut JointList,
     bodies: &mut BodySet,
     step: &StepContext,
     length_unit: f64,
 ) -> u32 {
     let dt = f64::from(step.dt);
-    let mut plan = begin_step((links, count), constraints, bodies, step);
+    let mut plan = begin_step((links, size), constraints, bodies, step);
     loop {
         let start = run_substeps(links, bodies, step, &plan, length_unit);
         let balance = plan.energy_balance(links, start, dt);
@@ -188,7 +187,7 @@ pub(super) fn step_revolute_tree(
             balance.inspect(|balance| balance.project_energy(links));
             break;
         };
-        begin_step((links, count), constraints, bodies, step);
+        begin_step((links, size), constraints, bodies, step);
         plan = refined;
     }
     let SubstepPlan { substeps, is_kick_drift, .. } = plan;
@@ -206,18 +205,16 @@ pub(super) fn step_revolute_tree(
     substeps
 }
 
-/// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps. `count` is the
-/// number of dynamic bodies.
+/// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps.
 fn begin_step(
-    (links, count): (&mut Links<RevoluteLink>, u32),
+    (links, size): (&mut Links<RevoluteLink>, ArticulationSize),
     constraints: &mut JointList,
     bodies: &BodySet,
     step: &StepContext,
 ) -> SubstepPlan {
     let dt = f64::from(step.dt);
     let (mut spins, mut has_large_error) = ([0.0; 2], false);
-    let is_balanced = SubstepPlan::is_energy_balanced(count);
-    if is_balanced {
+    if size.is_balanced {
         for_each_down(links, |link, parent| link.begin_step(parent, constraints, bodies, (dt, true)));
         for link in links.iter_mut() {
             if link.body == BodyIndex::PLACEHOLDER {
@@ -235,7 +232,7 @@ fn begin_step(
             spins[0] = if spin > spins[0] { spin } else { spins[0] };
         });
     }
-    let plan = SubstepPlan::of((count, is_balanced), step, spins, |ratio| {
+    let plan = SubstepPlan::of(size, step, spins, |ratio| {
         let bears = IMPLICIT_STIFFNESS_RATIO * ratio;
         links.iter().any(|link| link.geometric_stiffness > bears * link.stable_stiffness)
     });

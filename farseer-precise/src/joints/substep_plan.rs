@@ -7,9 +7,37 @@ use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::{
     ARTICULATION_SUBSTEP_RATIO, BALANCED_PREDICTION_SHARE, LARGE_ARTICULATION_BODIES, LEAST_DIVISION,
     MAX_BALANCED_ARTICULATION_BODIES, MAX_FAILED_SUBSTEP_RATIO, MAX_REPEATED_SUBSTEP_RATIO,
-    MIN_ARTICULATION_SUBSTEPS, MOMENTUM_SHARE_HALVED_AT, MOMENTUM_SHARE_OF_STIFFNESS,
-    PREDICTED_ROTATION_ERROR, REPEATED_SUBSTEP_FACTOR, ROTATION_PER_SUBSTEP, SUBSTEP_GROWTH_DIVISOR,
+    MAX_UNBALANCED_MASS_RATIO, MIN_ARTICULATION_SUBSTEPS, MOMENTUM_SHARE_HALVED_AT,
+    MOMENTUM_SHARE_OF_STIFFNESS, PREDICTED_ROTATION_ERROR, REPEATED_SUBSTEP_FACTOR, ROTATION_PER_SUBSTEP,
+    SUBSTEP_GROWTH_DIVISOR,
 };
+
+/// Size of an articulation, and whether it gets an [energy balance](super::energy_balance).
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ArticulationSize {
+    /// Number of dynamic bodies.
+    pub(crate) bodies: u32,
+    /// Whether the articulation gets an energy balance.
+    pub(crate) is_balanced: bool,
+}
+
+impl ArticulationSize {
+    /// Returns the size of an articulation with these masses of its dynamic bodies, in mass units. It gets an energy balance if it
+    /// is small, if it has a rod (`has_rod`), or if the masses differ by more than [`MAX_UNBALANCED_MASS_RATIO`].
+    pub(super) fn of(masses: impl Iterator<Item = f64>, has_rod: bool) -> Self {
+        let (mut bodies, mut least, mut greatest) = (0, f64::INFINITY, 0.0);
+        for mass in masses {
+            bodies += 1;
+            least = if mass < least { mass } else { least };
+            greatest = if mass > greatest { mass } else { greatest };
+        }
+        let is_mixed = greatest > MAX_UNBALANCED_MASS_RATIO * least;
+        ArticulationSize {
+            bodies,
+            is_balanced: has_rod || is_mixed || SubstepPlan::is_energy_balanced(bodies),
+        }
+    }
+}
 
 /// Number of substeps of a free articulation's step, with the choices of the method that depend on it.
 pub(crate) struct SubstepPlan {
@@ -33,8 +61,7 @@ pub(crate) struct SubstepPlan {
 }
 
 impl SubstepPlan {
-    /// Returns the plan for the step of an articulation with `bodies` dynamic bodies, which gets an energy balance if it
-    /// `is_balanced`.
+    /// Returns the plan for the step of an articulation of this size.
     ///
     /// `start_spin` and `end_spin` are the greatest absolute angular velocities at the start and at the predicted end of the
     /// step, in radians/s. `is_stiffer(f)` returns whether a geometric stiffness exceeds f times the limit of an undivided
@@ -43,7 +70,7 @@ impl SubstepPlan {
     /// The number of substeps grows until no body turns by more than [`ROTATION_PER_SUBSTEP`] in one. Up to
     /// [`LARGE_ARTICULATION_BODIES`] bodies it also grows until every stiffness is within the limit.
     pub(crate) fn of(
-        (bodies, is_balanced): (u32, bool),
+        ArticulationSize { bodies, is_balanced }: ArticulationSize,
         step: &StepContext,
         [start_spin, end_spin]: [f64; 2],
         is_stiffer: impl Fn(f64) -> bool,
@@ -72,8 +99,7 @@ impl SubstepPlan {
         }
     }
 
-    /// Returns whether an articulation of `bodies` dynamic bodies gets an [energy balance](super::energy_balance) by its size.
-    /// Trees with distance joints always get one.
+    /// Returns whether an articulation of `bodies` dynamic bodies gets an [energy balance](super::energy_balance) whatever they are.
     #[inline(always)]
     pub(crate) fn is_energy_balanced(bodies: u32) -> bool {
         bodies <= MAX_BALANCED_ARTICULATION_BODIES

@@ -21,6 +21,13 @@ pub(crate) const JOINT_CORRECTION_SPEED: f64 = 3.0;
 /// 20 ragdolls change, with twice the final speed of a ball of 100 mass units on a chain of 20; no verdict changes.
 pub(crate) const MAX_BALANCED_ARTICULATION_BODIES: u32 = 12;
 
+/// Greatest mass ratio of two bodies of a free articulation above [`MAX_BALANCED_ARTICULATION_BODIES`] bodies that gets no energy
+/// balance. Unit: dimensionless.
+///
+/// Measured on 600 random trees of 2 to 26 hinges with masses 1 to 1 up to 1 to 1,000, 8 s each. Without this limit 16 trees gape
+/// by 0.02 to 0.8 m and gain up to 80 % of energy, all of them large and with ratios of 19 and more.
+pub(crate) const MAX_UNBALANCED_MASS_RATIO: f64 = 10.0;
+
 /// Number of bodies of a free articulation above which its geometric stiffness adds no substeps to its step. Unit: number of
 /// bodies.
 ///
