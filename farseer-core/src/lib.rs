@@ -526,6 +526,7 @@ pub mod shape;
 
 mod body;
 mod broad_phase;
+mod builders;
 mod checked_properties;
 mod contact_solver;
 mod contacts;
@@ -552,6 +553,7 @@ mod utilities;
 
 pub use body::{Body, BodyId};
 pub use broad_phase::{SelectiveSweepOrder, SweepEnd};
+pub use builders::{BodyBuilder, GeomBuilder};
 pub use contact_solver::{SolverBody, SolverBodyIndex};
 pub use contacts::{ArbiterRef, Contact, ContactId, GeomPairBitmap, PairId, index_of_safe};
 pub use controllers::{
@@ -568,6 +570,7 @@ pub use farseer_precise::surface::{FrictionType, SurfaceCoefficients};
 pub use former_names::*;
 pub use geom::distance_grid::DistanceGrid;
 pub use geom::filter::CollisionFilter;
+pub use geom::options::WantedEvents;
 pub use geom::outline::Outline;
 pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
@@ -584,7 +587,7 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
-pub use report::{AwakeReason, Event, Island, StepCounters, StepTimes};
+pub use report::{AwakeReason, Event, Hit, Island, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
 #[cfg(feature = "space")]
 pub use simulator::depth;

@@ -129,7 +129,8 @@ impl Methods {
         self.only_precise("one-way geoms")
     }
 
-    fn only_precise(self, what: &'static str) -> Result<()> {
+    /// Refuses a feature that the faithful set does not have.
+    pub(crate) fn only_precise(self, what: &'static str) -> Result<()> {
         if self.is_precise() { Ok(()) } else { Err(Error::NotSupported { what, methods: "faithful" }) }
     }
 

@@ -67,7 +67,10 @@ impl Body {
             drag.y += -speed * self.quadratic_drag_coefficient * scalar::sign(v.y);
         }
         self.force += drag;
-        let rotational_drag = w * w * scalar::sign(w) * -self.rotational_drag_coefficient;
+        let rotational_drag = match self.is_rotational_drag_linear() {
+            false => w * w * scalar::sign(w) * -self.rotational_drag_coefficient,
+            true => w * -self.rotational_drag_coefficient,
+        };
         self.torque += rotational_drag;
         self.linear_velocity += self.force * self.inverse_mass * dt;
         self.angular_velocity += self.torque * self.inverse_moment_of_inertia * dt;

@@ -97,7 +97,11 @@ impl Body {
     pub(super) fn update_inverse_mass(&mut self) {
         let is_immovable = self.is_immovable();
         self.inverse_mass = if is_immovable { 0.0 } else { 1.0 / self.mass };
-        self.inverse_moment_of_inertia = if is_immovable { 0.0 } else { 1.0 / self.moment_of_inertia };
+        let cannot_turn = is_immovable || self.is_rotation_locked();
+        self.inverse_moment_of_inertia = if cannot_turn { 0.0 } else { 1.0 / self.moment_of_inertia };
+        if self.holds_rotation() {
+            self.angular_velocity = 0.0;
+        }
     }
 
     /// Clears force, torque and impulse, and sets the velocity that leads to the target in `dt` seconds. If that

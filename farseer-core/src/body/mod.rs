@@ -11,12 +11,15 @@ mod kinematic;
 mod mass;
 pub(crate) mod missing_body;
 mod motion;
+mod options;
 #[cfg(feature = "precise")]
 mod precise_step;
 mod rejected_arguments;
 mod save;
+mod switches;
 
 pub(crate) use self::motion::Pose;
+use self::options::BodyOptions;
 use self::rejected_arguments::BodyArguments;
 use crate::math::Vector2;
 pub use crate::storage::ids::BodyId;
@@ -56,7 +59,7 @@ pub struct Body {
     tag: u64,
     is_static: bool,
     is_kinematic: bool,
-    is_bullet: bool,
+    options: BodyOptions,
     /// Target pose of a kinematic body.
     target: Option<kinematic::Target>,
     enabled: bool,
@@ -140,7 +143,7 @@ impl Body {
             tag: 0,
             is_static: false,
             is_kinematic: false,
-            is_bullet: false,
+            options: BodyOptions::default(),
             target: None,
             enabled: true,
             ignore_gravity: false,
@@ -171,7 +174,7 @@ impl Body {
             ignore_gravity: body.ignore_gravity,
             is_static: body.is_static,
             is_kinematic: body.is_kinematic,
-            is_bullet: body.is_bullet,
+            options: body.options.of_copy(),
             ..Body::new()
         }
     }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Body;
+use super::options::BodyOptions;
 use crate::math::vector2::length;
 use crate::math::{Vector2, math_helper::TWO_PI, scalar};
 
@@ -39,13 +40,13 @@ impl Body {
     /// only with the [precise set](crate::Methods::Precise): there no body passes through a static, kinematic or
     /// sleeping one, and a bullet passes through no dynamic one either.
     pub fn is_bullet(&self) -> bool {
-        self.is_bullet
+        self.options.has(BodyOptions::BULLET)
     }
 
     /// Sets [`is_bullet`](Self::is_bullet). Meant for few bodies that are small and fast: in every step in which a
     /// bullet moves by more than its thickness, its times of impact with all bodies along its path are computed.
     pub fn set_is_bullet(&mut self, value: bool) {
-        self.is_bullet = value;
+        self.options.set(BodyOptions::BULLET, value);
     }
 
     /// Rotation in radians, normally from 0 to 2 pi inclusive.
@@ -116,7 +117,7 @@ impl Body {
     #[inline]
     pub fn set_angular_velocity(&mut self, value: f32) {
         if self.accepts("angular_velocity", value) {
-            self.angular_velocity = value;
+            self.angular_velocity = if self.holds_rotation() { 0.0 } else { value };
             self.target = None;
         }
     }

@@ -33,7 +33,10 @@ impl Body {
     /// Fractions of the linear and of the angular velocity that drag takes per second (1/s), at the present angular
     /// velocity.
     pub(crate) fn drag_rates(&self) -> (f32, f32) {
-        let spin_drag = self.rotational_drag_coefficient * self.angular_velocity.abs();
+        let spin_drag = match self.is_rotational_drag_linear() {
+            false => self.rotational_drag_coefficient * self.angular_velocity.abs(),
+            true => self.rotational_drag_coefficient,
+        };
         (self.linear_drag_coefficient * self.inverse_mass, spin_drag * self.inverse_moment_of_inertia)
     }
 

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Body;
 use super::kinematic::Target;
+use super::options::BodyOptions;
 use super::rejected_arguments::BodyArguments;
 use crate::math::Vector2;
 use crate::storage::rejected_arguments::RejectedArguments;
@@ -36,7 +37,8 @@ struct SavedBody {
     tag: u64,
     is_static: bool,
     is_kinematic: bool,
-    is_bullet: bool,
+    #[serde(rename = "is_bullet")]
+    options: BodyOptions,
     target: Option<Target>,
     enabled: bool,
     ignore_gravity: bool,
@@ -71,6 +73,8 @@ impl<'de> Deserialize<'de> for Body {
             body.gravity_scale,
         ];
         let inverse = |value: f32| if body.is_immovable() { 0.0 } else { 1.0 / value };
+        let inverse_moment_of_inertia =
+            if body.is_rotation_locked() { 0.0 } else { inverse(body.moment_of_inertia) };
         let is_valid = body.is_finite()
             && numbers.iter().all(|number| number.is_finite())
             && body.mass.is_finite()
@@ -80,7 +84,9 @@ impl<'de> Deserialize<'de> for Body {
             && !(body.is_static && body.is_kinematic)
             && body.target.is_none_or(|target| body.is_kinematic && target.is_finite())
             && body.inverse_mass == inverse(body.mass)
-            && body.inverse_moment_of_inertia == inverse(body.moment_of_inertia)
+            && body.options.is_valid()
+            && !(body.holds_rotation() && body.angular_velocity != 0.0)
+            && body.inverse_moment_of_inertia == inverse_moment_of_inertia
             && body.inverse_mass.is_finite()
             && body.inverse_moment_of_inertia.is_finite();
         if is_valid {

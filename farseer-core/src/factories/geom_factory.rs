@@ -271,7 +271,7 @@ fn centroid_of(vertices: &Vertices) -> Result<Vector2> {
 }
 
 /// The points of a chain without the last one if it equals the first, and whether it does.
-fn check_chain(points: &[Vector2]) -> Result<(&[Vector2], bool)> {
+pub(crate) fn check_chain(points: &[Vector2]) -> Result<(&[Vector2], bool)> {
     for &point in points {
         finite_vector("points", point)?;
     }

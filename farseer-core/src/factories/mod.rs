@@ -27,5 +27,6 @@ mod spring_factory;
 
 pub use body_factory::BodyFactory;
 pub use geom_factory::GeomFactory;
+pub(crate) use geom_factory::check_chain;
 pub use joint_factory::JointFactory;
 pub use spring_factory::SpringFactory;

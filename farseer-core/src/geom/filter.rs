@@ -14,8 +14,8 @@ use crate::methods::CollisionCategory;
 pub struct CollisionFilter {
     /// Categories of the object, as bit flags. Default all.
     pub categories: CollisionCategory,
-    /// Categories it collides with. Two objects collide if **either** one's mask contains a category of the other.
-    /// Default all.
+    /// Categories it collides with. Two objects collide if **either** one's mask contains a category of the other, or
+    /// [both](Self::both_agree). Default all.
     pub collides_with: CollisionCategory,
     /// Group number: objects of the same group do not collide; 0 is no group. Default 0.
     pub group: i32,
@@ -23,12 +23,23 @@ pub struct CollisionFilter {
     pub is_enabled: bool,
     /// Whether its contacts exert impulses; they are reported either way. Default true.
     pub responds: bool,
+    /// Whether **both** masks must contain a category of the other, if one of two objects has this setting. Default
+    /// false: one of both masks is enough. Not serialised: a geom saves it with its other options.
+    #[serde(skip)]
+    pub both_agree: bool,
 }
 
 impl Default for CollisionFilter {
     fn default() -> Self {
         let all = CollisionCategory::ALL;
-        CollisionFilter { categories: all, collides_with: all, group: 0, is_enabled: true, responds: true }
+        CollisionFilter {
+            categories: all,
+            collides_with: all,
+            group: 0,
+            is_enabled: true,
+            responds: true,
+            both_agree: false,
+        }
     }
 }
 
@@ -47,10 +58,13 @@ impl CollisionFilter {
         self.group == other.group && self.group != 0
     }
 
-    /// Whether the categories match. Agreement in one direction is enough, as in the original.
+    /// Whether the categories match. Agreement in one direction is enough, as in the original, unless one of the two asks
+    /// for both.
     #[inline]
     pub(crate) fn meets_categories_of(&self, other: &CollisionFilter) -> bool {
-        self.categories.intersects(other.collides_with) || other.categories.intersects(self.collides_with)
+        let is_met = self.categories.intersects(other.collides_with);
+        let meets = other.categories.intersects(self.collides_with);
+        if self.both_agree || other.both_agree { is_met && meets } else { is_met || meets }
     }
 }
 

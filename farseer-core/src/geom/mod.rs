@@ -4,6 +4,7 @@ pub(crate) mod distance_grid;
 pub(crate) mod entry;
 pub(crate) mod filter;
 pub(crate) mod grid_cache;
+pub(crate) mod options;
 pub(crate) mod outline;
 #[cfg(feature = "precise")]
 pub(crate) mod pieces;
@@ -17,6 +18,7 @@ use crate::methods::CollisionCategory;
 pub use crate::storage::ids::GeomId;
 use crate::storage::rejected_arguments::{ArgumentNames, RejectedArguments};
 use filter::CollisionFilter;
+use options::{GeomOptions, WantedEvents};
 
 /// Collision settings of a geom: all its properties that may be changed freely. `simulator[geom]` has this type.
 /// [`PhysicsSimulator::geom`](crate::PhysicsSimulator::geom) returns shape and pose as well: position, world vertices,
@@ -30,7 +32,8 @@ pub struct Geom {
     pub(crate) restitution_coefficient: f32,
     pub(crate) collision_enabled: bool,
     pub(crate) collision_response_enabled: bool,
-    pub(crate) collision_callbacks_enabled: bool,
+    #[serde(rename = "collision_callbacks_enabled")]
+    options: GeomOptions,
     tag: u64,
     /// Arguments that setters refused since the simulator last reported them.
     pub(crate) rejected: RejectedArguments<GeomArguments>,
@@ -54,7 +57,7 @@ impl Default for Geom {
             restitution_coefficient: 0.0,
             collision_enabled: true,
             collision_response_enabled: true,
-            collision_callbacks_enabled: true,
+            options: GeomOptions::default(),
             tag: 0,
             rejected: RejectedArguments::default(),
         }
@@ -80,7 +83,7 @@ impl Geom {
         self.collides_with
     }
 
-    /// Sets the categories with which the geom collides.
+    /// Sets the categories with which the geom collides. See also [`set_both_must_agree`](Self::set_both_must_agree).
     pub fn set_collides_with(&mut self, value: CollisionCategory) {
         self.collides_with = value;
     }
@@ -153,7 +156,7 @@ impl Geom {
     /// [`on_separation`](crate::EventHandler::on_separation) with this geom as `this`. Default true, as in the
     /// original, whose geoms have their own callbacks. The switch is ours.
     pub fn collision_callbacks_enabled(&self) -> bool {
-        self.collision_callbacks_enabled
+        self.options.has(GeomOptions::CALLBACKS)
     }
 
     /// Sets whether handlers are called for contacts of this geom. Without callbacks it refuses no contact. The other
@@ -161,7 +164,7 @@ impl Geom {
     /// precise set a pair without callbacks on both sides costs no time for them, even in games with thousands of
     /// geoms.
     pub fn set_collision_callbacks_enabled(&mut self, value: bool) {
-        self.collision_callbacks_enabled = value;
+        self.options.set(GeomOptions::CALLBACKS, value);
     }
 
     /// Whether these settings let the geom collide with a geom of the `other` settings: collision is enabled on both,
@@ -181,7 +184,31 @@ impl Geom {
             group: self.collision_group,
             is_enabled: self.collision_enabled,
             responds: self.collision_response_enabled,
+            both_agree: self.both_must_agree(),
         }
+    }
+
+    /// Whether the masks of **both** geoms must contain a category of the other, if one of the two has this setting.
+    /// Default false, as in the original: one of both masks is enough. True for geoms of a
+    /// [`GeomBuilder`](crate::GeomBuilder). Ours.
+    pub fn both_must_agree(&self) -> bool {
+        self.options.has(GeomOptions::BOTH_AGREE)
+    }
+
+    /// Sets [`both_must_agree`](Self::both_must_agree).
+    pub fn set_both_must_agree(&mut self, value: bool) {
+        self.options.set(GeomOptions::BOTH_AGREE, value);
+    }
+
+    /// The typed events that the geom wants. Default none; touches and sensors for geoms of a
+    /// [`GeomBuilder`](crate::GeomBuilder). Ours.
+    pub fn wanted_events(&self) -> WantedEvents {
+        self.options.events()
+    }
+
+    /// Sets [`wanted_events`](Self::wanted_events). A touch that lasts begins or ends, as an event, in the next update.
+    pub fn set_wanted_events(&mut self, events: WantedEvents) {
+        self.options.set_events(events);
     }
 
     /// A number for the user's own purposes, such as the index of a name in a list. Default 0.
@@ -202,8 +229,10 @@ impl Geom {
         self.rejected.take()
     }
 
-    /// Whether the coefficients are finite. False only after loading corrupt data.
+    /// Whether the coefficients are finite, and the options known. False only after loading corrupt data.
     pub fn is_finite(&self) -> bool {
-        self.friction_coefficient.is_finite() && self.restitution_coefficient.is_finite()
+        self.friction_coefficient.is_finite()
+            && self.restitution_coefficient.is_finite()
+            && self.options.is_valid()
     }
 }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use super::outline::{Outline, capsule_half_axis};
 use crate::geom::entry::GeomEntry;
+use crate::shape::Vertices;
 use farseer_precise::pieces::{Piece, edges_of_chain, pieces_of_outline};
 
 /// Number of outlines that [`RecentOutlines`] remembers, a count. Value chosen: worlds of many geoms repeat few outlines.
@@ -18,22 +19,22 @@ const MIN_CIRCLE_CORNERS: usize = 8;
 impl GeomEntry {
     /// The convex parts of the outline.
     pub(crate) fn pieces(&self) -> &Arc<[Piece]> {
-        self.pieces.get_or_init(|| pieces(self))
+        self.pieces.get_or_init(|| pieces_of(&self.local_vertices, self.outline))
     }
 }
 
-/// The convex pieces of a geom.
-fn pieces(geom: &GeomEntry) -> Arc<[Piece]> {
-    match geom.outline {
-        Outline::Circle { radius } if geom.local_vertices.len() >= MIN_CIRCLE_CORNERS => {
+/// The convex pieces of an outline, given with the corners of its polygon.
+pub(crate) fn pieces_of(corners: &Vertices, outline: Outline) -> Arc<[Piece]> {
+    match outline {
+        Outline::Circle { radius } if corners.len() >= MIN_CIRCLE_CORNERS => {
             Arc::new([Piece::Circle { centre: [0.0, 0.0], radius }])
         }
         Outline::Capsule { height, end_radius } => {
             let half = capsule_half_axis(height, end_radius);
             Arc::new([Piece::Capsule { ends: [[0.0, -half], [0.0, half]], radius: end_radius }])
         }
-        Outline::Chain { is_closed } => edges_of_chain(&geom.local_vertices, is_closed).collect(),
-        _ => pieces_of_outline(geom.local_vertices.iter().map(|v| [v.x, v.y]).collect()),
+        Outline::Chain { is_closed } => edges_of_chain(corners, is_closed).collect(),
+        _ => pieces_of_outline(corners.iter().map(|v| [v.x, v.y]).collect()),
     }
 }
 

@@ -269,7 +269,7 @@ impl Objects {
 }
 
 /// A direction as a unit vector.
-fn unit(direction: Vector2) -> Result<Vector2> {
+pub(crate) fn unit(direction: Vector2) -> Result<Vector2> {
     finite_vector("direction", direction)?;
     let [x, y] = [f64::from(direction.x), f64::from(direction.y)];
     let length = (x * x + y * y).sqrt();

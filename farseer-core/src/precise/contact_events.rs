@@ -13,8 +13,19 @@ use crate::storage::order::{packed_key, sort_by_number, sort_numbered};
 use farseer_precise::broad_phase::pairs::Pairs;
 use farseer_precise::broad_phase::proxies::{BodyType, Proxies};
 use farseer_precise::index::{DenseIndex, PairIndex, ProxyIndex};
-use farseer_precise::narrow_phase::{NarrowPhaseStats, TouchEvent};
+use farseer_precise::narrow_phase::{NarrowPhaseStats, TouchEvent, TouchKind};
 use farseer_precise::surface::SurfaceOverride;
+
+/// Two geoms that begin or cease to touch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TouchChange {
+    /// The geoms, the one with the smaller creation number first.
+    pub(crate) geoms: (GeomId, GeomId),
+    /// Whether the touch begins; false if it ends.
+    pub(crate) begins: bool,
+    /// Kind of the typed event.
+    pub(crate) kind: TouchKind,
+}
 
 impl Precise {
     /// Returns the number of pairs, touching or not.
@@ -50,8 +61,8 @@ impl Precise {
     }
 
     /// Removes and returns the touch events since the last call, in the order of creation numbers. Each pair of geoms occurs
-    /// once, with true if it began to touch, false if it ceased.
-    pub(crate) fn drain_touch_events(&mut self) -> Vec<((GeomId, GeomId), bool)> {
+    /// once.
+    pub(crate) fn drain_touch_events(&mut self) -> Vec<TouchChange> {
         let mut events = std::mem::take(&mut self.solver.touch_events);
         sort_by_number(&mut events, TouchEvent::sort_key);
         let by_geoms = events.chunk_by(|one, other| one.numbers == other.numbers);
@@ -60,14 +71,16 @@ impl Precise {
 
     /// Returns the touch event of two geoms from `events` of their convex pieces. Two geoms touch while at least one pair of
     /// their pieces does. `None` if that has not changed.
-    fn geom_touch_event(&self, events: &[TouchEvent]) -> Option<((GeomId, GeomId), bool)> {
-        let [one, other] = events.first()?.owners.map(GeomId::from_bits);
+    fn geom_touch_event(&self, events: &[TouchEvent]) -> Option<TouchChange> {
+        let TouchEvent { owners, kind, .. } = *events.first()?;
+        let [one, other] = owners.map(GeomId::from_bits);
         let geoms = (one, other);
         let touching_now =
             self.pairs_between(geoms).filter(|&pair| self.solver.pairs.is_touching(pair)).count();
         let begun = events.iter().filter(|change| change.begins).count();
         let touching_before = (touching_now + events.len() - begun).saturating_sub(begun);
-        ((touching_before > 0) != (touching_now > 0)).then_some((geoms, touching_now > 0))
+        let begins = touching_now > 0;
+        ((touching_before > 0) != begins).then_some(TouchChange { geoms, begins, kind })
     }
 
     /// Returns the indices of the pairs between the convex pieces of two geoms.
@@ -120,7 +133,7 @@ impl Precise {
     /// in the order of the keys.
     ///
     /// The caller must give the list back by [`return_touching_buffer`](Self::return_touching_buffer).
-    pub(crate) fn touching_pairs(&mut self, events: &[((GeomId, GeomId), bool)]) -> Vec<(u128, u32)> {
+    pub(crate) fn touching_pairs(&mut self, events: &[TouchChange]) -> Vec<(u128, u32)> {
         let mut touching = std::mem::take(&mut self.solver.touching_scratch);
         touching.clear();
         let with_numbers = |pair: PairIndex| {
@@ -130,7 +143,7 @@ impl Precise {
         if self.solver.pairs.reported_count > 0 {
             touching.extend(self.solver.pairs.indices().filter(is_reported).filter_map(with_numbers));
         }
-        for &(geoms, _) in events.iter().filter(|(_, begins)| *begins) {
+        for &TouchChange { geoms, .. } in events.iter().filter(|change| change.begins) {
             let unreported = self.pairs_between(geoms).filter(|pair| !is_reported(pair));
             touching.extend(unreported.filter_map(with_numbers));
         }

@@ -5,6 +5,7 @@
 //! [contact reader](farseer_precise::narrow_phase::contact_reader).
 
 use super::Precise;
+use super::contact_events::TouchChange;
 use super::depth_contact::{DepthContact, DepthContactEvent, DepthContactTarget, contact_target_of};
 use super::world_boxes::is_geom;
 use crate::geom::GeomId;
@@ -23,7 +24,8 @@ impl Precise {
     /// whatever the number of their convex pieces. A contact that a callback has vetoed does not begin.
     pub(crate) fn drain_depth_contact_events(&mut self) -> Vec<DepthContactEvent> {
         let changes = self.drain_touch_events();
-        changes.into_iter().filter_map(|(geoms, begins)| self.depth_contact_event(geoms, begins)).collect()
+        let event = |change: TouchChange| self.depth_contact_event(change.geoms, change.begins);
+        changes.into_iter().filter_map(event).collect()
     }
 
     /// Returns the contact event of two geoms, with the manifold of deepest penetration if the contact begins. `None` if the

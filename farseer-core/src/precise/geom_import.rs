@@ -134,6 +134,7 @@ impl<'a> ProxyImport<'a> {
             responds: geom.geom.collision_response_enabled(),
             is_reported: geom.geom.collision_callbacks_enabled(),
             filter: geom_filter(geom),
+            events: geom.geom.wanted_events().0,
             surface_velocity,
             one_way: one_way_direction(geom, self.depth.is_some()),
         })
@@ -199,7 +200,7 @@ pub(super) fn geom_filter(entry: &GeomEntry) -> [i32; 5] {
         categories,
         collides_with,
         geom.collision_group(),
-        i32::from(geom.collision_enabled()),
+        i32::from(geom.collision_enabled()) | i32::from(geom.both_must_agree()) << 1,
         entry.ignore_changes,
     ]
 }

@@ -67,6 +67,10 @@ impl Precise {
         if is_movable {
             self.solver.bodies.are_bullets[index] = body.is_bullet();
         }
+        self.sleep_options.note(id, body);
+        if !body.is_sleep_allowed() {
+            self.solver.sleep.request_wake(index);
+        }
         self.solver.bodies.set_velocity(index, velocity_of(body));
         if has_moved {
             self.solver.bodies.set_pose(index, pose_of(body));
@@ -339,6 +343,7 @@ impl Precise {
         self.edits
             .disabled_bodies
             .extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
+        integrated().for_each(|(id, entry)| self.sleep_options.note(id, &entry.body));
         if let Some(space) = self.solver.depth.as_deref_mut() {
             // A force along the depth axis on a body that a handler has made static is in no snapshot, so it is removed here,
             // too.

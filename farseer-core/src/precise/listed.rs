@@ -33,12 +33,14 @@ impl Listed<'_> {
         Some(!is_same_type)
     }
 
-    /// Returns whether an edit has changed the collision filter of a geom or its collision response, whether its contacts exert
-    /// impulses.
+    /// Returns whether an edit has changed the collision filter of a geom, its collision response (whether its contacts exert
+    /// impulses) or the events that it wants.
     pub(super) fn has_changed_filter(&self, id: GeomId) -> bool {
         let Some(entry) = self.objects.geoms.get(id) else { return false };
         let (filter, responds) = (geom_filter(entry), entry.geom.collision_response_enabled());
-        self.proxies_of(id).any(|proxy| proxy.filter != filter || proxy.responds != responds)
+        let events = entry.geom.wanted_events().0;
+        self.proxies_of(id)
+            .any(|proxy| proxy.filter != filter || proxy.responds != responds || proxy.events != events)
     }
 
     /// Returns the proxies of a geom.

@@ -22,7 +22,8 @@ mod add_remove;
 mod body_import;
 mod body_io;
 mod candidate_pairs;
-mod contact_events;
+mod changed_kinds;
+pub(crate) mod contact_events;
 mod contact_points;
 #[cfg(feature = "space")]
 pub(crate) mod depth_contact;
@@ -31,6 +32,7 @@ mod depth_events;
 #[cfg(feature = "space")]
 mod depth_import;
 mod geom_import;
+mod hits;
 mod ids;
 mod import;
 mod island_report;
@@ -41,6 +43,8 @@ mod pending_edits;
 mod query_candidates;
 mod saved;
 pub(crate) mod skip_step;
+mod sleep_events;
+mod sleep_options;
 mod sleep_stages;
 mod sleeping_joints;
 mod spring_import;
@@ -54,15 +58,22 @@ use serde::Deserialize;
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::methods::Methods;
+use crate::objects::Objects;
+use crate::report::{Event, Hit};
+use changed_kinds::ChangedKinds;
 use farseer_precise::Solver;
 pub(crate) use farseer_precise::depth::state::DepthState;
 use farseer_precise::index::BodyIndex;
+use farseer_precise::narrow_phase::hits::PieceHit;
 use farseer_precise::reusing_clone;
 pub(crate) use farseer_precise::scaled_parameters::StepContext;
+use hits::list_hits;
 use ids::{AlwaysTested, IdTable};
 use joint_import::JointTable;
 use pending_edits::PendingEdits;
 use saved::Saved;
+use sleep_events::SleepEvents;
+use sleep_options::SleepOptions;
 use sleeping_joints::SleepingJoint;
 
 /// State of the precise engine between steps: the solver, and the tables that translate the objects of the game to its indices.
@@ -83,10 +94,20 @@ pub(crate) struct Precise {
     ids: IdTable,
     /// Geoms that every AABB query tests without the hash grid, in the order of the simulator's list of geoms.
     always_tested: Vec<AlwaysTested>,
+    /// Touching pairs whose typed event has another kind since an edit.
+    pub(crate) changed_kinds: ChangedKinds,
+    /// Sleeping bodies with events.
+    sleep_events: SleepEvents,
+    /// Bodies that may not sleep or are to sleep.
+    sleep_options: SleepOptions,
+    /// Workspace: the hits of the convex pieces in this step.
+    piece_hits: Vec<PieceHit>,
 }
 
 reusing_clone! {
-    Precise { solver, loaded, edits, joint_table, sleeping_joints, ids, always_tested }
+    Precise {
+        solver, loaded, edits, joint_table, sleeping_joints, ids, always_tested, changed_kinds, sleep_events, sleep_options, piece_hits
+    }
 }
 
 impl Precise {
@@ -101,11 +122,32 @@ impl Precise {
             sleeping_joints: Vec::new(),
             ids: IdTable::default(),
             always_tested: Vec::new(),
+            changed_kinds: ChangedKinds::default(),
+            sleep_events: SleepEvents::default(),
+            sleep_options: SleepOptions::default(),
+            piece_hits: Vec::new(),
         }
     }
     /// Returns an empty engine state for these methods; `None` for the faithful set.
     pub(crate) fn of_methods(methods: Methods) -> Option<Box<Self>> {
         methods.length_unit().map(|unit| Box::new(Precise::new(unit)))
+    }
+
+    /// Adds the events of bodies that have woken or fallen asleep since the last step.
+    pub(crate) fn report_sleep_events(&mut self, objects: &Objects, events: &mut Vec<Event>) {
+        self.sleep_events.report(&self.solver.sleep, &self.ids, objects, events);
+    }
+
+    /// Stops the bodies that are to sleep after this step.
+    pub(crate) fn stop_requested(&mut self, objects: &Objects) {
+        self.sleep_options.stop_requested(&mut self.solver, &self.ids, objects);
+    }
+
+    /// Appends the hits of this step that are faster than `min_speed` (length units/s): see [`list_hits`].
+    pub(crate) fn list_hits(&mut self, min_speed: f32, hits: &mut Vec<Hit>) {
+        if self.solver.proxies.hit_count > 0 {
+            list_hits(&mut self.solver, &mut self.piece_hits, min_speed, hits);
+        }
     }
 
     /// Returns whether the engine has a depth axis.

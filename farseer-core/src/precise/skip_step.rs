@@ -33,7 +33,8 @@ impl Precise {
             && may_sleep
             && self.solver.sleep.is_undisturbed([gravity.x, gravity.y])
             && (self.solver.friction, self.solver.max_contacts) == (friction, most_contacts);
-        if !(is_as_before && self.solver.is_idle() && !self.may_break_joints()) {
+        let has_changed_kinds = !self.changed_kinds.is_empty();
+        if !(is_as_before && self.solver.is_idle() && !self.may_break_joints()) || has_changed_kinds {
             return false;
         }
         self.solver.dt = dt;

@@ -32,11 +32,19 @@ impl Precise {
 
     /// Puts islands to sleep that have been at rest for long enough. It is the last stage of a step.
     pub(crate) fn fall_asleep(&mut self, objects: &mut Objects, step: &StepContext) {
-        let Solver { bodies, sleep, proxies, pairs, constraints, joints, parameters, dt, .. } =
-            &mut self.solver;
-        if !sleep.is_enabled() || !sleep.accumulate_rest_time(bodies, *dt, parameters.length_unit) {
+        let Solver { bodies, sleep, parameters, dt, .. } = &mut self.solver;
+        if !sleep.is_enabled() {
             return;
         }
+        let is_due = sleep.accumulate_rest_time(bodies, *dt, parameters.length_unit);
+        let forced = match self.sleep_options.is_empty() {
+            true => Vec::new(),
+            false => self.sleep_options.apply(&mut self.solver, &self.ids, objects),
+        };
+        if !is_due && forced.is_empty() {
+            return;
+        }
+        let Solver { bodies, sleep, proxies, pairs, constraints, joints, dt, .. } = &mut self.solver;
         let detector = RestDetector {
             bodies,
             proxies,
@@ -46,7 +54,7 @@ impl Precise {
             load_adaptation: &step.load_adaptation,
             dt: *dt,
         };
-        detector.list_falling_asleep(sleep, spring_body_pairs(&self.ids, objects));
+        detector.list_falling_asleep(sleep, spring_body_pairs(&self.ids, objects), &forced);
         if !self.solver.sleep.falling_asleep.is_empty() {
             self.sleep_bodies(objects);
         }
@@ -55,6 +63,7 @@ impl Precise {
     /// Puts the bodies in `falling_asleep` to sleep, with their pairs and joints.
     fn sleep_bodies(&mut self, objects: &mut Objects) {
         self.solver.sleep.sleep_bodies(&mut self.solver.bodies, self.solver.dt);
+        self.sleep_events.note_falling_asleep(&self.solver.sleep, &self.ids, objects);
         stop_objects(&self.solver.sleep.falling_asleep, &self.ids, self.solver.depth.as_deref_mut(), objects);
         self.sleep_pairs();
         self.sleep_joints(objects);

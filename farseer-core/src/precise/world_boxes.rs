@@ -101,7 +101,8 @@ pub(super) fn is_geom(id: GeomId) -> bool {
 
 impl From<CollisionFilter> for FilterNumbers {
     fn from(filter: CollisionFilter) -> Self {
-        let CollisionFilter { categories, collides_with, group, is_enabled, responds } = filter;
+        let CollisionFilter { categories, collides_with, group, is_enabled, responds, both_agree: _ } =
+            filter;
         let (categories, collides_with) = (categories.bits(), collides_with.bits());
         FilterNumbers { categories, collides_with, group, is_enabled, responds }
     }
@@ -111,6 +112,6 @@ impl From<FilterNumbers> for CollisionFilter {
     fn from(numbers: FilterNumbers) -> Self {
         let FilterNumbers { categories, collides_with, group, is_enabled, responds } = numbers;
         let [categories, collides_with] = [categories, collides_with].map(CollisionCategory::from_bits);
-        CollisionFilter { categories, collides_with, group, is_enabled, responds }
+        CollisionFilter { categories, collides_with, group, is_enabled, responds, both_agree: false }
     }
 }

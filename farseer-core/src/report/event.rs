@@ -75,6 +75,54 @@ pub enum Event {
         /// The geom that it touched, or whose box overlaps.
         other: GeomId,
     },
+    /// Two geoms with collision response begin to touch: once for the pair, if one of both
+    /// [wants](crate::Geom::set_wanted_events) it. Only with the [precise set](crate::Methods::Precise), as the events that
+    /// follow.
+    ///
+    /// A touch that begins has exactly one end, as the same kind of event, however it ends: also by filters, and when a side
+    /// is disabled, removed or disposed. If one side is made a [sensor](crate::Objects::set_sensor) while the two touch, the
+    /// touch ends and an overlap with a sensor begins. The geom with the smaller [creation number](crate::GeomRef::id) is first.
+    /// A collision handler that refuses the contact does not change the events. Touches go on while bodies sleep, and in a
+    /// restored simulator.
+    TouchBegin {
+        /// One geom.
+        geom1: GeomId,
+        /// The other geom.
+        geom2: GeomId,
+    },
+    /// Two geoms with collision response cease to touch. Ids of geoms that were disposed are stale.
+    TouchEnd {
+        /// One geom.
+        geom1: GeomId,
+        /// The other geom.
+        geom2: GeomId,
+    },
+    /// A geom begins to overlap a sensor: once for the pair, as [`TouchBegin`](Self::TouchBegin). If both are sensors, one of
+    /// the two is the visitor. A geom that crosses the sensor within one update has both events.
+    SensorBegin {
+        /// The sensor.
+        sensor: GeomId,
+        /// The geom that overlaps it.
+        visitor: GeomId,
+    },
+    /// A geom ceases to overlap a sensor. Ids of geoms that were disposed are stale.
+    SensorEnd {
+        /// The sensor.
+        sensor: GeomId,
+        /// The geom that overlapped it.
+        visitor: GeomId,
+    },
+    /// A body fell asleep, and [has such events](crate::Body::set_sleep_events).
+    BodySlept {
+        /// The body.
+        body: BodyId,
+    },
+    /// A body whose sleep was reported is awake again, or was disabled or made static. Not listed for a body that was removed or
+    /// disposed.
+    BodyWoke {
+        /// The body.
+        body: BodyId,
+    },
     /// The handler refused a pair whose boxes overlap.
     BroadPhaseVeto {
         /// First geom, in the order of the handler's arguments.

@@ -3,11 +3,13 @@
 use farseer_precise::reusing_clone;
 
 mod event;
+mod hit;
 mod islands;
 mod step_times;
 
 pub use event::Event;
 pub(crate) use event::PendingEvent;
+pub use hit::Hit;
 pub use islands::{AwakeReason, Island};
 pub use step_times::StepTimes;
 pub(crate) use step_times::{Clock, Stopwatch};
@@ -45,13 +47,14 @@ pub struct StepCounters {
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     pub(crate) events: Vec<Event>,
+    pub(crate) hits: Vec<Hit>,
     pub(crate) counters: StepCounters,
     pub(crate) step_times: StepTimes,
     /// Empty: the second buffer for pending events.
     pub(crate) pending_buffer: Vec<PendingEvent>,
 }
 
-reusing_clone! { Report { events, counters, step_times, pending_buffer } }
+reusing_clone! { Report { events, hits, counters, step_times, pending_buffer } }
 
 impl Report {
     /// Clears the report at the beginning of an update.
@@ -64,6 +67,7 @@ impl Report {
         if self.events.capacity() > MAX_SPARE_EVENTS.max(8 * needed) {
             self.events.shrink_to(2 * needed);
         }
+        self.hits.clear();
         self.counters = StepCounters::default();
     }
 

@@ -106,7 +106,8 @@ impl PhysicsSimulator {
         call: impl FnOnce(&mut dyn EventHandler, &mut Context<'_>) -> T,
     ) -> Option<T> {
         handler.get()?;
-        let is_told = self.objects.geoms.get(this).is_none_or(|entry| entry.geom.collision_callbacks_enabled);
+        let is_told =
+            self.objects.geoms.get(this).is_none_or(|entry| entry.geom.collision_callbacks_enabled());
         if is_told { self.call_handler(handler, call) } else { None }
     }
 

@@ -9,6 +9,7 @@ mod controllers;
 #[cfg(feature = "space")]
 pub mod depth;
 mod facade;
+mod game_settings;
 mod handler;
 #[cfg_attr(not(feature = "precise"), path = "no_precise.rs")]
 mod precise;
@@ -17,6 +18,8 @@ mod save;
 mod sleep;
 mod solve;
 mod springs;
+#[cfg(feature = "precise")]
+mod typed_events;
 mod update;
 mod user_controller;
 
@@ -34,10 +37,12 @@ use crate::methods::{BroadPhaseCollider, Methods, NarrowPhaseCollider, SolverCho
 use crate::objects::{Objects, SavedObjects};
 use crate::pipeline::Pipeline;
 use crate::precise::Precise;
-use crate::report::{Event, Report, StepCounters, StepTimes};
+use crate::report::{Event, Hit, Report, StepCounters, StepTimes};
 use crate::{Error, Result};
 use farseer_precise::reusing_clone;
 use farseer_precise::surface::FrictionType;
+
+use game_settings::GameSettings;
 
 pub use context::Context;
 pub use handler::EventHandler;
@@ -110,9 +115,12 @@ pub struct PhysicsSimulator {
     pipeline: Pipeline,
     #[serde(skip)]
     report: Report,
+    /// Not saved: they stay those of the simulator, as its limits do.
+    #[serde(skip)]
+    game_settings: GameSettings,
 }
 
-reusing_clone! { PhysicsSimulator { settings, objects, contacts, pipeline, report } }
+reusing_clone! { PhysicsSimulator { settings, objects, contacts, pipeline, report, game_settings } }
 
 impl Default for PhysicsSimulator {
     fn default() -> Self {
@@ -122,6 +130,7 @@ impl Default for PhysicsSimulator {
             contacts: ArbiterList::default(),
             pipeline: Pipeline::default(),
             report: Report::default(),
+            game_settings: GameSettings::default(),
         }
     }
 }
@@ -425,6 +434,31 @@ impl PhysicsSimulator {
     /// The events of the last update, in order; the next update clears them.
     pub fn events(&self) -> &[Event] {
         &self.report.events
+    }
+
+    /// The hits of the last update: touches that began at more than the [hit speed](Self::hit_speed), once for each pair of
+    /// geoms, in the order of their creation numbers. One of both geoms [wants](crate::Geom::set_wanted_events) hits. Points
+    /// that close while others of the pair touch already, as when a box tips over, are hits, too. Contacts that a handler
+    /// refused are none. Only with the [precise set](Methods::Precise).
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, WantedEvents};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// simulator.add_body(BodyBuilder::fixed().position([0.0, 10.0]), [GeomBuilder::rectangle(400.0, 20.0)])?;
+    /// let ball = GeomBuilder::circle(10.0).events(WantedEvents::HIT);
+    /// simulator.add_body(BodyBuilder::dynamic().position([0.0, -160.0]), [ball])?;
+    /// let mut speeds = Vec::new();
+    /// for _ in 0..120 {
+    ///     simulator.update(1.0 / 60.0);
+    ///     speeds.extend(simulator.hits().iter().map(|hit| hit.speed));
+    /// }
+    /// // A fall of 150 px, once: sqrt(2 * 300 * 150) = 300.
+    /// assert_eq!(speeds.len(), 1);
+    /// assert!((speeds[0] - 300.0).abs() < 10.0);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    pub fn hits(&self) -> &[Hit] {
+        &self.report.hits
     }
 
     /// Counters of the work of the last update.

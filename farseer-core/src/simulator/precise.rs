@@ -7,6 +7,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair};
 use crate::geom::sensor_pairs::may_keep_touching;
 use crate::objects::Objects;
+use crate::precise::contact_events::TouchChange;
 use crate::precise::skip_step::StepSettings;
 use crate::precise::{Precise, StepContext};
 use crate::report::{Event, Stopwatch};
@@ -15,7 +16,7 @@ use farseer_precise::surface::SurfaceOverride;
 
 impl PhysicsSimulator {
     /// The state of the precise set, while it is chosen.
-    fn precise(&mut self) -> &mut Precise {
+    fn precise_engine(&mut self) -> &mut Precise {
         self.pipeline.precise.as_mut().expect("the precise set is chosen")
     }
 
@@ -32,27 +33,27 @@ impl PhysicsSimulator {
         let gravity = self.settings.gravity;
         let may_sleep = self.settings.is_sleep_enabled;
         let choice = self.settings.island_choice;
-        self.precise().solver.set_solver_choice(choice);
+        self.precise_engine().solver.set_solver_choice(choice);
         if self.try_skip_step(dt, substeps, handler) {
             return false;
         }
-        let steps = StepLengths { before: self.precise().solver.dt, now: dt };
-        let step = self.precise().begin_step(dt, substeps, gravity, may_sleep);
+        let steps = StepLengths { before: self.precise_engine().solver.dt, now: dt };
+        let step = self.precise_engine().begin_step(dt, substeps, gravity, may_sleep);
         if let Some(precise) = &mut self.pipeline.precise {
             precise.begin_kinematic(&self.objects);
         }
-        self.report.counters.aabbs_renewed = self.precise().refitted_count();
-        let found = self.precise().solver.find_pairs();
+        self.report.counters.aabbs_renewed = self.precise_engine().refitted_count();
+        let found = self.precise_engine().solver.find_pairs();
         self.add_precise_pairs(found, handler);
         stopwatch.lap(|times| &mut times.broad_phase_collision_time);
         let friction = self.settings.friction_type;
         let max_contacts = self.max_manifold_contacts();
-        self.report.counters.pairs_tested = self.precise().find_contacts(friction, max_contacts);
-        let stats = self.precise().narrow_phase_stats();
+        self.report.counters.pairs_tested = self.precise_engine().find_contacts(friction, max_contacts);
+        let stats = self.precise_engine().narrow_phase_stats();
         (self.report.counters.manifolds_made, self.report.counters.manifolds_kept) =
             (stats.computed, stats.recycled);
-        if self.precise().has_depth() {
-            self.report.counters.pairs_touching = self.precise().touching_count();
+        if self.precise_engine().has_depth() {
+            self.report.counters.pairs_touching = self.precise_engine().touching_count();
             #[cfg(feature = "space")]
             self.ask_about_depth_contacts(handler);
         } else {
@@ -60,6 +61,7 @@ impl PhysicsSimulator {
                 self.filter_precise_pairs(handler);
             }
             self.report_contact_events(handler);
+            self.report_hits();
         }
         stopwatch.lap(|times| &mut times.narrow_phase_collision_time);
         self.update_controllers(dt, dt_real, handler);
@@ -69,14 +71,14 @@ impl PhysicsSimulator {
         self.break_precise_joints(handler);
         self.load_bodies_and_joints(&step);
         stopwatch.lap(|times| &mut times.apply_forces_time);
-        self.precise().solver.solve(&step);
-        if self.precise().solver.find_fast_bodies() {
-            let found = self.precise().solver.find_pairs_of_fast_bodies();
+        self.precise_engine().solver.solve(&step);
+        if self.precise_engine().solver.find_fast_bodies() {
+            let found = self.precise_engine().solver.find_pairs_of_fast_bodies();
             self.add_precise_pairs(found, handler);
-            if self.precise().solver.clamp_to_toi(&step) {
-                let found = self.precise().solver.find_pairs_of_fast_bodies();
+            if self.precise_engine().solver.clamp_to_toi(&step) {
+                let found = self.precise_engine().solver.find_pairs_of_fast_bodies();
                 self.add_precise_pairs(found, handler);
-                self.precise().solver.clamp_carried_motion();
+                self.precise_engine().solver.clamp_carried_motion();
             }
         }
         self.report.counters.passes = substeps;
@@ -102,7 +104,7 @@ impl PhysicsSimulator {
             friction: self.settings.friction_type,
             max_contacts: self.max_manifold_contacts(),
         };
-        let precise = self.precise();
+        let precise = self.precise_engine();
         if !precise.try_skip_step(&settings) {
             return false;
         }
@@ -151,6 +153,7 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, report, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             precise.fall_asleep(objects, step);
+            precise.report_sleep_events(objects, &mut report.events);
             report.counters.bodies_asleep = precise.solver.asleep_count();
         }
     }
@@ -159,6 +162,7 @@ impl PhysicsSimulator {
         let PhysicsSimulator { objects, pipeline, report, settings, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             precise.read_bodies(objects, settings.gravity, step, report);
+            precise.stop_requested(objects);
             precise.import_joints(objects, step);
             report.counters.contacts_solved = precise.contacts_solved();
         }
@@ -166,7 +170,7 @@ impl PhysicsSimulator {
 
     /// Breaks joints whose error is beyond their breakpoint, before they act.
     fn break_precise_joints(&mut self, handler: &mut Handler<'_>) {
-        if !self.precise().may_break_joints() {
+        if !self.precise_engine().may_break_joints() {
             return;
         }
         let mut has_told = false;
@@ -210,7 +214,7 @@ impl PhysicsSimulator {
         }
         let mut at = 0;
         while handler.wants(|handler| handler.handles_joint_updates())
-            && let Some(joint) = self.precise().joint_at(at)
+            && let Some(joint) = self.precise_engine().joint_at(at)
         {
             self.call_handler(handler, |handler, context| handler.on_joint_updated(context, joint));
             at += 1;
@@ -220,9 +224,9 @@ impl PhysicsSimulator {
     /// Adds new pairs that filters and the handler accept.
     fn add_precise_pairs(&mut self, found: usize, handler: &mut Handler<'_>) {
         let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
-        let is_in_space = self.precise().has_depth();
+        let is_in_space = self.precise_engine().has_depth();
         for at in 0..found {
-            let (a, b) = self.precise().candidate_geoms(at);
+            let (a, b) = self.precise_engine().candidate_geoms(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
                 (Some(a), Some(b)) if is_in_space => filter.may_collide(a, b),
@@ -237,7 +241,7 @@ impl PhysicsSimulator {
                 }
             };
             if may_collide && (!asks_about_new || self.approves_pair(handler, a, b)) {
-                self.precise().add_candidate_pair(at);
+                self.precise_engine().add_candidate_pair(at);
             }
         }
     }
@@ -252,10 +256,10 @@ impl PhysicsSimulator {
 
     /// Asks the handler about every pair; refused pairs exert no impulse in this update.
     fn filter_precise_pairs(&mut self, handler: &mut Handler<'_>) {
-        for pair in 0..self.precise().pair_count() {
-            let (a, b) = self.precise().geoms_of(pair);
+        for pair in 0..self.precise_engine().pair_count() {
+            let (a, b) = self.precise_engine().geoms_of(pair);
             if !self.accepts_pair(handler, a, b) {
-                self.precise().disable_contact(pair);
+                self.precise_engine().disable_contact(pair);
             }
         }
     }
@@ -263,16 +267,17 @@ impl PhysicsSimulator {
     /// Reports contacts that began or ended. The handler is asked about all touching pairs with callbacks on a side, in
     /// the order of creation numbers, and may refuse each.
     fn report_contact_events(&mut self, handler: &mut Handler<'_>) {
-        let changes = self.precise().drain_touch_events();
-        self.report.counters.pairs_touching = self.precise().touching_count();
+        let changes = self.precise_engine().drain_touch_events();
+        self.report.counters.pairs_touching = self.precise_engine().touching_count();
+        self.report_typed_touches(&changes);
         if handler.get().is_none() {
-            for &((a, b), _) in changes.iter().filter(|(_, begins)| *begins) {
-                let contacts = self.precise().contacts_between((a, b));
+            for &TouchChange { geoms: (a, b), .. } in changes.iter().filter(|change| change.begins) {
+                let contacts = self.precise_engine().contacts_between((a, b));
                 for (this, other) in [(a, b), (b, a)] {
                     self.report.push(Event::Collision { this, other, contacts, vetoed: false });
                 }
             }
-            for &((a, b), _) in changes.iter().filter(|(_, begins)| !begins) {
+            for &TouchChange { geoms: (a, b), .. } in changes.iter().filter(|change| !change.begins) {
                 for (this, other) in [(a, b), (b, a)] {
                     self.report.push(Event::Separation { this, other });
                 }
@@ -280,7 +285,7 @@ impl PhysicsSimulator {
             return;
         }
         self.call_collision_handlers(handler, &changes);
-        for ((a, b), _) in changes.into_iter().filter(|(_, begins)| !begins) {
+        for TouchChange { geoms: (a, b), .. } in changes.into_iter().filter(|change| !change.begins) {
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Separation { this, other });
                 // A geom that does not exist any more has no callback.
@@ -293,39 +298,39 @@ impl PhysicsSimulator {
         }
     }
 
-    fn call_collision_handlers(&mut self, handler: &mut Handler<'_>, changes: &[((GeomId, GeomId), bool)]) {
+    fn call_collision_handlers(&mut self, handler: &mut Handler<'_>, changes: &[TouchChange]) {
         let mut contacts = std::mem::take(&mut self.pipeline.new_contacts);
-        let touching = self.precise().touching_pairs(changes);
+        let touching = self.precise_engine().touching_pairs(changes);
         for group in touching.chunk_by(|a, b| a.0 == b.0) {
             contacts.clear();
             for &(_, pair) in group {
                 contacts.extend(
-                    self.precise()
+                    self.precise_engine()
                         .arbiter_of_pair(pair as usize)
                         .into_iter()
                         .flat_map(|touching| touching.contacts()),
                 );
             }
-            let Some(first) = self.precise().arbiter_of_pair(group[0].1 as usize) else { continue };
+            let Some(first) = self.precise_engine().arbiter_of_pair(group[0].1 as usize) else { continue };
             let (a, b) = first.geoms;
             if !self.may_touch(a, b) {
-                group.iter().for_each(|&(_, pair)| self.precise().disable_contact(pair as usize));
+                group.iter().for_each(|&(_, pair)| self.precise_engine().disable_contact(pair as usize));
                 continue;
             }
-            let begins = changes.iter().any(|&(geoms, begins)| begins && geoms == (a, b));
+            let begins = changes.iter().any(|change| change.begins && change.geoms == (a, b));
             let mut surface = SurfaceOverride::default();
             let is_accepted = self.call_on_collision((a, b), begins, &mut contacts, &mut surface, handler)
                 && self.call_on_collision((b, a), begins, &mut contacts, &mut surface, handler);
             for &(_, pair) in group {
                 if is_accepted {
-                    self.precise().retain_contacts(pair as usize, &contacts);
-                    self.precise().override_surface(pair as usize, surface);
+                    self.precise_engine().retain_contacts(pair as usize, &contacts);
+                    self.precise_engine().override_surface(pair as usize, surface);
                 } else {
-                    self.precise().disable_contact(pair as usize);
+                    self.precise_engine().disable_contact(pair as usize);
                 }
             }
         }
-        self.precise().return_touching_buffer(touching);
+        self.precise_engine().return_touching_buffer(touching);
         self.pipeline.new_contacts = contacts;
     }
 
@@ -368,11 +373,13 @@ impl PhysicsSimulator {
     /// Reports sensors that a fast body crossed within the step.
     fn report_sensor_passthroughs(&mut self, handler: &mut Handler<'_>) {
         let mut at = 0;
-        while let Some((a, b)) = self.precise().sensor_passthrough(at) {
+        while let Some((a, b)) = self.precise_engine().sensor_passthrough(at) {
             at += 1;
-            if !self.may_touch(a, b) {
+            // Another convex piece may overlap the sensor already.
+            if !self.may_touch(a, b) || self.precise_engine().contacts_between((a, b)) > 0 {
                 continue;
             }
+            self.report_passage(a, b);
             for (this, other) in [(a, b), (b, a)] {
                 self.report.push(Event::Collision { this, other, contacts: 0, vetoed: false });
                 self.call_handler_of_side(handler, this, |handler, context| {

@@ -10,6 +10,7 @@
 
 use serde::{Deserialize, Deserializer, de::Error as _};
 
+use super::game_settings::GameSettings;
 use super::{PhysicsSimulator, Settings};
 use crate::broad_phase::BroadPhase;
 use crate::contacts::arbiter::ArbiterList;
@@ -54,7 +55,14 @@ pub struct SavedSimulator(PhysicsSimulator);
 impl<'de> Deserialize<'de> for SavedSimulator {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let SavedParts { settings, objects, contacts, pipeline } = SavedParts::deserialize(deserializer)?;
-        let simulator = PhysicsSimulator { settings, objects, contacts, pipeline, report: Report::default() };
+        let simulator = PhysicsSimulator {
+            settings,
+            objects,
+            contacts,
+            pipeline,
+            report: Report::default(),
+            game_settings: GameSettings::default(),
+        };
         simulator.check().map_err(D::Error::custom)?;
         Ok(SavedSimulator(simulator))
     }

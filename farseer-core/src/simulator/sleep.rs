@@ -1,7 +1,7 @@
 //! Islands, sleep, and reasons why bodies are awake.
 
 use super::PhysicsSimulator;
-use crate::body::BodyId;
+use crate::body::{Body, BodyId};
 use crate::report::{AwakeReason, Island};
 use farseer_precise::island_report::IslandResidual;
 
@@ -65,6 +65,37 @@ impl PhysicsSimulator {
     /// solver](Island::is_solved_whole) have no colour. None with the faithful set.
     pub fn rows_per_colour(&self) -> Vec<usize> {
         self.pipeline.precise.as_ref().map_or_else(Vec::new, |precise| precise.constraints_per_color())
+    }
+
+    /// Puts a body to sleep at the end of the next update, with all bodies that contacts, joints or springs connect with it
+    /// now. They stop where they are, and no force acts on them in that update. Bodies that do not allow it, or that touch a
+    /// moving one then, stay awake. No effect on bodies that sleep, on static and kinematic ones, and on stale ids.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// let (ball, _) = simulator.add_body(BodyBuilder::dynamic(), [GeomBuilder::circle(10.0)])?;
+    /// (0..30).for_each(|_| simulator.update(1.0 / 60.0));
+    /// simulator.sleep(ball);
+    /// simulator.update(1.0 / 60.0);
+    /// assert!(simulator.is_asleep(ball), "in mid-air");
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    pub fn sleep(&mut self, body: BodyId) {
+        let can_sleep = |body: &&Body| body.is_integrated() && !body.is_kinematic();
+        if self.pipeline.precise.is_none()
+            || self.is_asleep(body)
+            || self.objects.body(body).filter(can_sleep).is_none()
+        {
+            return;
+        }
+        let island = self.islands().into_iter().find(|island| island.bodies.contains(&body));
+        let members = island.map_or_else(|| vec![body], |island| island.bodies);
+        for member in members {
+            if let Some(member) = self.objects.body_mut(member) {
+                member.set_sleep_requested(true);
+            }
+        }
     }
 
     /// Wakes a body in the next update, with all bodies that fell asleep together with it. No effect on bodies that are

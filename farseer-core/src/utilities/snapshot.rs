@@ -142,7 +142,8 @@ impl PhysicsSimulator {
     /// [`Error::LimitExceeded`] for more than the limits allow. The simulator is unchanged then.
     #[inline]
     pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
-        *self = SIMULATOR.read::<SavedSimulator>(snapshot)?.load(self.limits())?;
+        let loaded = SIMULATOR.read::<SavedSimulator>(snapshot)?.load(self.limits())?;
+        self.replace_by(loaded);
         Ok(())
     }
 }

@@ -16,6 +16,7 @@ use crate::broad_phase::hash_grid::PackedAabb;
 use crate::math::lanes::gather;
 use crate::math::plane::{Vector, rotate, rotation};
 use crate::math::scalar::nearest_finite;
+use crate::narrow_phase::touch_event::WantedEvent;
 use crate::reusing_clone;
 use crate::scaled_parameters::{AabbMargin, Parameters};
 use crate::shape::{Shape, ShapeRef, VertexPool};
@@ -80,8 +81,11 @@ pub struct Proxy {
     /// Whether a handler of the game is called for contacts of the geom.
     pub is_reported: bool,
     /// Collision filter as five numbers: bit mask of the geom's categories, bit mask of the categories that it collides with,
-    /// group, 1 if collisions are enabled, and a counter of changes of the ignored geoms.
+    /// group, flags, and a counter of changes of the ignored geoms. Flags are 1: collisions are enabled, and 2: the masks of both
+    /// geoms must agree.
     pub filter: [i32; 5],
+    /// Events that the game wants of the geom, as bit flags: see [`WantedEvent`](crate::narrow_phase::touch_event::WantedEvent).
+    pub events: u8,
     /// Surface velocity of a static body, such as a conveyor belt: x and y in length units/s, rotation in radians/s, z in
     /// length units/s.
     pub surface_velocity: [f32; 4],
@@ -108,6 +112,7 @@ impl Proxy {
             responds: false,
             is_reported: false,
             filter: [0; 5],
+            events: 0,
             surface_velocity: [0.0; 4],
             one_way: None,
         }
@@ -119,17 +124,30 @@ impl Proxy {
         if self.is_world || other.is_world {
             return true;
         }
-        let [categories, collides_with, group, is_enabled, _] = self.filter;
-        let [other_categories, other_collides_with, other_group, other_is_enabled, _] = other.filter;
-        is_enabled != 0
-            && other_is_enabled != 0
+        let [categories, collides_with, group, flags, _] = self.filter;
+        let [other_categories, other_collides_with, other_group, other_flags, _] = other.filter;
+        let (is_met, meets) = (categories & other_collides_with != 0, other_categories & collides_with != 0);
+        let both_agree = (flags | other_flags) & 2 != 0;
+        flags & other_flags & 1 != 0
             && (group != other_group || group == 0)
-            && (categories & other_collides_with != 0 || other_categories & collides_with != 0)
+            && if both_agree { is_met && meets } else { is_met || meets }
     }
 
     /// Returns whether the proxy may stop a fast body, or is a sensor that reports it, though its body is awake and no bullet.
     pub(crate) fn may_stop(&self) -> bool {
         self.body_type != BodyType::Dynamic || !self.responds
+    }
+
+    /// Returns whether the game wants hits of the geom as events.
+    fn wants_hits(&self) -> bool {
+        self.events & WantedEvent::HIT != 0
+    }
+
+    /// Sets the wanted events, and keeps the number of proxies that want hits.
+    fn set_events(&mut self, events: u8, hit_count: &mut usize) {
+        *hit_count -= usize::from(self.wants_hits());
+        self.events = events;
+        *hit_count += usize::from(self.wants_hits());
     }
 
     /// Returns the index of the body if the proxy is a box about the origin of its body; else `None`.
@@ -157,6 +175,8 @@ pub struct Proxies {
     pub live_count: usize,
     /// Number of proxies with a one-way geom.
     pub one_way_count: usize,
+    /// Number of proxies whose geom wants hits as events.
+    pub hit_count: usize,
     /// Vertices and edge normals of all shapes.
     pub vertices: VertexPool,
     /// AABB of each shape in the frame of its body, without its radius: centre x, y, then half extents x, y, in length units.
@@ -177,7 +197,7 @@ pub struct Proxies {
 
 reusing_clone! {
     Proxies {
-        all, movable_end, first_fixed, live_count, one_way_count, vertices, local_aabbs, box_bodies, fat_aabbs, travel, refitted, heads, next
+        all, movable_end, first_fixed, live_count, one_way_count, hit_count, vertices, local_aabbs, box_bodies, fat_aabbs, travel, refitted, heads, next
     }
 }
 
@@ -328,6 +348,11 @@ impl Proxies {
         [half_x, half_y]
     }
 
+    /// Sets the [wanted events](Proxy::events) of a proxy.
+    pub fn set_events(&mut self, at: ProxyIndex, events: u8) {
+        self.all[at].set_events(events, &mut self.hit_count);
+    }
+
     /// Returns the shape of a proxy, in the frame of its body.
     #[inline]
     pub(crate) fn shape_of(&self, proxy: ProxyIndex) -> ShapeRef<'_> {
@@ -337,7 +362,7 @@ impl Proxies {
     /// Removes all proxies.
     pub fn clear(&mut self) {
         self.all.clear();
-        (self.live_count, self.one_way_count) = (0, 0);
+        (self.live_count, self.one_way_count, self.hit_count) = (0, 0, 0);
         self.vertices.clear();
         self.local_aabbs.clear();
         self.box_bodies.clear();
@@ -379,6 +404,7 @@ impl Proxies {
         self.travel.push(0);
         self.live_count += usize::from(!proxy.is_empty());
         self.one_way_count += usize::from(proxy.one_way.is_some());
+        self.hit_count += usize::from(proxy.wants_hits());
     }
 
     /// Adds a proxy without a fat AABB at the free position `place`, or behind the others of its type if that is `None`. Returns its
@@ -395,6 +421,7 @@ impl Proxies {
             self.box_bodies[at] = proxy.box_body();
             (self.movable_end, self.live_count) = (self.movable_end.max(at.next()), self.live_count + 1);
             self.one_way_count += usize::from(proxy.one_way.is_some());
+            self.hit_count += usize::from(proxy.wants_hits());
         } else {
             return None;
         }
@@ -423,6 +450,7 @@ impl Proxies {
             None => self.heads[body] = next,
         }
         self.one_way_count -= usize::from(self.all[at].one_way.is_some());
+        self.hit_count -= usize::from(self.all[at].wants_hits());
         (self.all[at], self.local_aabbs[at], self.fat_aabbs[at]) = (Proxy::empty(), [0.0; 4], UNBOUNDED_AABB);
         self.box_bodies[at] = None;
         self.live_count -= 1;

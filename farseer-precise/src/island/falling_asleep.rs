@@ -96,16 +96,21 @@ pub struct RestDetector<'a> {
 impl RestDetector<'_> {
     /// Lists in `falling_asleep` the bodies of islands that have been at rest for [`TIME_TO_SLEEP`], ascending, and gives each
     /// awake body the rest time of its island. `springs`: body indices at both ends of each enabled spring, 0 for the world.
+    /// `requested`: awake bodies whose islands fall asleep at once, if all other bodies of the island are at rest.
     pub fn list_falling_asleep(
         &self,
         sleep: &mut SleepState,
         springs: impl Iterator<Item = [BodyIndex; 2]> + Clone,
+        requested: &[BodyIndex],
     ) {
         let mut islands = std::mem::take(&mut sleep.islands);
         let links = self.joints.body_pairs().chain(springs.clone());
         unite_islands(&mut islands, self.bodies, self.proxies, self.pairs, links);
         let mut min_rest_time = std::mem::take(&mut sleep.min_rest_time);
         self.find_min_rest_time(sleep, springs, &mut islands, &mut min_rest_time);
+        if !requested.is_empty() {
+            self.complete_rest_time(sleep, requested, &mut islands, &mut min_rest_time);
+        }
         let mut falling_asleep = std::mem::take(&mut sleep.falling_asleep);
         falling_asleep.clear();
         falling_asleep.extend(
@@ -117,6 +122,31 @@ impl RestDetector<'_> {
             rest >= TIME_TO_SLEEP
         });
         (sleep.islands, sleep.min_rest_time, sleep.falling_asleep) = (islands, min_rest_time, falling_asleep);
+    }
+
+    /// Sets the rest times of the islands of the `requested` bodies to [`TIME_TO_SLEEP`], where all of their other bodies are at
+    /// rest.
+    fn complete_rest_time(
+        &self,
+        sleep: &SleepState,
+        requested: &[BodyIndex],
+        islands: &mut UnionFind<BodyIndex>,
+        min_rest_time: &mut IndexedVec<BodyIndex, f32>,
+    ) {
+        let mut is_requested = IndexedVec::<BodyIndex, bool>::of_copies(false, self.bodies.states.len());
+        requested.iter().for_each(|&body| is_requested[body] = true);
+        let mut is_restless = IndexedVec::<BodyIndex, bool>::of_copies(false, self.bodies.states.len());
+        for body in sleep.awake_bodies(self.bodies.last_movable) {
+            if !is_requested[body] && sleep.rest_time[body] <= 0.0 && !self.bodies.is_kinematic(body) {
+                is_restless[islands.find(body)] = true;
+            }
+        }
+        for &body in requested {
+            let island = islands.find(body);
+            if !is_restless[island] {
+                min_rest_time[island] = TIME_TO_SLEEP;
+            }
+        }
     }
 
     /// Computes the rest time of each island: the smallest rest time of its bodies, and 0 if a drive moves one of them.

@@ -21,6 +21,7 @@ pub mod contact_recycling;
 pub mod flush_geoms;
 pub mod ghost_filter;
 pub mod handler_changes;
+pub mod hits;
 pub mod kinematic_sweep;
 pub mod manifold;
 pub mod one_way;
@@ -52,7 +53,7 @@ use build_constraint::transfer_friction_impulse;
 use kinematic_sweep::ApproachDistances;
 pub(crate) use stage::ProxyPair;
 pub use stage::{NarrowPhase, NarrowPhaseStats};
-pub use touch_event::TouchEvent;
+pub use touch_event::{TouchEvent, TouchKind, WantedEvent};
 
 impl<'a> NarrowPhase<'a> {
     /// Returns the proxies of a pair with the present poses of their bodies.

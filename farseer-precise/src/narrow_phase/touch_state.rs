@@ -1,7 +1,7 @@
 //! Narrow phase: decides when a pair begins and ceases to touch, and collects the touch events for the game.
 
 use super::stage::{NarrowPhase, ProxyPair};
-use super::touch_event::TouchEvent;
+use super::touch_event::{TouchEvent, TouchKind};
 use crate::broad_phase::pairs::UPDATED_BY_SOLVER;
 use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::index::PairIndex;
@@ -94,10 +94,8 @@ impl NarrowPhase<'_> {
     /// Emits an event that a pair begins or ceases to touch, and stores the new touch state in the pair.
     pub(crate) fn emit_touch_event(&mut self, pair: PairIndex, begins: bool) {
         self.pairs.set_touching(pair, begins);
-        let sides = self.pairs.proxies_of(pair).map(|proxy| {
-            let proxy = self.proxies.proxy(proxy);
-            (proxy.creation_number, proxy.owner)
-        });
-        self.touch_events.push(TouchEvent::new(sides, begins));
+        let proxies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
+        let sides = proxies.map(|proxy| (proxy.creation_number, proxy.owner));
+        self.touch_events.push(TouchEvent::new(sides, begins, TouchKind::of_proxies(proxies)));
     }
 }

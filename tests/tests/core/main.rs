@@ -1,6 +1,7 @@
 //! The 2D engine: the checks of the behaviour chapters, and further properties.
 
 mod box_not_finite;
+mod builders;
 mod chapter_02_bodies;
 mod chapter_03_contacts;
 mod chapter_04_simulator;
@@ -87,5 +88,6 @@ mod snapshots;
 mod solver_reference;
 mod sweep_reference;
 mod timings;
+mod typed_events;
 mod typed_ids;
 mod world_queries;

@@ -29,7 +29,7 @@ use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::direct_solver::{IslandHistory, ReselectionTimer};
 use farseer_precise::index::IndexedVec;
 use farseer_precise::math::plane::Vector;
-use farseer_precise::narrow_phase::TouchEvent;
+use farseer_precise::narrow_phase::{TouchEvent, TouchKind};
 use farseer_precise::scaled_parameters::Parameters;
 use farseer_precise::surface::FrictionType;
 
@@ -148,8 +148,9 @@ struct ImportedState {
     /// (dimensionless).
     #[serde(rename = "contacts")]
     contact_properties: [f32; 8],
-    /// Collision filter: masks of the own and of the colliding categories, group, whether collision is enabled, number of
-    /// changes of the ignored geoms, and whether contacts respond (flags: 0 or 1).
+    /// Collision filter: masks of the own and of the colliding categories, group, flags (1: collision is enabled, 2: both
+    /// geoms must agree), number of changes of the ignored geoms. The last number has further flags. 1: contacts respond; then
+    /// follow the bits of the wanted events.
     filter: [i32; 6],
     /// Outward direction of the solid side of a one-way geom, a unit vector in the frame of its body; else `None`.
     one_way: Option<Vector>,
@@ -162,8 +163,9 @@ struct ImportedState {
 struct SavedTouchEvent {
     /// Creation numbers of the two geoms, the smaller one first.
     numbers: (u32, u32),
-    /// Whether the touch begins; false if it ends.
-    begins: bool,
+    /// Whether the touch begins (bit 0), and the [number](TouchKind::code) of its kind (further bits): bit flags.
+    #[serde(rename = "begins")]
+    flags: u8,
     geoms: (GeomId, GeomId),
 }
 
@@ -171,13 +173,15 @@ impl SavedTouchEvent {
     /// Returns the saved form of an event.
     fn of(event: &TouchEvent) -> Self {
         let [one, other] = event.owners.map(GeomId::from_bits);
-        SavedTouchEvent { numbers: event.numbers, begins: event.begins, geoms: (one, other) }
+        let flags = u8::from(event.begins) | event.kind.code() << 1;
+        SavedTouchEvent { numbers: event.numbers, flags, geoms: (one, other) }
     }
 
     /// Returns the event.
     fn event(&self) -> TouchEvent {
         let owners = [owner_of(self.geoms.0), owner_of(self.geoms.1)];
-        TouchEvent { numbers: self.numbers, begins: self.begins, owners }
+        let kind = TouchKind::of_code(self.flags >> 1);
+        TouchEvent { numbers: self.numbers, begins: self.flags & 1 != 0, kind, owners }
     }
 }
 

@@ -11,6 +11,7 @@ use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::body_import::velocity_of;
+use crate::precise::changed_kinds::ChangedKinds;
 use crate::precise::ids::{geom_of, owner_of};
 use crate::precise::import::reset_one_way_states;
 use crate::precise::sleeping_joints::drop_joints_of_awake;
@@ -18,10 +19,11 @@ use crate::storage::order::sort_by_number;
 use farseer_precise::broad_phase::pair_finder::order_pair;
 use farseer_precise::broad_phase::pairs::OneWayState;
 use farseer_precise::broad_phase::pairs::{CachedManifold, UPDATED_BY_SOLVER};
+use farseer_precise::broad_phase::proxies::Proxies;
 use farseer_precise::constraint_graph::saved_constraint::SavedConstraint;
 use farseer_precise::depth::feature_gate::FeatureGate;
 use farseer_precise::index::{BodyIndex, IndexedVec, PairIndex, ProxyIndex};
-use farseer_precise::narrow_phase::TouchEvent;
+use farseer_precise::narrow_phase::{TouchEvent, TouchKind};
 
 impl From<Saved> for Precise {
     fn from(saved: Saved) -> Self {
@@ -59,6 +61,7 @@ impl Precise {
         };
         let stays: Vec<_> = saved.pairs.iter().map(remaining).collect();
         self.restore_touch_events(saved, |at| stays[at].is_none());
+        note_changed_kinds(saved, &stays, &self.solver.proxies, &mut self.changed_kinds);
         let lost = saved.pairs.iter().zip(&stays);
         for (pair, _) in lost.filter(|(pair, stays)| stays.is_none() && pair.constraint.is_some()) {
             self.record_lost_constraint(pair, &current_proxies);
@@ -91,7 +94,8 @@ impl Precise {
         let ended = saved.pairs.iter().enumerate().filter(|&(at, pair)| pair.is_touching && is_lost(at));
         self.solver.touch_events.extend(ended.map(|(_, pair)| {
             let sides = pair.proxies.map(|proxy| &saved.proxies[proxy]);
-            TouchEvent::new(sides.map(|proxy| (proxy.number, owner_of(proxy.geom))), false)
+            let kind = saved_touch_kind(sides);
+            TouchEvent::new(sides.map(|proxy| (proxy.number, owner_of(proxy.geom))), false, kind)
         }));
     }
 
@@ -255,8 +259,9 @@ impl Precise {
         if edits == EditPolicy::Defer && then.filter != now.filter {
             let [filter @ .., responds] = then.filter;
             let proxy = self.solver.proxies.proxy_mut(proxy_index);
-            (proxy.filter, proxy.responds) = (filter, responds != 0);
+            (proxy.filter, proxy.responds) = (filter, responds & 1 != 0);
             self.edits.geoms.push(geom_of(proxy));
+            self.solver.proxies.set_events(proxy_index, (responds >> 1) as u8);
             now.filter = then.filter;
         }
         if edits == EditPolicy::Defer {
@@ -323,6 +328,30 @@ impl Precise {
         }
         constraint.map(|row| (pair, row))
     }
+}
+
+/// Notes the pairs that touch and whose typed event has another kind now: one of the geoms was made a sensor or an ordinary geom,
+/// or wants other events. `stays`: current proxies of each saved pair that still exists.
+fn note_changed_kinds(
+    saved: &Saved,
+    stays: &[Option<[ProxyIndex; 2]>],
+    proxies: &Proxies,
+    changed: &mut ChangedKinds,
+) {
+    for (pair, now) in saved.pairs.iter().zip(stays).filter(|(pair, _)| pair.is_touching) {
+        let Some(now) = now.map(|now| now.map(|proxy| proxies.proxy(proxy))) else { continue };
+        let before = saved_touch_kind(pair.proxies.map(|proxy| &saved.proxies[proxy]));
+        let after = TouchKind::of_proxies(now);
+        if before != after {
+            changed.note(now.map(|proxy| (proxy.creation_number, geom_of(proxy))), before, after);
+        }
+    }
+}
+
+/// Returns the kind of the typed event of two saved proxies.
+fn saved_touch_kind(sides: [&SavedProxy; 2]) -> TouchKind {
+    let [a, b] = sides.map(|proxy| proxy.imported.filter[5]);
+    TouchKind::of(sides.map(|side| (side.number, side.imported.filter[5] & 1 != 0)), ((a | b) >> 1) as u8)
 }
 
 impl SavedManifold {

@@ -141,6 +141,7 @@ impl Precise {
             surface_velocity,
             filter,
             responds,
+            events,
             one_way,
             fingerprint,
             ..
@@ -151,7 +152,7 @@ impl Precise {
         ImportedState {
             pose: self.pose_of(body),
             contact_properties: [mass, inertia, vx, vy, spin, vz, friction, restitution],
-            filter: [is, with, group, enabled, ignores, i32::from(responds)],
+            filter: [is, with, group, enabled, ignores, i32::from(responds) | i32::from(events) << 1],
             one_way,
             fingerprint,
         }

@@ -1,0 +1,236 @@
+//! The description of a geom.
+
+use super::geom_shape::GeomShape;
+use crate::Result;
+use crate::geom::options::WantedEvents;
+use crate::math::Vector2;
+use crate::math::finite::{finite, finite_vector, zero_or_more};
+use crate::methods::{CollisionCategory, Methods};
+
+/// Friction coefficient of geoms that a builder describes, dimensionless: that of Box2D and of most solid things.
+const FRICTION: f32 = 0.6;
+
+/// Describes a geom for [`add_body`](crate::Objects::add_body) and [`add_geom`](crate::Objects::add_geom): a shape on a body, and
+/// how it collides.
+///
+/// | | geoms of a builder | geoms of Farseer's factories |
+/// |---|---|---|
+/// | friction | 0.6 | 0 |
+/// | two geoms collide if | both masks have a category of the other | one mask has |
+/// | typed [events](crate::Event) | touches and sensors | none |
+/// | a sensor | on a body of any kind | makes its body static |
+/// | mass | of the body, by density | given with the body |
+///
+/// ```
+/// use farseer_core::{BodyBuilder, CollisionCategory, Event, GeomBuilder, PhysicsSimulator};
+/// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+/// const PLAYER: CollisionCategory = CollisionCategory::CAT1;
+/// const COIN: CollisionCategory = CollisionCategory::CAT2;
+/// // A coin that floats, and that only the player collects.
+/// let coin = GeomBuilder::circle(8.0).sensor(true).categories(COIN).collides_with(PLAYER);
+/// let (_, [coin]) = simulator.add_body(BodyBuilder::fixed().position([0.0, 50.0]), [coin])?;
+/// let (_, [hero]) = simulator.add_body(BodyBuilder::dynamic(), [GeomBuilder::capsule(40.0, 8.0).categories(PLAYER)])?;
+/// let mut collected = 0;
+/// for _ in 0..60 {
+///     simulator.update(1.0 / 60.0);
+///     let began = Event::SensorBegin { sensor: coin, visitor: hero };
+///     collected += simulator.events().iter().filter(|&&event| event == began).count();
+/// }
+/// assert_eq!(collected, 1);
+/// # Ok::<(), farseer_core::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[must_use]
+pub struct GeomBuilder {
+    pub(super) shape: GeomShape,
+    pub(super) offset: Vector2,
+    pub(super) rotation_offset: f32,
+    pub(super) density: Option<f32>,
+    pub(super) mass: Option<f32>,
+    pub(super) friction: f32,
+    pub(super) restitution: f32,
+    pub(super) categories: CollisionCategory,
+    pub(super) collides_with: CollisionCategory,
+    pub(super) group: i32,
+    pub(super) is_sensor: bool,
+    /// `None`: as the methods have them.
+    pub(super) events: Option<WantedEvents>,
+    pub(super) one_way: Option<Vector2>,
+    pub(super) user_data: u64,
+}
+
+/// Shapes.
+impl GeomBuilder {
+    fn new(shape: GeomShape) -> Self {
+        GeomBuilder {
+            shape,
+            offset: Vector2::zeros(),
+            rotation_offset: 0.0,
+            density: None,
+            mass: None,
+            friction: FRICTION,
+            restitution: 0.0,
+            categories: CollisionCategory::ALL,
+            collides_with: CollisionCategory::ALL,
+            group: 0,
+            is_sensor: false,
+            events: None,
+            one_way: None,
+            user_data: 0,
+        }
+    }
+
+    /// A rectangle about its middle; `width` and `height` in length units, greater than 0.
+    #[doc(alias("box", "cuboid"))]
+    pub fn rectangle(width: f32, height: f32) -> Self {
+        GeomBuilder::new(GeomShape::Rectangle { width, height })
+    }
+
+    /// A circle about its middle; `radius` in length units, greater than 0.
+    #[doc(alias("ball", "disc"))]
+    pub fn circle(radius: f32) -> Self {
+        GeomBuilder::new(GeomShape::Circle { radius })
+    }
+
+    /// An upright capsule about its middle, in length units: `height` from tip to tip, `end_radius` greater than 0 and less than
+    /// half of the height.
+    pub fn capsule(height: f32, end_radius: f32) -> Self {
+        GeomBuilder::new(GeomShape::Capsule { height, end_radius })
+    }
+
+    /// A polygon, convex or not, given by its corners in length units, in either direction, without crossings. They stay where
+    /// they are: the outline is not moved to its middle.
+    pub fn polygon(corners: impl IntoIterator<Item = impl Into<Vector2>>) -> Self {
+        GeomBuilder::new(GeomShape::Polygon { corners: corners.into_iter().map(Into::into).collect() })
+    }
+
+    /// A chain of edges for terrain, in length units, on a static body: points from left to right make a floor. It is closed if
+    /// the last point is the first. See [`create_chain_geom`](crate::GeomFactory::create_chain_geom). Only with the precise set.
+    #[doc(alias("polyline", "edge"))]
+    pub fn chain(points: impl IntoIterator<Item = impl Into<Vector2>>) -> Self {
+        GeomBuilder::new(GeomShape::Chain { points: points.into_iter().map(Into::into).collect() })
+    }
+}
+
+/// Place and properties.
+impl GeomBuilder {
+    /// Place of the shape's origin on the body, in length units. Default the body's origin. The
+    /// [rotation offset](Self::rotation_offset) does not turn it, other than that of a [`GeomPlacement`](crate::GeomPlacement).
+    pub fn offset(mut self, offset: impl Into<Vector2>) -> Self {
+        self.offset = offset.into();
+        self
+    }
+
+    /// Rotation of the shape on the body, in radians, about the shape's origin. Default 0.
+    pub fn rotation_offset(mut self, rotation_offset: f32) -> Self {
+        self.rotation_offset = rotation_offset;
+        self
+    }
+
+    /// Mass per area, in mass units per square of a user's length unit, 0 or more. By default a square with sides of one length
+    /// unit of the methods (32 px, or 1 m) has mass 1; sensors and chains have none.
+    pub fn density(mut self, density: f32) -> Self {
+        (self.density, self.mass) = (Some(density), None);
+        self
+    }
+
+    /// Mass of the geom in mass units, 0 or more, instead of a density.
+    pub fn mass(mut self, mass: f32) -> Self {
+        (self.mass, self.density) = (Some(mass), None);
+        self
+    }
+
+    /// Friction coefficient, dimensionless, 0 or more. Default 0.6. The mean of both geoms acts, unless
+    /// [`set_friction_type`](crate::PhysicsSimulator::set_friction_type) says otherwise.
+    pub fn friction(mut self, friction: f32) -> Self {
+        self.friction = friction;
+        self
+    }
+
+    /// Restitution coefficient, dimensionless, usually 0 to 1. Default 0. The mean of both geoms acts.
+    pub fn restitution(mut self, restitution: f32) -> Self {
+        self.restitution = restitution;
+        self
+    }
+
+    /// The categories that the geom belongs to. Default all.
+    #[doc(alias("membership", "collision_categories"))]
+    pub fn categories(mut self, categories: CollisionCategory) -> Self {
+        self.categories = categories;
+        self
+    }
+
+    /// The categories that the geom collides with. Two geoms collide only if **both** masks have a category of the other; one of
+    /// them being of a builder is enough. Default all.
+    #[doc(alias("mask", "filter"))]
+    pub fn collides_with(mut self, collides_with: CollisionCategory) -> Self {
+        self.collides_with = collides_with;
+        self
+    }
+
+    /// Group number: geoms of the same group do not collide; 0, the default, is no group.
+    #[doc(alias = "collision_group")]
+    pub fn group(mut self, group: i32) -> Self {
+        self.group = group;
+        self
+    }
+
+    /// Makes the geom a sensor: it has events and no contacts, on a body of any kind. Default false.
+    pub fn sensor(mut self, is_sensor: bool) -> Self {
+        self.is_sensor = is_sensor;
+        self
+    }
+
+    /// The typed events of the geom. Default touches and sensors with the precise set; hits are on demand. Only with the precise
+    /// set.
+    pub fn events(mut self, events: WantedEvents) -> Self {
+        self.events = Some(events);
+        self
+    }
+
+    /// Makes the geom [one-way](crate::Objects::set_one_way): it stops bodies that come against this direction, given on the
+    /// body. (0, -1) is up. Only with the precise set.
+    pub fn one_way(mut self, direction: impl Into<Vector2>) -> Self {
+        self.one_way = Some(direction.into());
+        self
+    }
+
+    /// The number of the game that [`Geom::tag`](crate::Geom::tag) returns. Default 0.
+    pub fn user_data(mut self, user_data: u64) -> Self {
+        self.user_data = user_data;
+        self
+    }
+
+    /// The place of the shape on the body, for queries: offset in length units, and rotation in radians.
+    #[cfg(feature = "precise")]
+    pub(crate) fn offset_and_rotation(&self) -> Result<(Vector2, f32)> {
+        Ok((finite_vector("offset", self.offset)?, finite("rotation_offset", self.rotation_offset)?))
+    }
+
+    /// The convex pieces of the shape, for queries.
+    #[cfg(feature = "precise")]
+    pub(crate) fn pieces(&self) -> Result<std::sync::Arc<[farseer_precise::pieces::Piece]>> {
+        let (mut corners, outline) = self.shape.outline()?;
+        if !outline.is_chain() {
+            corners.force_counter_clockwise_order();
+        }
+        Ok(crate::geom::pieces::pieces_of(&corners, outline))
+    }
+
+    /// Refuses values that are not possible, and options that the methods do not have. The shape is checked when it is made.
+    pub(super) fn check(&self, methods: Methods) -> Result<()> {
+        finite_vector("offset", self.offset)?;
+        finite("rotation_offset", self.rotation_offset)?;
+        self.density.map(|density| zero_or_more("density", density)).transpose()?;
+        self.mass.map(|mass| zero_or_more("mass", mass)).transpose()?;
+        zero_or_more("friction", self.friction)?;
+        zero_or_more("restitution", self.restitution)?;
+        if self.one_way.is_some() {
+            methods.check_one_way()?;
+        }
+        if self.events.is_some_and(|events| events != WantedEvents::NONE) {
+            methods.only_precise("typed events")?;
+        }
+        if self.shape.is_chain() { methods.check_chains() } else { Ok(()) }
+    }
+}
