@@ -545,6 +545,8 @@ mod path;
 mod pipeline;
 #[cfg_attr(not(feature = "precise"), path = "no_precise.rs")]
 mod precise;
+#[cfg(feature = "precise")]
+mod queries;
 mod report;
 mod simulator;
 mod springs;
@@ -587,13 +589,15 @@ pub use path::{
     ComplexFactory, Curve, CurveContinuity, CurveKey, CurveKeyCollection, CurveLoopType, CurveTangent,
     LinkType, Path,
 };
+#[cfg(feature = "precise")]
+pub use queries::{Explosion, NearestPoint, QueryFilter};
 pub use report::{AwakeReason, Event, Hit, Island, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
 #[cfg(feature = "space")]
 pub use simulator::depth;
 pub use simulator::{
-    Context, EventHandler, ExternalConstraints, PhysicsSimulator, SavedSimulator, SolverBodiesView,
-    UserController,
+    BodyContact, Context, EventHandler, ExternalConstraints, PhysicsSimulator, SavedSimulator,
+    SolverBodiesView, UserController,
 };
 pub use springs::{
     AngleSpring, FixedAngleSpring, FixedLinearSpring, LinearSpring, Spring, SpringId, SpringKind, SpringType,
@@ -601,8 +605,8 @@ pub use springs::{
 pub use storage::rejected_arguments::{ArgumentNames, RejectedArguments};
 pub use utilities::{
     BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,
-    FluidHandler, InterpolatedPose, MapId, MousePicker, ObjectHandler, SecondaryMap, SeparationHandler,
-    Subscription, snapshot,
+    FixedStepRunner, FluidHandler, InterpolatedPose, MapId, MousePicker, ObjectHandler, SecondaryMap,
+    SeparationHandler, Subscription, snapshot,
 };
 
 /// The example of the README is run with those of the documentation.

@@ -69,6 +69,17 @@ impl Body {
         }
     }
 
+    /// Adds an impulse at a point of the world: it changes the velocity at the next update, and the angular velocity at once.
+    /// Ours: the original has such a call for forces only.
+    pub fn apply_impulse_at_world_point(&mut self, amount: Vector2, point: Vector2) {
+        let arm = point - self.position;
+        let turning = arm.x * amount.y - arm.y * amount.x;
+        if self.accepts_vector("amount", self.impulse + amount) && self.accepts("point", turning) {
+            self.apply_impulse(amount);
+            self.apply_angular_impulse(turning);
+        }
+    }
+
     /// Changes the angular velocity at once by `amount` times the inverse moment of inertia. `amount` is in mass units
     /// · length units²/s.
     #[doc(alias = "ApplyAngularImpulse")]

@@ -1,11 +1,15 @@
 //! Adds what builders describe.
 
 use super::body_builder::Kind;
+use super::geom_shape::GeomShape;
 use super::mass::{MassProperties, of_geoms};
 use super::{BodyBuilder, GeomBuilder};
 use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
+use crate::geom::entry::GeomEntry;
 use crate::geom::options::WantedEvents;
+use crate::geom::outline::Outline;
+use crate::math::finite::positive;
 use crate::math::{Vector2, scalar};
 use crate::object_id::ObjectId;
 use crate::objects::{GeomPlacement, Objects};
@@ -98,6 +102,40 @@ impl Objects {
         Ok(())
     }
 
+    /// Sets mass and moment of inertia of a body from its geoms with one density, in mass units per square of a user's length
+    /// unit. Sensors and chains have no mass. The body's position stays the point about which it turns.
+    ///
+    /// ```
+    /// use farseer_core::{Body, GeomFactory, GeomPlacement, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// let body = simulator.create_body(Body::new());
+    /// GeomFactory::create_rectangle_geom_in(&mut simulator, body, 4.0, 3.0, GeomPlacement::default())?;
+    /// simulator.set_density(body, 2.0)?;
+    /// assert_eq!((simulator[body].mass(), simulator[body].moment_of_inertia()), (24.0, 50.0));
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stale id; a density that is not finite and greater than 0; a body without a geom that has an area.
+    pub fn set_density(&mut self, body: BodyId, density: f32) -> Result<()> {
+        let density = f64::from(positive("density", density)?);
+        let owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        let solid = owner.geoms.iter().map(|&geom| &self.geoms[geom]);
+        let solid = solid.filter(|geom| geom.geom.collision_response_enabled());
+        let parts: Vec<MassProperties> = solid.map(mass_of_geom).collect::<Result<_>>()?;
+        let sum = MassProperties::sum(&parts);
+        let sum = about_origin(sum.with_mass(sum.mass * density));
+        if sum.mass <= 0.0 {
+            return Err(Error::invalid("body", body, "one with a geom that has an area"));
+        }
+        let changed = &mut self[body];
+        let former = changed.mass();
+        changed.set_mass(sum.mass as f32)?;
+        changed
+            .set_moment_of_inertia(sum.inertia as f32)
+            .or_else(|error| changed.set_mass(former).and(Err(error)))
+    }
+
     /// Returns the body that a builder describes, and its centre of mass in the builder's coordinates.
     fn body_of_builder(&self, builder: &BodyBuilder, geoms: &[GeomBuilder]) -> Result<(Body, Vector2)> {
         let mut body = Body::new();
@@ -172,6 +210,22 @@ impl Objects {
         settings.set_tag(geom.user_data);
         Ok(id)
     }
+}
+
+/// Returns the mass properties of a geom with density 1, in the coordinates of its body.
+fn mass_of_geom(geom: &GeomEntry) -> Result<MassProperties> {
+    let corners = geom.local_vertices.to_vec();
+    let shape = match geom.outline {
+        Outline::Circle { radius } => GeomShape::Circle { radius },
+        Outline::Capsule { height, end_radius } => GeomShape::Capsule { height, end_radius },
+        Outline::Chain { .. } => GeomShape::Chain { points: corners },
+        Outline::Polygon => GeomShape::Polygon { corners },
+    };
+    // The original turns an offset along with the outline.
+    let (sine, cosine) = scalar::sin_cos(geom.rotation_offset);
+    let [x, y] = [geom.offset.x, geom.offset.y];
+    let at = [cosine * x - sine * y, sine * x + cosine * y].map(f64::from);
+    Ok(shape.of_density_1()?.placed(at, f64::from(geom.rotation_offset)))
 }
 
 /// Returns the mass properties about the origin.

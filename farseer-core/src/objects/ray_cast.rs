@@ -89,6 +89,17 @@ impl Objects {
         geoms.iter().copied().filter(overlaps).collect()
     }
 
+    /// The first hit of a ray from `start` to `end` on the polygon of a geom, with the fraction in double precision.
+    #[cfg(feature = "precise")]
+    pub(crate) fn first_hit_of_ray(
+        &self,
+        start: Vector2,
+        end: Vector2,
+        geom: GeomId,
+    ) -> Option<(f64, RayCastHit)> {
+        self.first_hit(&Ray::new(start, end)?, geom)
+    }
+
     /// The first hit of a ray on a geom, with the fraction in double precision.
     fn first_hit(&self, ray: &Ray, id: GeomId) -> Option<(f64, RayCastHit)> {
         if self.is_disposed(id) {

@@ -56,14 +56,16 @@ mod world_boxes;
 use serde::Deserialize;
 
 use crate::body::BodyId;
+use crate::contacts::arbiter::ArbiterRef;
 use crate::geom::GeomId;
 use crate::methods::Methods;
 use crate::objects::Objects;
 use crate::report::{Event, Hit};
 use changed_kinds::ChangedKinds;
 use farseer_precise::Solver;
+use farseer_precise::bodies::BodySet;
 pub(crate) use farseer_precise::depth::state::DepthState;
-use farseer_precise::index::BodyIndex;
+use farseer_precise::index::{BodyIndex, DenseIndex};
 use farseer_precise::narrow_phase::hits::PieceHit;
 use farseer_precise::reusing_clone;
 pub(crate) use farseer_precise::scaled_parameters::StepContext;
@@ -110,6 +112,19 @@ reusing_clone! {
     }
 }
 
+/// Scales velocity and forces of a body if it would be faster than `largest` after the forces of this step, length units/s.
+fn limit_speed(bodies: &mut BodySet, body: BodyIndex, largest: f32, substeps: f32) {
+    let ([x, y, ..], [dx, dy, ..]) = (bodies.states[body].velocity, bodies.force_delta[body]);
+    let [x, y] = [x + dx * substeps, y + dy * substeps].map(f64::from);
+    let speed = (x * x + y * y).sqrt();
+    if speed > f64::from(largest) {
+        let share = (f64::from(largest) / speed) as f32;
+        let lists = [&mut bodies.initial_velocity, &mut bodies.force_delta, &mut bodies.force_position_delta];
+        lists.into_iter().for_each(|list| (0..2).for_each(|axis| list[body][axis] *= share));
+        (0..2).for_each(|axis| bodies.states[body].velocity[axis] *= share);
+    }
+}
+
 impl Precise {
     /// Returns an empty engine state. `length_unit`: length unit of [`Methods::Precise`](crate::Methods), in the user's unit of
     /// length, > 0.
@@ -141,6 +156,24 @@ impl Precise {
     /// Stops the bodies that are to sleep after this step.
     pub(crate) fn stop_requested(&mut self, objects: &Objects) {
         self.sleep_options.stop_requested(&mut self.solver, &self.ids, objects);
+    }
+
+    /// Returns the arbiters of the pairs of a body that touch. None for a body that is not listed.
+    pub(crate) fn arbiters_of(&self, body: BodyId) -> Vec<ArbiterRef<'static>> {
+        let Some(index) = self.ids.body_index(body) else { return Vec::new() };
+        let pairs = self.solver.pairs.pairs_of_body(&self.solver.proxies, index);
+        pairs.filter_map(|pair| self.arbiter_of_pair(pair.position())).collect()
+    }
+
+    /// Scales the velocities and forces of the awake dynamic bodies that would be faster than `largest` in this step, length
+    /// units/s.
+    pub(crate) fn limit_speeds(&mut self, largest: f32, step: &StepContext) {
+        let Solver { bodies, sleep, .. } = &mut self.solver;
+        for body in sleep.awake_bodies(bodies.last_movable) {
+            if bodies.is_dynamic(body) {
+                limit_speed(bodies, body, largest, step.substeps as f32);
+            }
+        }
     }
 
     /// Appends the hits of this step that are faster than `min_speed` (length units/s): see [`list_hits`].

@@ -1,6 +1,7 @@
 //! The simulator: owns all objects and steps them (behaviour chapter 04).
 
 mod apply_edits;
+mod body_contacts;
 mod callbacks;
 mod collide;
 mod contacts;
@@ -44,6 +45,7 @@ use farseer_precise::surface::FrictionType;
 
 use game_settings::GameSettings;
 
+pub use body_contacts::BodyContact;
 pub use context::Context;
 pub use handler::EventHandler;
 pub use save::SavedSimulator;

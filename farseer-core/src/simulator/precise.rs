@@ -159,10 +159,13 @@ impl PhysicsSimulator {
     }
 
     fn load_bodies_and_joints(&mut self, step: &StepContext) {
-        let PhysicsSimulator { objects, pipeline, report, settings, .. } = self;
+        let PhysicsSimulator { objects, pipeline, report, settings, game_settings, .. } = self;
         if let Some(precise) = &mut pipeline.precise {
             precise.read_bodies(objects, settings.gravity, step, report);
             precise.stop_requested(objects);
+            if let Some(largest) = game_settings.largest_speed() {
+                precise.limit_speeds(largest, step);
+            }
             precise.import_joints(objects, step);
             report.counters.contacts_solved = precise.contacts_solved();
         }

@@ -37,7 +37,7 @@ impl PhysicsSimulator {
     }
 
     /// The geoms that may reach into a box, in list order: all geoms if there is no grid.
-    fn geoms_near(&self, aabb: &Aabb) -> Cow<'_, [GeomId]> {
+    pub(crate) fn geoms_near(&self, aabb: &Aabb) -> Cow<'_, [GeomId]> {
         let precise = self.pipeline.precise.as_ref();
         let near = precise.and_then(|precise| precise.geoms_near(aabb, &self.objects));
         near.map_or(Cow::Borrowed(self.objects.geom_list()), Cow::Owned)

@@ -6,6 +6,7 @@ mod checksum;
 mod dispatch;
 mod event_log;
 mod fixed_step_clock;
+mod fixed_step_runner;
 mod mouse_picker;
 mod secondary_map;
 pub mod snapshot;
@@ -17,5 +18,6 @@ pub use dispatch::{
 };
 pub use event_log::EventLog;
 pub use fixed_step_clock::FixedStepClock;
+pub use fixed_step_runner::FixedStepRunner;
 pub use mouse_picker::MousePicker;
 pub use secondary_map::{MapId, SecondaryMap};

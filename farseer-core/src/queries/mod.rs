@@ -1,0 +1,285 @@
+//! Queries with a filter: rays, shape casts, overlaps, points and nearest points, with the true shapes of geoms. Ours.
+//!
+//! The candidates come from the hash grid of the precise set, or are all geoms with the faithful one. Each is tested by its
+//! convex pieces, in double precision.
+
+mod cast;
+mod convex;
+mod explosion;
+mod filter;
+mod ray;
+mod world_shape;
+
+use crate::builders::GeomBuilder;
+use crate::geom::GeomId;
+use crate::math::Vector2;
+use crate::objects::{Objects, RayCastHit};
+use crate::shape::Aabb;
+use crate::simulator::PhysicsSimulator;
+use crate::storage::order::sort_by_number;
+use crate::{Error, Result};
+use convex::{Convex, Placement};
+
+pub use explosion::Explosion;
+pub use filter::QueryFilter;
+
+/// The point of a geom that is nearest to a point: see [`PhysicsSimulator::nearest_point`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearestPoint {
+    /// The geom.
+    pub geom: GeomId,
+    /// The nearest point of the geom, in the world; the given point if that is inside.
+    pub point: Vector2,
+    /// Unit vector from the geom to the given point; zero if that is inside.
+    pub normal: Vector2,
+    /// Distance in length units, 0 or more.
+    pub distance: f32,
+}
+
+/// Queries with a filter. They find geoms by their true shapes: circles and capsules are round, not polygons. Geoms of bodies
+/// that were edited since the last update are found at their new places; geoms that were added since then are not found.
+///
+/// Positions and motions are in the world, in length units, y down.
+impl PhysicsSimulator {
+    /// The first geom that a ray from `start` to `end` enters; of several at the same distance, the first in list order.
+    ///
+    /// A geom that contains the start is hit only where the ray enters it again. Chains are hit from their free side. A ray that
+    /// ends where it starts hits no geom.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, QueryFilter};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// let (hero, _) = simulator.add_body(BodyBuilder::dynamic(), [GeomBuilder::circle(10.0)])?;
+    /// let (_, [wall]) = simulator.add_body(BodyBuilder::fixed().position([100.0, 0.0]), [GeomBuilder::circle(20.0)])?;
+    /// simulator.update(1.0 / 60.0);
+    /// let filter = QueryFilter { exclude_body: Some(hero), ..QueryFilter::default() };
+    /// let hit = simulator.cast_ray([-50.0, 0.0], [150.0, 0.0], &filter)?.unwrap();
+    /// assert_eq!((hit.geom, hit.point.x, hit.normal.x), (wall, 80.0, -1.0));
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A point that is not finite.
+    pub fn cast_ray(
+        &self,
+        start: impl Into<Vector2>,
+        end: impl Into<Vector2>,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Option<RayCastHit>> {
+        let ray = ray::Ray::new(start.into(), end.into())?;
+        Ok(nearest(self.candidates(&ray.aabb(), filter).filter_map(|geom| ray.hit(self, geom))))
+    }
+
+    /// All geoms that a ray from `start` to `end` enters, each at its first entry, by distance: see [`cast_ray`](Self::cast_ray).
+    ///
+    /// # Errors
+    /// A point that is not finite.
+    pub fn cast_ray_all(
+        &self,
+        start: impl Into<Vector2>,
+        end: impl Into<Vector2>,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Vec<RayCastHit>> {
+        let ray = ray::Ray::new(start.into(), end.into())?;
+        Ok(by_distance(self.candidates(&ray.aabb(), filter).filter_map(|geom| ray.hit(self, geom))))
+    }
+
+    /// Any geom between two points, the first that is found: the cheapest test of a line of sight.
+    ///
+    /// # Errors
+    /// A point that is not finite.
+    pub fn cast_ray_any(
+        &self,
+        start: impl Into<Vector2>,
+        end: impl Into<Vector2>,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Option<RayCastHit>> {
+        let ray = ray::Ray::new(start.into(), end.into())?;
+        let hit = self.candidates(&ray.aabb(), filter).find_map(|geom| ray.hit(self, geom));
+        Ok(hit.map(|(_, hit)| hit))
+    }
+
+    /// The first geom that a shape touches on its straight way from a position by a motion. The point of the hit is on the geom,
+    /// the normal points from the geom to the shape, and the shape touches at `position + fraction * motion`.
+    ///
+    /// `shape` is any shape of a [`GeomBuilder`], with its offset and rotation offset; other properties have no effect.
+    /// `rotation` is that of the shape, in radians. A geom that the shape touches or overlaps at the start is hit at fraction 0,
+    /// unless the shape moves away from it.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, QueryFilter};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// simulator.add_body(BodyBuilder::fixed().position([0.0, 100.0]), [GeomBuilder::rectangle(200.0, 20.0)])?;
+    /// simulator.update(1.0 / 60.0);
+    /// let hero = GeomBuilder::capsule(40.0, 10.0);
+    /// let hit = simulator.cast_shape(&hero, [0.0, 0.0], 0.0, [0.0, 200.0], &QueryFilter::default())?.unwrap();
+    /// // The soles are 20 below the middle, the floor is at 90.
+    /// assert!((hit.fraction * 200.0 - 70.0).abs() < 0.001);
+    /// assert_eq!(hit.normal.y, -1.0);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A shape that is not possible; a position, rotation or motion that is not finite.
+    pub fn cast_shape(
+        &self,
+        shape: &GeomBuilder,
+        position: impl Into<Vector2>,
+        rotation: f32,
+        motion: impl Into<Vector2>,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Option<RayCastHit>> {
+        let pieces = placed(shape, position.into(), rotation)?;
+        let cast = cast::Cast::new(&pieces, motion.into())?;
+        Ok(nearest(self.candidates(&cast.aabb(), filter).filter_map(|geom| cast.hit(self, geom))))
+    }
+
+    /// All geoms that a shape touches on its way, by distance: see [`cast_shape`](Self::cast_shape).
+    ///
+    /// # Errors
+    /// As [`cast_shape`](Self::cast_shape).
+    pub fn cast_shape_all(
+        &self,
+        shape: &GeomBuilder,
+        position: impl Into<Vector2>,
+        rotation: f32,
+        motion: impl Into<Vector2>,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Vec<RayCastHit>> {
+        let pieces = placed(shape, position.into(), rotation)?;
+        let cast = cast::Cast::new(&pieces, motion.into())?;
+        Ok(by_distance(self.candidates(&cast.aabb(), filter).filter_map(|geom| cast.hit(self, geom))))
+    }
+
+    /// The geoms that a shape touches or overlaps, in list order. `shape` as in [`cast_shape`](Self::cast_shape). Chains have no
+    /// inside: a shape overlaps their edges alone.
+    ///
+    /// # Errors
+    /// A shape that is not possible; a position or rotation that is not finite.
+    pub fn overlap_shape(
+        &self,
+        shape: &GeomBuilder,
+        position: impl Into<Vector2>,
+        rotation: f32,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Vec<GeomId>> {
+        let pieces = placed(shape, position.into(), rotation)?;
+        let touches = |geom: &GeomId| world_shape::touches(self, *geom, &pieces);
+        Ok(self.candidates(&convex::aabb_of(&pieces), filter).filter(touches).collect())
+    }
+
+    /// Any geom that a shape touches or overlaps: whether there is room for it.
+    ///
+    /// # Errors
+    /// As [`overlap_shape`](Self::overlap_shape).
+    pub fn overlap_any(
+        &self,
+        shape: &GeomBuilder,
+        position: impl Into<Vector2>,
+        rotation: f32,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Option<GeomId>> {
+        let pieces = placed(shape, position.into(), rotation)?;
+        let touches = |geom: &GeomId| world_shape::touches(self, *geom, &pieces);
+        Ok(self.candidates(&convex::aabb_of(&pieces), filter).find(touches))
+    }
+
+    /// The geoms that contain a point, in list order. Chains contain none.
+    ///
+    /// # Errors
+    /// A point that is not finite.
+    pub fn geoms_at(&self, point: impl Into<Vector2>, filter: &QueryFilter<'_>) -> Result<Vec<GeomId>> {
+        let point = [Convex::point(finite("point", point.into())?)];
+        let contains = |geom: &GeomId| {
+            let is_chain = self.geom(*geom).is_some_and(|geom| geom.outline().is_chain());
+            !is_chain && world_shape::touches(self, *geom, &point)
+        };
+        Ok(self.candidates(&convex::aabb_of(&point), filter).filter(contains).collect())
+    }
+
+    /// The nearest geom within a distance of a point, with its nearest point; of several at the same distance, the first in list
+    /// order. A geom that contains the point has the distance 0.
+    ///
+    /// # Errors
+    /// A point or distance that is not finite; a distance less than 0.
+    pub fn nearest_point(
+        &self,
+        point: impl Into<Vector2>,
+        max_distance: f32,
+        filter: &QueryFilter<'_>,
+    ) -> Result<Option<NearestPoint>> {
+        let point = finite("point", point.into())?;
+        let reach = crate::math::finite::zero_or_more("max_distance", max_distance)?;
+        let around = Aabb::new(point - Vector2::new(reach, reach), point + Vector2::new(reach, reach));
+        let from_point = Convex::point(point);
+        let found = self.candidates(&around, filter).filter_map(|geom| {
+            let closest = world_shape::nearest(self, geom, &from_point)?;
+            Some((closest.distance, geom, closest))
+        });
+        let in_reach = found.filter(|(distance, ..)| *distance <= f64::from(reach));
+        let best = in_reach.reduce(|best, other| if other.0 < best.0 { other } else { best });
+        Ok(best.map(|(distance, geom, closest)| {
+            let is_outside = distance > 0.0;
+            NearestPoint {
+                geom,
+                point: if is_outside { convex::vector(closest.point_b) } else { point },
+                normal: if is_outside {
+                    convex::vector(closest.normal.map(|part| -part))
+                } else {
+                    Vector2::zeros()
+                },
+                distance: distance.max(0.0) as f32,
+            }
+        }))
+    }
+
+    /// The geoms near a box that a filter admits, in list order.
+    fn candidates<'a>(
+        &'a self,
+        aabb: &Aabb,
+        filter: &'a QueryFilter<'_>,
+    ) -> impl Iterator<Item = GeomId> + 'a {
+        let near = self.geoms_near(aabb).into_owned();
+        let aabb = *aabb;
+        near.into_iter()
+            .filter(move |&geom| filter.admits(self, geom) && world_shape::may_reach(self, geom, &aabb))
+    }
+}
+
+/// Returns the convex pieces of a shape at a place in the world.
+fn placed(shape: &GeomBuilder, position: Vector2, rotation: f32) -> Result<Vec<Convex>> {
+    let position = finite("position", position)?;
+    crate::math::finite::finite("rotation", rotation)?;
+    let shape_at = Placement::new(shape.offset_and_rotation()?);
+    let placement = Placement::new((position, rotation));
+    Ok(shape
+        .pieces()?
+        .iter()
+        .map(|piece| Convex::of_piece(piece, |p| placement.apply(shape_at.apply(p))))
+        .collect())
+}
+
+fn finite(argument: &'static str, point: Vector2) -> Result<Vector2> {
+    match point.x.is_finite() && point.y.is_finite() {
+        true => Ok(point),
+        false => Err(Error::invalid(argument, (point.x, point.y), "finite")),
+    }
+}
+
+/// The first hit. Of several at the same fraction, the first in the order of the hits.
+fn nearest(hits: impl Iterator<Item = (f64, RayCastHit)>) -> Option<RayCastHit> {
+    hits.reduce(|nearest, hit| if hit.0 < nearest.0 { hit } else { nearest }).map(|(_, hit)| hit)
+}
+
+/// All hits by fraction, in the order of the hits at equal ones.
+fn by_distance(hits: impl Iterator<Item = (f64, RayCastHit)>) -> Vec<RayCastHit> {
+    let mut hits: Vec<_> = hits.collect();
+    // Fractions are 0 or more: such numbers are ordered as their bits are. The sum makes -0 and +0 equal.
+    sort_by_number(&mut hits, |(fraction, _)| (fraction + 0.0).to_bits().into());
+    hits.into_iter().map(|(_, hit)| hit).collect()
+}
+
+/// Whether an object of the simulator has this geom, and it is not disposed.
+fn exists(objects: &Objects, geom: GeomId) -> bool {
+    !objects.is_disposed(geom)
+}

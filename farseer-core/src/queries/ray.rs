@@ -1,0 +1,93 @@
+//! Rays against the true shapes of geoms.
+
+use super::convex::{Point, dot, minus, plus, point, scaled, vector};
+use super::{finite, world_shape};
+use crate::Result;
+use crate::geom::GeomId;
+use crate::geom::outline::Outline;
+use crate::math::Vector2;
+use crate::objects::{Objects, RayCastHit};
+use crate::shape::Aabb;
+
+/// A ray from a point to another.
+pub(super) struct Ray {
+    start: Vector2,
+    end: Vector2,
+}
+
+impl Ray {
+    pub(super) fn new(start: Vector2, end: Vector2) -> Result<Self> {
+        Ok(Ray { start: finite("start", start)?, end: finite("end", end)? })
+    }
+
+    pub(super) fn aabb(&self) -> Aabb {
+        Aabb::from_vertices(&[self.start, self.end])
+    }
+
+    /// The first point at which the ray enters a geom, with its fraction of the ray.
+    pub(super) fn hit(&self, objects: &Objects, id: GeomId) -> Option<(f64, RayCastHit)> {
+        let outline = objects.geom(id)?.outline();
+        // The polygon of a concave outline has no edges between its convex pieces.
+        if !matches!(outline, Outline::Circle { .. } | Outline::Capsule { .. }) {
+            return objects.first_hit_of_ray(self.start, self.end, id);
+        }
+        let mut pieces = world_shape::pieces_of(objects, id);
+        let piece = pieces.next().filter(|piece| piece.radius > 0.0);
+        let Some(piece) = piece else { return objects.first_hit_of_ray(self.start, self.end, id) };
+        let (start, way) = (point(self.start), minus(point(self.end), point(self.start)));
+        let (fraction, normal) = match *piece.core {
+            [centre] => enter_circle(start, way, centre, piece.radius)?,
+            [one, other] => enter_capsule(start, way, [one, other], piece.radius)?,
+            _ => return None,
+        };
+        let at = plus(start, scaled(way, fraction));
+        let hit =
+            RayCastHit { geom: id, point: vector(at), normal: vector(normal), fraction: fraction as f32 };
+        Some((fraction, hit))
+    }
+}
+
+/// Fraction of the way at which a ray enters a circle, and the outward normal there. `None` if it starts inside.
+fn enter_circle(start: Point, way: Point, centre: Point, radius: f64) -> Option<(f64, Point)> {
+    let from_centre = minus(start, centre);
+    let (a, b) = (dot(way, way), dot(from_centre, way));
+    let c = dot(from_centre, from_centre) - radius * radius;
+    let discriminant = b * b - a * c;
+    if c < 0.0 || b >= 0.0 || discriminant < 0.0 {
+        return None;
+    }
+    // Without the difference of two nearly equal numbers.
+    let fraction = c / (-b + discriminant.sqrt());
+    let normal = scaled(plus(from_centre, scaled(way, fraction)), 1.0 / radius);
+    (fraction <= 1.0).then_some((fraction, normal))
+}
+
+/// Fraction of the way at which a ray enters a capsule, and the outward normal there. `None` if it starts inside.
+fn enter_capsule(start: Point, way: Point, [one, other]: [Point; 2], radius: f64) -> Option<(f64, Point)> {
+    let axis = minus(other, one);
+    let length = dot(axis, axis).sqrt();
+    if length == 0.0 {
+        return enter_circle(start, way, one, radius);
+    }
+    let along = scaled(axis, 1.0 / length);
+    let side = [along[1], -along[0]];
+    let (start_across, way_across) = (dot(minus(start, one), side), dot(way, side));
+    let is_beside = |at: Point| (0.0..=length).contains(&dot(minus(at, one), along));
+    let is_inside = |end: Point| {
+        let from_end = minus(start, end);
+        dot(from_end, from_end) < radius * radius
+    };
+    if is_inside(one) || is_inside(other) || (is_beside(start) && start_across.abs() < radius) {
+        return None;
+    }
+    let sign = if start_across < 0.0 { -1.0 } else { 1.0 };
+    let across = (way_across != 0.0).then(|| (sign * radius - start_across) / way_across);
+    let flank = across.filter(|fraction| (0.0..=1.0).contains(fraction) && sign * way_across < 0.0);
+    let flank = flank.filter(|&fraction| is_beside(plus(start, scaled(way, fraction))));
+    let hits = [
+        flank.map(|fraction| (fraction, scaled(side, sign))),
+        enter_circle(start, way, one, radius),
+        enter_circle(start, way, other, radius),
+    ];
+    hits.into_iter().flatten().reduce(|first, hit| if hit.0 < first.0 { hit } else { first })
+}
