@@ -14,6 +14,7 @@
 //! | in this manual | |
 //! |---|---|
 //! | this page | [first program](#a-first-program), [the update](#what-an-update-does), [methods to choose from](#methods-to-choose-from), [where they fail](#where-they-fail), [joints, springs, controllers](#joints-springs-controllers), [units](#units-and-axes), [bad input](#bad-input), [determinism](#determinism), [saving](#saving) |
+//! | [`guide::new_games`] | games that are no ports: bodies with their geoms in one call, typed events, queries with filters |
 //! | [`guide::porting`] | from C# to Rust, member by member, with a small game before and after |
 //! | [`guide::choosing`] | which set of methods for which game, the solver selection of the precise set, and limits of each |
 //! | [`guide::differences`] | differences from the original, and their reasons |
@@ -509,7 +510,7 @@
 //! # More
 //!
 //! [`Dispatch`] has handlers of single geoms, [`SecondaryMap`] a game's data of objects, [`EventLog`] the events of several
-//! updates. [`FixedStepClock`] and [`BodyInterpolation`] are for the game loop. Queries are
+//! updates. [`FixedStepClock`], [`BodyInterpolation`] and [`FixedStepRunner`] are for the game loop. Queries are
 //! [`ray_cast`](PhysicsSimulator::ray_cast), [`query_aabb`](PhysicsSimulator::query_aabb),
 //! [`collide`](PhysicsSimulator::collide) and [`overlaps`](PhysicsSimulator::overlaps); [`PhysicsSimulatorView`] is the debug
 //! view. [`Vertices`] has the polygon tools, [`math`] the original's vectors, matrices and interpolation.

@@ -13,10 +13,10 @@ use conformance::fixtures::plane::{
     self, NARROW_PHASES, add_box, add_circle, add_floor, faithful_methods, lively_scene, simulator_with, v,
 };
 use farseer_core::{
-    BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, Dispatch, EventHandler,
-    FluidContainerRef, FluidDragController, GravityController, InactivityController, IslandSolver,
-    JointFactory, JointId, Methods, PhysicsSimulator, ScalingController, SolverChoice, SpringFactory,
-    SpringId, WaveController,
+    BodyBuilder, BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, Dispatch, EventHandler,
+    FluidContainerRef, FluidDragController, GeomBuilder, GravityController, InactivityController,
+    IslandSolver, JointFactory, JointId, Methods, PhysicsSimulator, ScalingController, SolverChoice,
+    SpringFactory, SpringId, WantedEvents, WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.
@@ -115,6 +115,25 @@ fn settled_precise_scene() -> PhysicsSimulator {
 fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
     let mut simulator = settled_precise_scene();
     assert_eq!((0..300).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+}
+
+#[test]
+fn typed_events_hits_and_options_of_sleep_allocate_nothing() {
+    let mut simulator = PhysicsSimulator::precise([0.0, 300.0]).unwrap();
+    simulator
+        .add_body(BodyBuilder::fixed().position([0.0, 10.0]), [GeomBuilder::rectangle(900.0, 20.0)])
+        .unwrap();
+    simulator.set_largest_speed(Some(1000.0)).unwrap();
+    for i in 0..20 {
+        // One column never sleeps, the others do.
+        let place = [(i % 4) as f32 * 60.0, -16.0 - (i / 4) as f32 * 32.0];
+        let body = BodyBuilder::dynamic().position(place).sleep_allowed(i % 4 > 0);
+        let geom = GeomBuilder::rectangle(32.0, 32.0).events(WantedEvents::ALL);
+        simulator.add_body(body, [geom]).unwrap();
+    }
+    (0..300).for_each(|_| simulator.update(0.01));
+    assert_eq!(simulator.counters().bodies_asleep, 15);
+    assert_eq!(calls(|| (0..300).for_each(|_| simulator.update(0.01))), 0);
 }
 
 #[test]

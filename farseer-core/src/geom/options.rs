@@ -54,7 +54,7 @@ impl GeomOptions {
 }
 
 /// The typed [events](crate::Event) that a geom wants: touches, sensors, hits. Events of a pair are listed if at least one
-/// of both geoms wants them. Only with the [precise set](crate::Methods::Precise).
+/// of both geoms wants them. Only with the [precise set](crate::Methods::Precise), and not in an engine with depth.
 ///
 /// ```
 /// use farseer_core::WantedEvents;

@@ -2,6 +2,7 @@
 //!
 //! | page | about |
 //! |---|---|
+//! | [`new_games`] | bodies with their geoms in one call, typed events, queries with filters |
 //! | [`choosing`] | which methods for which game, and where each fails |
 //! | [`settings`] | settings of a simulator with the precise set |
 //! | [`solvers`] | islands, and which solver takes them |
@@ -21,6 +22,10 @@ pub mod choosing {}
 
 #[doc = include_str!("differences.md")]
 pub mod differences {}
+
+#[cfg(feature = "precise")]
+#[doc = include_str!("new_games.md")]
+pub mod new_games {}
 
 #[doc = include_str!("out_of_scope.md")]
 pub mod out_of_scope {}

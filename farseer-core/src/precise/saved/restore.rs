@@ -61,7 +61,9 @@ impl Precise {
         };
         let stays: Vec<_> = saved.pairs.iter().map(remaining).collect();
         self.restore_touch_events(saved, |at| stays[at].is_none());
-        note_changed_kinds(saved, &stays, &self.solver.proxies, &mut self.changed_kinds);
+        if self.solver.depth.is_none() {
+            note_changed_kinds(saved, &stays, &self.solver.proxies, &mut self.changed_kinds);
+        }
         let lost = saved.pairs.iter().zip(&stays);
         for (pair, _) in lost.filter(|(pair, stays)| stays.is_none() && pair.constraint.is_some()) {
             self.record_lost_constraint(pair, &current_proxies);
