@@ -13,6 +13,10 @@ use crate::{Error, Result};
 /// Makes joints. Anchors and angles are computed from the present poses of the bodies, so place the bodies first.
 ///
 /// Lengths are in the user's unit, angles in radians.
+///
+/// Bodies that a joint connects collide with each other, as all others do. Links that overlap push each other then, and the
+/// joint works against that: [ignore](Objects::ignore_collision_with) the collisions of their geoms, or give them one
+/// [group](crate::Geom::set_collision_group).
 #[doc(alias = "JointFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct JointFactory;

@@ -49,6 +49,7 @@ use crate::checked_properties::checked_properties;
 use crate::math::Vector2;
 use crate::math::scalar::nearest_finite;
 use crate::storage::collection::Collection;
+use crate::{Error, Result};
 use joint_body::{JointBodies, JointPose, JointStep};
 use kinds::each_kind;
 
@@ -86,6 +87,15 @@ pub struct Joint {
     kind: JointKind,
 }
 
+/// Refuses a maximum of force or torque that is not finite.
+fn load_limit(argument: &'static str, value: f32) -> Result<f32> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::invalid(argument, value, "finite; f32::MAX stands for no maximum"))
+    }
+}
+
 impl Joint {
     fn of(kind: JointKind) -> Self {
         let bias_factor = match kind {
@@ -119,18 +129,42 @@ impl Joint {
         /// How far the joint yields to its load; the unit depends on the kind. Default 0: rigid.
         #[doc(alias = "Softness")]
         softness, set_softness;
-        /// Maximum force of the joint, in mass units · length units/s². A joint whose mean force in an update is
-        /// greater breaks at the end of the update. Default [`f32::MAX`]. Only the [precise
-        /// set](crate::Methods::Precise) computes forces; there joints have hardly any error for
-        /// [`breakpoint`](Self::breakpoint) to detect.
-        greatest_force, set_greatest_force;
-        /// Maximum torque with which the joint keeps the relative angle of its bodies, in mass units · length
-        /// units²/s². A joint breaks by it as by [`greatest_force`](Self::greatest_force). Default [`f32::MAX`].
-        greatest_torque, set_greatest_torque;
+    }
+
+    /// Maximum force of the joint, in mass units · length units/s². A joint whose mean force in an update is greater
+    /// breaks at the end of the update. Default [`f32::MAX`]: none. Only the [precise set](crate::Methods::Precise)
+    /// computes forces; there joints have hardly any error for [`breakpoint`](Self::breakpoint) to detect.
+    pub fn greatest_force(&self) -> f32 {
+        self.greatest_force
+    }
+
+    /// Sets [`greatest_force`](Self::greatest_force).
+    ///
+    /// # Errors
+    /// A value that is not finite.
+    pub fn set_greatest_force(&mut self, value: f32) -> Result<()> {
+        self.greatest_force = load_limit("greatest_force", value)?;
+        Ok(())
+    }
+
+    /// Maximum torque with which the joint keeps the relative angle of its bodies, in mass units · length units²/s². A
+    /// joint breaks by it as by [`greatest_force`](Self::greatest_force). Default [`f32::MAX`]: none.
+    pub fn greatest_torque(&self) -> f32 {
+        self.greatest_torque
+    }
+
+    /// Sets [`greatest_torque`](Self::greatest_torque).
+    ///
+    /// # Errors
+    /// A value that is not finite.
+    pub fn set_greatest_torque(&mut self, value: f32) -> Result<()> {
+        self.greatest_torque = load_limit("greatest_torque", value)?;
+        Ok(())
     }
 
     /// The mean force of the joint on its second body, or its only one, in the last update, in mass units · length
-    /// units/s². The opposite force acts on the first body. Zero with the faithful set, which does not compute it.
+    /// units/s². The opposite force acts on the first body. Zero with the faithful set, which does not compute it. Of a
+    /// joint that broke by its load it stays the force that broke it, until the joint is enabled again.
     pub fn force(&self) -> Vector2 {
         Vector2::new(self.force[0] as f32, self.force[1] as f32)
     }
