@@ -17,6 +17,8 @@ use crate::{Error, Result};
 /// Bodies that a joint connects collide with each other, as all others do. Links that overlap push each other then, and the
 /// joint works against that: [ignore](Objects::ignore_collision_with) the collisions of their geoms, or give them one
 /// [group](crate::Geom::set_collision_group).
+///
+/// The [precise set](crate::Methods::Precise) refuses a joint of a body with itself. The original makes it, and it has no effect.
 #[doc(alias = "JointFactory.Instance")]
 #[derive(Debug, Clone, Copy)]
 pub struct JointFactory;
@@ -79,7 +81,7 @@ impl JointFactory {
     /// Two anchors, each in the coordinates of its body, at a distance from `min` to `max` length units.
     ///
     /// # Errors
-    /// A stale body; a number that is not finite.
+    /// A stale body; a number that is not finite; with the precise set a `min` greater than `max`.
     #[doc(alias = "CreateSliderJoint")]
     pub fn create_slider_joint(
         simulator: &mut Objects,
@@ -90,6 +92,7 @@ impl JointFactory {
         min: f32,
         max: f32,
     ) -> Result<JointId> {
+        simulator.check_range(min, max)?;
         let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
         let joint = SliderJoint::new(first, anchor1, second, anchor2, min, max)?;
         simulator.create_joint(joint)
@@ -139,7 +142,7 @@ impl JointFactory {
     /// Two bodies whose total rotations differ by `min` to `max` radians.
     ///
     /// # Errors
-    /// A stale body; a number that is not finite.
+    /// A stale body; a number that is not finite; with the precise set a `min` greater than `max`.
     #[doc(alias = "CreateAngleLimitJoint")]
     pub fn create_angle_limit_joint(
         simulator: &mut Objects,
@@ -150,6 +153,7 @@ impl JointFactory {
     ) -> Result<JointId> {
         finite("min", min)?;
         finite("max", max)?;
+        simulator.check_range(min, max)?;
         let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
         let joint = AngleLimitJoint::new(first, second, min, max)?;
         simulator.create_joint(joint)
@@ -158,7 +162,7 @@ impl JointFactory {
     /// A body whose total rotation stays between `min` and `max` radians.
     ///
     /// # Errors
-    /// A stale body; a number that is not finite.
+    /// A stale body; a number that is not finite; with the precise set a `min` greater than `max`.
     #[doc(alias = "CreateFixedAngleLimitJoint")]
     pub fn create_fixed_angle_limit_joint(
         simulator: &mut Objects,
@@ -168,6 +172,7 @@ impl JointFactory {
     ) -> Result<JointId> {
         finite("min", min)?;
         finite("max", max)?;
+        simulator.check_range(min, max)?;
         let joint = FixedAngleLimitJoint::new(find(simulator, "body", body)?, min, max)?;
         simulator.create_joint(joint)
     }

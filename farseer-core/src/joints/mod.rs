@@ -87,12 +87,12 @@ pub struct Joint {
     kind: JointKind,
 }
 
-/// Refuses a maximum of force or torque that is not finite.
+/// Refuses a maximum of force or torque that is not finite, or negative.
 fn load_limit(argument: &'static str, value: f32) -> Result<f32> {
-    if value.is_finite() {
+    if value.is_finite() && value >= 0.0 {
         Ok(value)
     } else {
-        Err(Error::invalid(argument, value, "finite; f32::MAX stands for no maximum"))
+        Err(Error::invalid(argument, value, "0 or more and finite; f32::MAX stands for no maximum"))
     }
 }
 
@@ -141,7 +141,7 @@ impl Joint {
     /// Sets [`greatest_force`](Self::greatest_force).
     ///
     /// # Errors
-    /// A value that is not finite.
+    /// A value that is not finite, or less than 0.
     pub fn set_greatest_force(&mut self, value: f32) -> Result<()> {
         self.greatest_force = load_limit("greatest_force", value)?;
         Ok(())
@@ -156,7 +156,7 @@ impl Joint {
     /// Sets [`greatest_torque`](Self::greatest_torque).
     ///
     /// # Errors
-    /// A value that is not finite.
+    /// A value that is not finite, or less than 0.
     pub fn set_greatest_torque(&mut self, value: f32) -> Result<()> {
         self.greatest_torque = load_limit("greatest_torque", value)?;
         Ok(())

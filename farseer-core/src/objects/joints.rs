@@ -15,11 +15,22 @@ impl Objects {
     /// Stores a joint. It acts once it is [added](Self::add).
     ///
     /// # Errors
-    /// A body that is stale.
+    /// A body that is stale; with the precise set a second body that is the first one.
     pub(crate) fn create_joint(&mut self, joint: Joint) -> Result<JointId> {
         self.check_body("body1", joint.body1())?;
         joint.body2().map_or(Ok(()), |body| self.check_body("body2", body))?;
+        if self.methods.is_precise() && joint.body2() == Some(joint.body1()) {
+            return Err(Error::invalid("body2", joint.body1(), "another body than body1"));
+        }
         Ok(self.joints.create(joint))
+    }
+
+    /// Refuses a range that ends before it begins, with the precise set. The original takes it.
+    pub(crate) fn check_range(&self, min: f32, max: f32) -> Result<()> {
+        match self.methods.is_precise() && min > max {
+            true => Err(Error::invalid("min", min, "at most max")),
+            false => Ok(()),
+        }
     }
 
     /// Makes a joint of a kind without bodies, as the original's constructors without arguments do, for data that are

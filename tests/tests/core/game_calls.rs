@@ -175,18 +175,35 @@ fn a_runner_updates_as_often_as_time_has_passed_and_shows_poses_between() {
 }
 
 #[test]
-fn no_maximum_of_a_joint_is_f32_max() {
-    let mut simulator = precise(0.0);
-    let (body, _) = add(&mut simulator, [0.0, 0.0]);
-    let joint = JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, Vector2::zeros()).unwrap();
-    for value in [f32::INFINITY, f32::NAN] {
-        let refusals =
-            [simulator[joint].set_greatest_force(value), simulator[joint].set_greatest_torque(value)];
-        for refusal in refusals {
-            assert!(refusal.unwrap_err().to_string().contains("f32::MAX stands for no maximum"));
+fn joints_that_make_no_sense_are_refused_with_the_precise_set_alone() {
+    for (methods, is_refused) in [(Methods::default(), false), (Methods::PRECISE, true)] {
+        let mut simulator = PhysicsSimulator::default();
+        simulator.set_methods(methods).unwrap();
+        let (one, _) = add(&mut simulator, [0.0, 0.0]);
+        let (other, _) = add(&mut simulator, [50.0, 0.0]);
+        let zero = Vector2::zeros();
+        let with_itself = JointFactory::create_pin_joint_in(&mut simulator, one, zero, one, zero);
+        assert_eq!(with_itself.is_err(), is_refused);
+        let reversed =
+            JointFactory::create_slider_joint_in(&mut simulator, one, zero, other, zero, 60.0, 40.0);
+        assert_eq!(reversed.is_err(), is_refused);
+        let angles = JointFactory::create_angle_limit_joint_in(&mut simulator, one, other, 0.5, -0.5);
+        assert_eq!(angles.is_err(), is_refused);
+        if is_refused {
+            assert!(with_itself.unwrap_err().to_string().contains("another body than body1"));
+            assert_eq!(reversed.unwrap_err().to_string(), "min is 60.0, but must be at most max");
         }
+        let joint = JointFactory::create_revolute_joint_in(&mut simulator, one, other, zero).unwrap();
+        for value in [f32::INFINITY, f32::NAN, -1.0] {
+            let refusals =
+                [simulator[joint].set_greatest_force(value), simulator[joint].set_greatest_torque(value)];
+            for refusal in refusals {
+                assert!(refusal.unwrap_err().to_string().contains("f32::MAX stands for no maximum"));
+            }
+        }
+        simulator[joint].set_greatest_force(f32::MAX).unwrap();
+        simulator[joint].set_greatest_torque(0.0).unwrap();
     }
-    simulator[joint].set_greatest_force(f32::MAX).unwrap();
 }
 
 #[test]
