@@ -1,10 +1,12 @@
 //! Scenes of the arena in Box2D 3, on one thread. All settings that a scene does not give have Box2D's default.
 
 use super::engine::{Counters, DT, Engine, Result, SUBSTEPS, State};
-use super::scene::{Body, Filter, Form, Joint, Kind, Point, Scene, Shape};
+use super::joint::{Joint, JointKind};
+use super::scene::{Body, Filter, Form, Kind, Point, Scene, Shape};
 use boxdd::{
-    BodyId, BodyType, ChainDef, Foundation, JointId, RevoluteJointDef, ShapeDef, SurfaceMaterial, Transform,
-    WorldTransform, shapes,
+    Aabb, BodyId, BodyType, ChainDef, DistanceJointDef, Foundation, JointBase, JointId, Position,
+    PrismaticJointDef, QueryFilter, RevoluteJointDef, ShapeDef, ShapeQueryBuffer, SurfaceMaterial, Transform,
+    Vec2, WeldJointDef, WorldTransform, shapes,
 };
 
 /// A scene of the arena in a Box2D world.
@@ -12,14 +14,18 @@ pub(super) struct Box2d {
     world: boxdd::World,
     bodies: Vec<BodyId>,
     joints: Vec<JointId>,
+    found: ShapeQueryBuffer,
 }
+
+/// Linear slop of Box2D in metres: no distance joint is shorter.
+const LINEAR_SLOP: f32 = 0.005;
 
 impl Box2d {
     pub(super) fn new(scene: &Scene) -> Result<Self> {
         let foundation = Foundation::initialize_default()?;
         let world = foundation.world_builder().gravity(scene.gravity).enable_sleep(scene.sleeps);
         let world = foundation.create_world(world.build()?)?;
-        Ok(Box2d { world, bodies: Vec::new(), joints: Vec::new() })
+        Ok(Box2d { world, bodies: Vec::new(), joints: Vec::new(), found: ShapeQueryBuffer::new() })
     }
 
     fn read(&mut self, index: usize) -> boxdd::Result<State> {
@@ -34,6 +40,37 @@ impl Box2d {
     }
 }
 
+impl Box2d {
+    fn add_hinge(&mut self, base: JointBase, joint: &Joint, of: [&Body; 2]) -> Result<JointId> {
+        let [one, two] = joint.local_anchors(of);
+        let base = base.with_local_frame_components(one, joint.reference, two, 0.0)?;
+        let mut definition = RevoluteJointDef::new(base);
+        if let Some([lower, upper]) = joint.limits {
+            definition = definition.enable_limit(true).lower_angle(lower).upper_angle(upper);
+        }
+        if let Some([speed, torque]) = joint.motor {
+            definition = definition.enable_motor(true).motor_speed(speed).max_motor_torque(torque);
+        }
+        if let Some([hertz, ratio]) = joint.spring {
+            definition = definition.enable_spring(true).hertz(hertz).damping_ratio(ratio);
+        }
+        Ok(self.world.create_revolute_joint(&definition)?)
+    }
+
+    fn add_slider(&mut self, base: JointBase, joint: &Joint, of: [&Body; 2]) -> Result<JointId> {
+        let ([one, two], [axis1, axis2]) = (joint.local_anchors(of), joint.local_axes(of));
+        let base = base.with_local_frame_components(one, axis1, two, axis2)?;
+        let mut definition = PrismaticJointDef::new(base);
+        if let Some([lower, upper]) = joint.limits {
+            definition = definition.enable_limit(true).lower_translation(lower).upper_translation(upper);
+        }
+        if let Some([speed, force]) = joint.motor {
+            definition = definition.enable_motor(true).motor_speed(speed).max_motor_force(force);
+        }
+        Ok(self.world.create_prismatic_joint(&definition)?)
+    }
+}
+
 impl Engine for Box2d {
     fn add_body(&mut self, given: &Body) -> Result<()> {
         let kind = match given.kind {
@@ -42,6 +79,7 @@ impl Engine for Box2d {
             Kind::Dynamic => BodyType::Dynamic,
         };
         let mut builder = self.world.body_builder().body_type(kind).position(given.position);
+        builder = builder.angle(given.angle);
         builder = builder.linear_velocity(given.velocity).angular_velocity(given.spin);
         builder = builder.linear_damping(given.damping).awake(!given.is_asleep);
         if let Some(speed) = given.sleep_speed {
@@ -56,21 +94,32 @@ impl Engine for Box2d {
 
     fn add_joint(&mut self, joint: &Joint, of: [&Body; 2]) -> Result<()> {
         let [a, b] = joint.bodies.map(|index| self.bodies[index]);
-        // Bodies begin at angle 0.
-        let [one, two] = of.map(|body| [0, 1].map(|axis| joint.anchor[axis] - body.position[axis]));
         let base = self.world.joint_base(a, b)?;
-        let base = base.with_local_frame_components(one, joint.reference, two, 0.0)?;
-        let mut definition = RevoluteJointDef::new(base);
-        if let Some([lower, upper]) = joint.limits {
-            definition = definition.enable_limit(true).lower_angle(lower).upper_angle(upper);
-        }
-        if let Some([speed, torque]) = joint.motor {
-            definition = definition.enable_motor(true).motor_speed(speed).max_motor_torque(torque);
-        }
-        if let Some([hertz, ratio]) = joint.spring {
-            definition = definition.enable_spring(true).hertz(hertz).damping_ratio(ratio);
-        }
-        self.joints.push(self.world.create_revolute_joint(&definition)?);
+        let id = match joint.kind {
+            JointKind::Hinge => self.add_hinge(base, joint, of)?,
+            JointKind::Slider { .. } => self.add_slider(base, joint, of)?,
+            JointKind::Weld => {
+                let [one, two] = joint.local_anchors(of);
+                let base = base.with_local_frame_components(one, joint.reference, two, 0.0)?;
+                self.world.create_weld_joint(&WeldJointDef::new(base))?
+            }
+            JointKind::Rod | JointKind::Rope { .. } | JointKind::Spring => {
+                let definition = DistanceJointDef::new(base).length(Joint::length(of));
+                // In Box2D the limits of a distance joint act only beside a spring, which may have no stiffness.
+                let definition = match (joint.kind, joint.spring) {
+                    (JointKind::Rope { length }, _) => {
+                        let rope = definition.enable_spring(true).hertz(0.0).enable_limit(true);
+                        rope.min_length(LINEAR_SLOP).max_length(length)
+                    }
+                    (_, Some([hertz, ratio])) => {
+                        definition.enable_spring(true).hertz(hertz).damping_ratio(ratio)
+                    }
+                    _ => definition,
+                };
+                self.world.create_distance_joint(&definition)?
+            }
+        };
+        self.joints.push(id);
         Ok(())
     }
 
@@ -98,6 +147,18 @@ impl Engine for Box2d {
         let nothing =
             State { position: [f32::NAN; 2], angle: f32::NAN, velocity: [f32::NAN; 2], spin: f32::NAN };
         self.read(index).unwrap_or(nothing)
+    }
+
+    fn cast_ray(&mut self, from: Point, to: Point) -> Result<Option<f32>> {
+        let way = Vec2::from([to[0] - from[0], to[1] - from[1]]);
+        let hit = self.world.query()?.cast_ray_closest(Position::from(from), way, QueryFilter::new())?;
+        Ok(hit.map(|hit| hit.fraction))
+    }
+
+    fn count_in_box(&mut self, low: Point, high: Point) -> Result<usize> {
+        let (origin, area) = (Position::from([0.0; 2]), Aabb::new(low, high)?);
+        self.world.query()?.overlap_aabb_into(origin, area, QueryFilter::new(), &mut self.found)?;
+        Ok(self.found.as_slice().len())
     }
 
     fn counters(&mut self) -> Result<Counters> {

@@ -1,7 +1,8 @@
 //! Interface of an engine that runs scenes of the arena.
 
+use super::joint::Joint;
 use super::ours::Ours;
-use super::scene::{Body, Joint, Point, Scene};
+use super::scene::{Body, Point, Scene};
 use std::error::Error;
 
 /// Length of a step in s.
@@ -28,9 +29,9 @@ pub struct State {
 /// Counters of the work in one step.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Number of pairs of shapes that the narrow phase tested.
+    /// Number of pairs of shapes that the narrow phase tested; in rapier2d pairs of touching shapes.
     pub pairs: usize,
-    /// Number of pairs whose manifold was recomputed, not recycled.
+    /// Number of pairs whose manifold was recomputed, not recycled; 0 in rapier2d, which does not count them.
     pub manifolds: usize,
     /// Number of shapes that left their fat AABB, so that it was recomputed; `None` if the engine does not count them.
     pub aabbs: Option<usize>,
@@ -65,6 +66,14 @@ pub trait Engine {
     /// Returns the state of a body; all numbers are NaN if the engine does not return it.
     fn state(&mut self, index: usize) -> State;
 
+    /// Returns the closest hit of a ray from one point to another, both in m: the fraction of the ray's length, 0..=1; `None`
+    /// without a hit.
+    fn cast_ray(&mut self, from: Point, to: Point) -> Result<Option<f32>>;
+
+    /// Returns the number of shapes whose AABBs overlap a box, given by its lowest and highest corner in m. AABBs that an
+    /// engine has enlarged count as they are.
+    fn count_in_box(&mut self, low: Point, high: Point) -> Result<usize>;
+
     /// Returns the counters of the last step.
     fn counters(&mut self) -> Result<Counters>;
 }
@@ -83,11 +92,16 @@ pub const OURS: &str = "precise set";
 /// Name of Box2D in tables.
 pub const BOX2D: &str = "Box2D";
 
-/// Returns the engine of this workspace and, with the feature `peers`, Box2D.
+/// Name of rapier in tables.
+pub const RAPIER: &str = "rapier2d";
+
+/// Returns the engine of this workspace and, with the feature `peers`, Box2D and rapier.
 pub fn engines() -> Vec<EngineEntry> {
     vec![
         EngineEntry { name: OURS, create: |scene| Ok(Box::new(Ours::new(scene)?)) },
         #[cfg(feature = "peers")]
         EngineEntry { name: BOX2D, create: |scene| Ok(Box::new(super::box2d::Box2d::new(scene)?)) },
+        #[cfg(feature = "peers")]
+        EngineEntry { name: RAPIER, create: |scene| Ok(Box::new(super::rapier::Rapier::new(scene))) },
     ]
 }

@@ -1,6 +1,7 @@
 //! Measurement of a state by the same geometry for every engine: overlaps, joint gaps, escaped bodies, energy.
 
 use super::engine::State;
+use super::joint::{Joint, JointKind};
 use super::play::Play;
 use super::scene::{Body, Filter, Form, Kind, Limits, Point, Shape};
 use crate::penetration::depth::{Form as Piece, depth};
@@ -77,11 +78,8 @@ pub fn judge(play: &mut Play<'_>) -> Verdict {
     verdict.height /= (verdict.bodies - verdict.not_finite).max(1) as f64;
     for joint in play.joints.iter().flatten() {
         let [Some(a), Some(b)] = joint.bodies.map(|index| states[index]) else { continue };
-        let [one, two] = [(joint.bodies[0], a), (joint.bodies[1], b)].map(|(index, state)| {
-            let begin = play.bodies[index].as_ref().map_or([0.0; 2], |body| body.position);
-            to_world(&state, [joint.anchor[0] - begin[0], joint.anchor[1] - begin[1]])
-        });
-        verdict.gap = verdict.gap.max((one[0] - two[0]).hypot(one[1] - two[1]));
+        let [Some(one), Some(two)] = joint.bodies.map(|index| play.bodies[index].as_ref()) else { continue };
+        verdict.gap = verdict.gap.max(gap(joint, [one, two], [a, b]));
     }
     let joined = play.joints.iter().flatten().map(|joint| sorted(joint.bodies)).collect();
     verdict.measure_overlaps(placed, &joined);
@@ -188,6 +186,23 @@ fn rounded(corners: &[Point], radius: f32) -> Vec<Piece> {
 
 fn disc(centre: Point, radius: f32) -> Piece {
     Piece::Disc { centre: centre.map(f64::from), radius: f64::from(radius) }
+}
+
+/// Returns the distance in m by which a joint is open. `of` are its bodies as they were at the start, `states` as they are.
+pub(super) fn gap(joint: &Joint, of: [&Body; 2], states: [State; 2]) -> f64 {
+    let [one, two] = joint.local_anchors(of);
+    let [[x1, y1], [x2, y2]] = [to_world(&states[0], one), to_world(&states[1], two)];
+    let (dx, dy) = (x2 - x1, y2 - y1);
+    match joint.kind {
+        JointKind::Hinge | JointKind::Weld => dx.hypot(dy),
+        JointKind::Slider { .. } => {
+            let axis = f64::from(states[0].angle) + f64::from(joint.local_axes(of)[0]);
+            (dy * axis.cos() - dx * axis.sin()).abs()
+        }
+        JointKind::Rod => (dx.hypot(dy) - f64::from(Joint::length(of))).abs(),
+        JointKind::Rope { length } => (dx.hypot(dy) - f64::from(length)).max(0.0),
+        JointKind::Spring => 0.0,
+    }
 }
 
 fn to_world(state: &State, local: Point) -> [f64; 2] {

@@ -5,16 +5,24 @@
 
 #[cfg(feature = "peers")]
 mod box2d;
+pub mod changes;
 mod engine;
+mod joint;
 mod judge;
+pub mod memory;
 mod ours;
 mod play;
+pub mod queries;
+pub mod random;
+#[cfg(feature = "peers")]
+mod rapier;
 pub mod run;
 mod scene;
 mod scenes;
 
-pub use engine::{BOX2D, Counters, DT, Engine, EngineEntry, OURS, Result, State, engines};
+pub use engine::{BOX2D, Counters, DT, Engine, EngineEntry, OURS, RAPIER, Result, State, engines};
+pub use joint::{Joint, JointKind};
 pub use judge::{Verdict, judge};
 pub use play::Play;
-pub use scene::{Action, Body, Filter, Form, Joint, Kind, Limits, Point, Scene, Script, Shape};
-pub use scenes::{SceneEntry, scenes};
+pub use scene::{Action, Body, Filter, Form, Kind, Limits, Point, Scene, Script, Shape};
+pub use scenes::{SceneEntry, scenes, tiles, worlds};

@@ -1,13 +1,14 @@
 //! Scenes of the arena in the 2D engine of this workspace, with the precise set: 32 px are one metre, and y points down.
 
 use super::engine::{Counters, DT, Engine, Result, SUBSTEPS, State};
-use super::scene::{Body, Filter, Form, Joint, Kind, Point, Scene, Shape};
+use super::joint::{Joint, JointKind};
+use super::scene::{Body, Filter, Form, Kind, Point, Scene, Shape};
 use crate::scenes::stage::METRE;
 use farseer_core::math::Vector2;
 use farseer_core::{
-    AngleSpring, BodyFactory, BodyId, CollisionCategory, FrictionType, GeomFactory, GeomId, GeomPlacement,
-    JointFactory, JointId, JointLimits, JointMotor, Methods, PhysicsSimulator, SpringFactory, SpringId,
-    Vertices,
+    Aabb, AngleSpring, BodyFactory, BodyId, CollisionCategory, FrictionType, GeomFactory, GeomId,
+    GeomPlacement, JointFactory, JointId, JointLimits, JointMotor, Methods, PhysicsSimulator, SpringFactory,
+    SpringId, Vertices,
 };
 use std::f32::consts::TAU;
 
@@ -19,7 +20,7 @@ const EDGES: i32 = 16;
 pub(super) struct Ours {
     simulator: PhysicsSimulator,
     bodies: Vec<BodyId>,
-    joints: Vec<(JointId, Option<SpringId>)>,
+    joints: Vec<(Option<JointId>, Option<SpringId>)>,
     /// Number of dynamic bodies that exist at present.
     dynamic_bodies: usize,
 }
@@ -96,15 +97,61 @@ impl Ours {
         Ok(())
     }
 
-    /// Creates an angle spring between the bodies of `joint`. Stiffness and damping follow from the frequency `hertz` (Hz),
-    /// the damping ratio and the moments of inertia.
-    fn add_spring(&mut self, joint: &Joint, of: [&Body; 2], [hertz, ratio]: [f32; 2]) -> Result<SpringId> {
-        let [a, b] = joint.bodies.map(|index| self.bodies[index]);
-        let mobility: f32 = of.iter().filter(|body| body.inertia > 0.0).map(|body| 1.0 / body.inertia).sum();
-        let (inertia, omega) = (METRE * METRE / mobility, TAU * hertz);
-        let (stiffness, damping) = (inertia * omega * omega, 2.0 * ratio * inertia * omega);
-        let id = SpringFactory::create_angle_spring_in(&mut self.simulator, a, b, stiffness, damping)?;
-        let spring = self.simulator.spring_as_mut::<AngleSpring>(id)?;
+    /// Creates the joint itself, without limits, motor and spring; `None` for a spring.
+    fn create_joint(&mut self, joint: &Joint) -> Result<Option<JointId>> {
+        let ([a, b], anchor, zero) = (self.pair(joint), px(joint.anchor), Vector2::zeros());
+        let simulator = &mut self.simulator;
+        Ok(Some(match joint.kind {
+            JointKind::Hinge => JointFactory::create_revolute_joint(simulator, a, b, anchor)?,
+            JointKind::Weld => JointFactory::create_weld_joint(simulator, a, b, anchor)?,
+            JointKind::Slider { axis } => {
+                JointFactory::create_prismatic_joint(simulator, a, b, anchor, px(axis))?
+            }
+            JointKind::Rod => JointFactory::create_pin_joint(simulator, a, zero, b, zero)?,
+            JointKind::Rope { length } => {
+                JointFactory::create_slider_joint(simulator, a, zero, b, zero, 0.0, length * METRE)?
+            }
+            JointKind::Spring => return Ok(None),
+        }))
+    }
+
+    /// Sets limits and motor of a hinge or slider. The angles of our engine run clockwise, and are 0 when the joint is made.
+    fn drive(&mut self, id: JointId, joint: &Joint, of: [&Body; 2]) -> Result<()> {
+        let is_slider = matches!(joint.kind, JointKind::Slider { .. });
+        if let Some([lower, upper]) = joint.limits {
+            let initial = of[1].angle - of[0].angle;
+            let [lower, upper] = match is_slider {
+                true => [lower, upper].map(|limit| limit * METRE),
+                false => [upper, lower].map(|angle| -(angle + joint.reference - initial)),
+            };
+            self.simulator.set_joint_limits(id, Some(JointLimits { lower, upper }))?;
+        }
+        if let Some([speed, effort]) = joint.motor {
+            let (speed, unit) = if is_slider { (speed * METRE, METRE) } else { (-speed, METRE * METRE) };
+            let greatest_effort = (effort * unit).min(f32::MAX);
+            self.simulator.set_joint_motor(id, Some(JointMotor { speed, greatest_effort }))?;
+        }
+        Ok(())
+    }
+
+    fn pair(&self, joint: &Joint) -> [BodyId; 2] {
+        joint.bodies.map(|index| self.bodies[index])
+    }
+
+    /// Creates the spring of a joint: a linear one between the centres of mass, or an angle spring.
+    fn add_spring(&mut self, joint: &Joint, of: [&Body; 2], spring: [f32; 2]) -> Result<SpringId> {
+        let ([a, b], zero) = (self.pair(joint), Vector2::zeros());
+        let simulator = &mut self.simulator;
+        if joint.kind == JointKind::Spring {
+            let [stiffness, damping] = Joint::stiffness(of, spring, Body::mobility);
+            return Ok(SpringFactory::create_linear_spring_in(
+                simulator, a, zero, b, zero, stiffness, damping,
+            )?);
+        }
+        let turning = Joint::stiffness(of, spring, Body::turning_mobility);
+        let [stiffness, damping] = turning.map(|value| value * METRE * METRE);
+        let id = SpringFactory::create_angle_spring_in(simulator, a, b, stiffness, damping)?;
+        let spring = simulator.spring_as_mut::<AngleSpring>(id)?;
         spring.set_target_angle(-joint.reference)?;
         Ok(id)
     }
@@ -121,6 +168,7 @@ impl Engine for Ours {
         body.set_linear_drag_coefficient(given.damping * mass);
         body.set_rotational_drag_coefficient(0.0);
         body.set_position(px(given.position));
+        body.set_rotation(-given.angle);
         body.set_linear_velocity(px(given.velocity));
         body.set_angular_velocity(-given.spin);
         let body = self.simulator.create_body(body);
@@ -132,23 +180,16 @@ impl Engine for Ours {
     }
 
     fn add_joint(&mut self, joint: &Joint, of: [&Body; 2]) -> Result<()> {
-        let bodies = joint.bodies.map(|index| self.bodies[index]);
-        if of.iter().any(|body| body.kind == Kind::Static) {
+        let bodies = self.pair(joint);
+        let shapes = |index: usize| of[index].shapes.iter().map(|shape| shape.filter);
+        if shapes(0).any(|one| shapes(1).any(|other| one.meets(other))) {
             self.ignore_collisions(bodies)?;
         }
-        let simulator = &mut self.simulator;
-        let [a, b] = bodies;
-        let id = JointFactory::create_revolute_joint(simulator, a, b, px(joint.anchor))?;
-        // y points down in our engine, so angles change sign.
-        if let Some([lower, upper]) = joint.limits {
-            let [lower, upper] = [upper, lower].map(|angle| -(angle + joint.reference));
-            simulator.set_joint_limits(id, Some(JointLimits { lower, upper }))?;
+        let id = self.create_joint(joint)?;
+        if let Some(id) = id {
+            self.drive(id, joint, of)?;
+            self.simulator.add(id)?;
         }
-        if let Some([speed, torque]) = joint.motor {
-            let greatest_effort = (torque * METRE * METRE).min(f32::MAX);
-            simulator.set_joint_motor(id, Some(JointMotor { speed: -speed, greatest_effort }))?;
-        }
-        simulator.add(id)?;
         let spring = joint.spring.map(|spring| self.add_spring(joint, of, spring)).transpose()?;
         self.joints.push((id, spring));
         Ok(())
@@ -163,7 +204,7 @@ impl Engine for Ours {
     fn remove_joint(&mut self, index: usize) -> Result<()> {
         let (joint, spring) = self.joints[index];
         spring.map_or(Ok(()), |spring| self.simulator.dispose(spring))?;
-        Ok(self.simulator.dispose(joint)?)
+        Ok(joint.map_or(Ok(()), |joint| self.simulator.dispose(joint))?)
     }
 
     fn move_to(&mut self, index: usize, position: Point) -> Result<()> {
@@ -183,6 +224,14 @@ impl Engine for Ours {
             velocity: metres(body.linear_velocity()),
             spin: -body.angular_velocity(),
         }
+    }
+
+    fn cast_ray(&mut self, from: Point, to: Point) -> Result<Option<f32>> {
+        Ok(self.simulator.ray_cast(px(from), px(to)).map(|hit| hit.fraction))
+    }
+
+    fn count_in_box(&mut self, low: Point, high: Point) -> Result<usize> {
+        Ok(self.simulator.query_aabb(&Aabb::from_vertices(&[px(low), px(high)])).len())
     }
 
     fn counters(&mut self) -> Result<Counters> {

@@ -1,7 +1,8 @@
 //! Run of a scene in an engine, step by step.
 
 use super::engine::{Engine, EngineEntry, Result};
-use super::scene::{Action, Body, Joint, Kind, Scene};
+use super::joint::Joint;
+use super::scene::{Action, Body, Kind, Scene};
 use crate::stopwatch::Stopwatch;
 use std::time::Duration;
 
@@ -14,6 +15,7 @@ pub struct Play<'a> {
     pub(super) bodies: Vec<Option<Body>>,
     pub(super) joints: Vec<Option<Joint>>,
     step: usize,
+    build_time: Duration,
 }
 
 impl<'a> Play<'a> {
@@ -30,12 +32,21 @@ impl<'a> Play<'a> {
     /// # Errors
     /// The engine refuses a body, a joint or a step.
     pub fn within(scene: &'a Scene, engine: Box<dyn Engine>) -> Result<Self> {
-        let mut play = Play { scene, engine, bodies: Vec::new(), joints: Vec::new(), step: 0 };
+        let mut play = Play {
+            scene,
+            engine,
+            bodies: Vec::new(),
+            joints: Vec::new(),
+            step: 0,
+            build_time: Duration::ZERO,
+        };
         let bodies = scene.bodies.iter().cloned().map(Action::AddBody);
         let joints = scene.joints.iter().cloned().map(Action::AddJoint);
         let actions: Vec<Action> = bodies.chain(joints).collect();
         actions.iter().try_for_each(|action| play.count_action(action))?;
+        let watch = Stopwatch::start();
         actions.iter().try_for_each(|action| play.act(action))?;
+        play.build_time = watch.elapsed();
         Ok(play)
     }
 
@@ -52,6 +63,38 @@ impl<'a> Play<'a> {
         self.engine.step()?;
         let elapsed = watch.elapsed();
         Ok(elapsed)
+    }
+
+    /// Returns the CPU time in which the engine took all bodies and joints that the scene has at the start.
+    pub fn build_time(&self) -> Duration {
+        self.build_time
+    }
+
+    /// Applies an action at once and returns its CPU time.
+    ///
+    /// # Errors
+    /// The engine refuses it.
+    pub fn change(&mut self, action: &Action) -> Result<Duration> {
+        self.count_action(action)?;
+        let watch = Stopwatch::start();
+        self.act(action)?;
+        Ok(watch.elapsed())
+    }
+
+    /// Removes all joints, then all bodies, one after the other, makes a step, and returns the CPU time of all this.
+    ///
+    /// # Errors
+    /// The engine refuses to remove one, or the step.
+    pub fn clear(&mut self) -> Result<Duration> {
+        let joints = (0..self.joints.len()).filter(|&index| self.joints[index].is_some());
+        let bodies = (0..self.bodies.len()).filter(|&index| self.bodies[index].is_some());
+        let actions: Vec<Action> =
+            joints.map(Action::RemoveJoint).chain(bodies.map(Action::RemoveBody)).collect();
+        actions.iter().try_for_each(|action| self.count_action(action))?;
+        let watch = Stopwatch::start();
+        actions.iter().try_for_each(|action| self.act(action))?;
+        self.engine.step()?;
+        Ok(watch.elapsed())
     }
 
     /// Returns the engine, for reading states and counters.

@@ -1,6 +1,6 @@
 //! Runs scenes of the arena in all engines by turns: time per step, counters, and the state at the end.
 
-use super::engine::{BOX2D, Counters, EngineEntry, OURS, Result};
+use super::engine::{BOX2D, Counters, EngineEntry, OURS, RAPIER, Result};
 use super::judge::{Verdict, judge};
 use super::play::Play;
 use super::scene::Scene;
@@ -19,7 +19,8 @@ pub struct Effort {
 
 /// Figures of a scene at one size in an engine: one line of a table.
 ///
-/// Times are CPU times in µs: of the first step, and mean and longest of the later steps that all engines made. Counts are
+/// Times are CPU times in µs: of adding all bodies and joints, of the first step, and mean and longest of the later steps that
+/// all engines made, and of removing all bodies and joints one after the other at the end. Counts are
 /// means per step of the [`Counters`]. All other figures are the [`Verdict`] on the state at the end: lengths in m, speed in
 /// m/s, energy in J.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,9 +31,11 @@ pub struct RunFigures {
     pub engine: &'static str,
     pub bodies: usize,
     pub steps: usize,
+    pub build_us: f64,
     pub first_us: f64,
     pub mean_us: f64,
     pub longest_us: f64,
+    pub clear_us: f64,
     pub pairs: f64,
     pub manifolds: f64,
     pub aabbs: Option<f64>,
@@ -61,7 +64,7 @@ pub fn run(
     effort: Effort,
 ) -> Result<Vec<RunFigures>> {
     let scene = (entry.build)(size);
-    let mut runs: Vec<Timed> = engines.iter().map(|_| Timed::default()).collect();
+    let mut runs: Vec<Timed> = engines.iter().map(|_| Timed::new()).collect();
     for _ in 0..effort.turns {
         for (run, &engine) in runs.iter_mut().zip(engines) {
             run.turn(&scene, engine, effort.budget)?;
@@ -74,8 +77,10 @@ pub fn run(
 }
 
 /// Measurements of one engine over all turns.
-#[derive(Default)]
 struct Timed {
+    /// Least CPU times in s, over all turns, of adding all bodies and joints, and of removing them.
+    build: f64,
+    clear: f64,
     /// Least CPU time in s of each step over all turns, for the steps that every turn made.
     least: Vec<f64>,
     counters: Vec<Counters>,
@@ -83,6 +88,11 @@ struct Timed {
 }
 
 impl Timed {
+    fn new() -> Self {
+        let (least, counters, verdict) = (Vec::new(), Vec::new(), Verdict::default());
+        Timed { build: f64::INFINITY, clear: f64::INFINITY, least, counters, verdict }
+    }
+
     /// Runs the scene until its last step or until the CPU time exceeds `budget` s. The first turn also reads counters and
     /// judges the final state, which is the same in all turns.
     fn turn(&mut self, scene: &Scene, engine: EngineEntry, budget: f64) -> Result<()> {
@@ -103,6 +113,8 @@ impl Timed {
             self.least.truncate(times.len());
             self.least.iter_mut().zip(times).for_each(|(least, time)| *least = least.min(time));
         }
+        self.build = self.build.min(play.build_time().as_secs_f64());
+        self.clear = self.clear.min(play.clear()?.as_secs_f64());
         Ok(())
     }
 
@@ -125,6 +137,8 @@ impl Timed {
             engine,
             bodies: verdict.bodies,
             steps: self.counters.len(),
+            build_us: rounded(1e6 * self.build),
+            clear_us: rounded(1e6 * self.clear),
             first_us: rounded(1e6 * self.least.first().copied().unwrap_or(f64::NAN)),
             mean_us: rounded(1e6 * after_first.iter().sum::<f64>() / after_first.len() as f64),
             longest_us: rounded(1e6 * after_first.iter().copied().fold(f64::NAN, f64::max)),
@@ -148,7 +162,7 @@ impl Timed {
 }
 
 /// Rounds a value to four significant digits.
-fn rounded(value: f64) -> f64 {
+pub(super) fn rounded(value: f64) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }
@@ -156,8 +170,8 @@ fn rounded(value: f64) -> f64 {
     (value * scale).round() / scale
 }
 
-/// Comparison of our engine with Box2D at one size: ratio of the mean times of a step, and of the longest times, without the
-/// first step. Dimensionless; `None` if Box2D was not run.
+/// Comparison of our engine with the peers at one size: ratio of the mean times of a step, and of the longest times, without the
+/// first step; of the first steps, of adding all and of removing all. Dimensionless; `None` if the peer was not run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "see above and at `RunFigures`")]
 pub struct Comparison {
@@ -165,21 +179,32 @@ pub struct Comparison {
     pub size: f32,
     pub bodies: usize,
     pub ratio_box2d: Option<f64>,
+    pub ratio_rapier: Option<f64>,
     pub longest_ratio_box2d: Option<f64>,
+    pub first_ratio_box2d: Option<f64>,
+    pub build_ratio_box2d: Option<f64>,
+    pub clear_ratio_box2d: Option<f64>,
     pub state_ok: bool,
 }
 
 /// Returns one comparison for each scene and size.
 pub fn comparisons(runs: &[RunFigures]) -> Vec<Comparison> {
     let beside = |ours: &RunFigures| {
-        let is_same = |run: &&RunFigures| (run.scene, run.size, run.engine) == (ours.scene, ours.size, BOX2D);
-        let peer = runs.iter().find(is_same);
+        let ratio = |peer: &str, time: fn(&RunFigures) -> f64| {
+            let is_same =
+                |run: &&RunFigures| (run.scene, run.size, run.engine) == (ours.scene, ours.size, peer);
+            runs.iter().find(is_same).map(|peer| rounded(time(ours) / time(peer)))
+        };
         Comparison {
             scene: ours.scene,
             size: ours.size,
             bodies: ours.bodies,
-            ratio_box2d: peer.map(|peer| rounded(ours.mean_us / peer.mean_us)),
-            longest_ratio_box2d: peer.map(|peer| rounded(ours.longest_us / peer.longest_us)),
+            ratio_box2d: ratio(BOX2D, |run| run.mean_us),
+            ratio_rapier: ratio(RAPIER, |run| run.mean_us),
+            longest_ratio_box2d: ratio(BOX2D, |run| run.longest_us),
+            first_ratio_box2d: ratio(BOX2D, |run| run.first_us),
+            build_ratio_box2d: ratio(BOX2D, |run| run.build_us),
+            clear_ratio_box2d: ratio(BOX2D, |run| run.clear_us),
             state_ok: ours.state_ok,
         }
     };

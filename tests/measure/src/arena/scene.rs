@@ -1,9 +1,11 @@
 //! Description of a scene of the arena, independent of the engine.
 //!
 //! Lengths are m, masses kg, times s, angles rad; y points up, as in Box2D's benchmark. A body's position is its centre of
-//! mass. Shapes are given in local coordinates about the centre of mass. All bodies start at angle 0.
+//! mass. Shapes are given in local coordinates about the centre of mass.
 
+use super::joint::Joint;
 use crate::penetration::depth::hull;
+use crate::world::turned;
 use std::f64::consts::PI;
 
 /// A point or vector in m.
@@ -218,6 +220,8 @@ pub struct Body {
     pub kind: Kind,
     /// Initial centre of mass in m; for static and kinematic bodies the origin of the body.
     pub position: Point,
+    /// Initial angle in rad, anticlockwise.
+    pub angle: f32,
     /// Initial velocity of the centre of mass in m/s.
     pub velocity: Point,
     /// Initial angular velocity in rad/s, anticlockwise.
@@ -242,6 +246,22 @@ impl Body {
         Body { kind, position, shapes, ..Body::default() }
     }
 
+    /// Returns the inverse mass in 1/kg; 0 unless the body is dynamic.
+    pub(super) fn mobility(&self) -> f32 {
+        if self.mass > 0.0 { 1.0 / self.mass } else { 0.0 }
+    }
+
+    /// Returns the inverse moment of inertia in 1/(kg m²); 0 unless the body is dynamic.
+    pub(super) fn turning_mobility(&self) -> f32 {
+        if self.inertia > 0.0 { 1.0 / self.inertia } else { 0.0 }
+    }
+
+    /// Returns a point of the world in m in the coordinates of this body at its initial position and angle.
+    pub(super) fn local(&self, [x, y]: Point) -> Point {
+        let offset = [x - self.position[0], y - self.position[1]].map(f64::from);
+        turned(offset, -f64::from(self.angle)).map(|v| v as f32)
+    }
+
     /// Creates a dynamic body whose mass and inertia follow from its shapes. Shapes are given relative to a point of the
     /// world, in m, which need not be the centre of mass.
     pub fn dynamic([x, y]: Point, shapes: Vec<Shape>) -> Self {
@@ -260,31 +280,6 @@ impl Body {
         let about_centre = |shape: Shape| Shape { form: shape.form.moved([-cx, -cy]), ..shape };
         let shapes = shapes.into_iter().map(about_centre).collect();
         Body { mass: mass as f32, inertia, ..Body::immovable(Kind::Dynamic, [x + cx, y + cy], shapes) }
-    }
-}
-
-/// A revolute joint between two bodies, which do not collide with each other.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Joint {
-    /// Indices of the two bodies, in the order of creation.
-    pub bodies: [usize; 2],
-    /// World position in m of the point that both bodies share, when the joint is made.
-    pub anchor: Point,
-    /// Relative angle of the second body in rad at which the joint angle is 0.
-    pub reference: f32,
-    /// Least and greatest joint angle in rad; `None` for no limits.
-    pub limits: Option<[f32; 2]>,
-    /// Angular velocity in rad/s of the second body relative to the first that the motor seeks, and greatest torque in N m;
-    /// `None` for no motor.
-    pub motor: Option<[f32; 2]>,
-    /// Frequency in Hz and damping ratio of a spring that pulls the joint angle to 0; `None` for no spring.
-    pub spring: Option<[f32; 2]>,
-}
-
-impl Joint {
-    /// Creates a joint without limits, motor and spring; `anchor` is a world position in m.
-    pub fn new(bodies: [usize; 2], anchor: Point) -> Self {
-        Joint { bodies, anchor, reference: 0.0, limits: None, motor: None, spring: None }
     }
 }
 

@@ -53,28 +53,41 @@ impl Variant {
 }
 
 /// Generator of pseudo-random numbers that depend on the seed alone.
-struct Random {
+pub(crate) struct Random {
     next: u64,
 }
 
 impl Random {
-    fn between(&mut self, low: f32, high: f32) -> f32 {
+    /// Creates the generator of a seed.
+    pub(crate) fn new(seed: u64) -> Self {
+        Random { next: seed.wrapping_mul(NUMBERS) }
+    }
+
+    /// Returns a number from `low` to `high` whose logarithm is uniformly distributed; both > 0.
+    pub(crate) fn log_between(&mut self, low: f32, high: f32) -> f32 {
+        low * (high / low).powf(self.between(0.0, 1.0))
+    }
+
+    /// Returns a uniformly distributed number from `low` to `high`.
+    pub(crate) fn between(&mut self, low: f32, high: f32) -> f32 {
         self.next += 1;
         low + (high - low) * unit(self.next)
     }
 
-    fn below(&mut self, count: usize) -> usize {
+    /// Returns a whole number from 0 to `count - 1`.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.between(0.0, count as f32) as usize).min(count - 1)
     }
 
-    fn chance(&mut self, share: f32) -> bool {
+    /// Returns true with a probability of `share`.
+    pub(crate) fn chance(&mut self, share: f32) -> bool {
         self.between(0.0, 1.0) < share
     }
 }
 
 /// Returns the scene of a seed: equal seeds give equal scenes.
 pub fn scene(seed: u64, variant: Variant) -> Assembly {
-    let mut random = Random { next: seed.wrapping_mul(NUMBERS) };
+    let mut random = Random::new(seed);
     let friction = random.between(0.2, 0.9);
     let is_weightless = variant.crowd == Crowd::Weightless;
     let mut assembly = Assembly::new(if is_weightless { 0.0 } else { 600.0 }, friction);

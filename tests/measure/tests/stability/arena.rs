@@ -41,6 +41,14 @@ impl Engine for Still {
         self.0.borrow()[index]
     }
 
+    fn cast_ray(&mut self, _: Point, _: Point) -> Result<Option<f32>> {
+        Ok(None)
+    }
+
+    fn count_in_box(&mut self, _: Point, _: Point) -> Result<usize> {
+        Ok(0)
+    }
+
     fn counters(&mut self) -> Result<Counters> {
         Ok(Counters::default())
     }

@@ -1,7 +1,8 @@
 //! Drums that turn, and a room in which a blade turns.
 
 use super::{count, fall_speed, ground, limits};
-use crate::arena::scene::{Body, Form, Joint, Kind, Limits, Point, Scene, Shape};
+use crate::arena::joint::Joint;
+use crate::arena::scene::{Body, Form, Kind, Limits, Point, Scene, Shape};
 use std::f32::consts::{PI, TAU};
 
 /// Angular velocity of drums in rad/s: 25 degrees per s.

@@ -7,7 +7,8 @@ mod drums;
 mod heaps;
 mod net;
 mod pyramids;
-mod rain;
+pub(super) mod rain;
+mod worlds;
 
 use super::scene::{Body, Kind, Limits, Scene, Shape};
 
@@ -45,6 +46,24 @@ pub fn scenes() -> [SceneEntry; 10] {
             drums::spinner,
         ),
     ]
+}
+
+/// Returns the large worlds, which are none of Box2D's benchmark. They have 100,000 bodies at size 1.
+pub fn worlds() -> [SceneEntry; 2] {
+    let entry = |name, about, build| SceneEntry { name, about, build };
+    [
+        entry(
+            "falling_pile",
+            "Boxes, discs and capsules fall into a bin, 40 above each other.",
+            worlds::pile,
+        ),
+        entry("sleeping_stacks", "Stacks of ten boxes apart from each other fall asleep.", worlds::stacks),
+    ]
+}
+
+/// Returns a world of static tiles without dynamic bodies, 100,000 bodies at size 1.
+pub fn tiles() -> SceneEntry {
+    SceneEntry { name: "tiles", about: "Static tiles, each a body, in 50 rows.", build: worlds::tiles }
 }
 
 /// Returns the count `full` of the release benchmark multiplied by `scale`, rounded, and at least 1.

@@ -1,7 +1,8 @@
 //! A square net of discs on hinges, held at the middle of its upper side.
 
 use super::{count, fall_speed};
-use crate::arena::scene::{Body, Form, Joint, Kind, Limits, Scene, Shape};
+use crate::arena::joint::Joint;
+use crate::arena::scene::{Body, Form, Kind, Limits, Scene, Shape};
 
 pub(super) fn joint_grid(size: f32) -> Scene {
     let side = count(100, size.sqrt());

@@ -1,7 +1,8 @@
 //! Ragdolls of eleven bones that fall on five floors. The oldest are removed as new ones are added.
 
 use super::{count, fall_speed, ground};
-use crate::arena::scene::{Action, Body, Form, Joint, Limits, Scene, Shape};
+use crate::arena::joint::Joint;
+use crate::arena::scene::{Action, Body, Form, Limits, Scene, Shape};
 use std::f32::consts::PI;
 
 /// Number of floors. Ragdolls fall on each of them.
@@ -121,8 +122,21 @@ const SKELETON: [Bone; BONES] = [
 
 /// Appends the actions that add a ragdoll at (x, y) in m. Its bones become the bodies from index `first` on; each is
 /// followed by the joint to its parent. Bodies of one `group` do not collide.
-fn add_ragdoll(actions: &mut Vec<Action>, [x, y]: [f32; 2], first: usize, group: u32) {
-    for (index, bone) in SKELETON.iter().enumerate() {
+fn add_ragdoll(actions: &mut Vec<Action>, at: [f32; 2], first: usize, group: u32) {
+    for (body, joint) in ragdoll(at, first, group) {
+        actions.push(Action::AddBody(body));
+        actions.extend(joint.map(Action::AddJoint));
+    }
+}
+
+/// Returns the bones of a ragdoll at (x, y) in m, 1.7 m high, each with the joint to its parent. Its bones are the bodies from
+/// index `first` on. Bodies of one `group` do not collide.
+pub(in crate::arena) fn ragdoll(
+    [x, y]: [f32; 2],
+    first: usize,
+    group: u32,
+) -> impl Iterator<Item = (Body, Option<Joint>)> {
+    SKELETON.iter().enumerate().map(move |(index, bone)| {
         let [low, high, radius] = bone.capsule;
         let skin = Form::Capsule { ends: [[0.0, low], [0.0, high]], radius };
         let mut shapes = vec![Shape::new(skin).with_friction(0.2).with_filter(BONE, 1 | BONE, group)];
@@ -132,15 +146,14 @@ fn add_ragdoll(actions: &mut Vec<Action>, [x, y]: [f32; 2], first: usize, group:
             shapes.push(foot.with_friction(0.05).with_filter(FOOT, 1, group));
         }
         let body = Body::dynamic([x, y + bone.y], shapes);
-        actions.push(Action::AddBody(Body { damping: bone.damping, sleep_speed: Some(0.1), ..body }));
-        if index > 0 {
-            actions.push(Action::AddJoint(Joint {
-                reference: bone.reference,
-                limits: Some(bone.limits.map(|limit| limit * PI)),
-                motor: Some([0.0, bone.friction]),
-                spring: Some([5.0, 0.5]),
-                ..Joint::new([first + bone.parent, first + index], [x, y + bone.pivot])
-            }));
-        }
-    }
+        let body = Body { damping: bone.damping, sleep_speed: Some(0.1), ..body };
+        let joint = Joint {
+            reference: bone.reference,
+            limits: Some(bone.limits.map(|limit| limit * PI)),
+            motor: Some([0.0, bone.friction]),
+            spring: Some([5.0, 0.5]),
+            ..Joint::new([first + bone.parent, first + index], [x, y + bone.pivot])
+        };
+        (body, (index > 0).then_some(joint))
+    })
 }
