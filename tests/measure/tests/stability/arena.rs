@@ -8,12 +8,12 @@ use std::rc::Rc;
 
 /// An engine in which all bodies keep their initial states, one [`State`] per body.
 #[derive(Default)]
-struct Still(Rc<RefCell<Vec<State>>>);
+pub(super) struct Still(Rc<RefCell<Vec<State>>>);
 
 impl Engine for Still {
     fn add_body(&mut self, body: &Body) -> Result<()> {
-        let (position, velocity, spin) = (body.position, body.velocity, body.spin);
-        self.0.borrow_mut().push(State { position, angle: 0.0, velocity, spin });
+        let Body { position, angle, velocity, spin, .. } = *body;
+        self.0.borrow_mut().push(State { position, angle, velocity, spin });
         Ok(())
     }
 

@@ -7,6 +7,8 @@ mod common;
 mod written;
 
 mod arena;
+mod arena_joints;
+mod arena_random;
 mod depth;
 mod facts;
 mod joints;
