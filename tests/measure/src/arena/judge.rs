@@ -24,6 +24,8 @@ pub struct Verdict {
     pub contacts: usize,
     /// Greatest overlap depth of two convex pieces in metres, >= 0.
     pub deepest: f64,
+    /// Indices of the two bodies that overlap most deeply; `None` if no two overlap.
+    pub deepest_pair: Option<[usize; 2]>,
     /// Mean overlap depth in metres of the pairs that touch; negative if most of these are slightly apart.
     pub mean_overlap: f64,
     /// Greatest distance in metres between the two anchors of a joint.
@@ -119,7 +121,9 @@ impl Verdict {
                 let depth = depth(&one.piece, &other.piece);
                 if depth >= -TOUCH {
                     (self.contacts, sum) = (self.contacts + 1, sum + depth);
-                    self.deepest = self.deepest.max(depth);
+                    if depth > self.deepest {
+                        (self.deepest, self.deepest_pair) = (depth, Some([one.body, other.body]));
+                    }
                 }
             }
         }

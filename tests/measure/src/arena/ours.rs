@@ -64,8 +64,9 @@ impl Ours {
                 let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
                 let height = (dx.hypot(dy) + 2.0 * radius) * METRE;
                 let centre = px([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
-                // A capsule without rotation has its axis along y.
-                let placement = GeomPlacement::at(centre).turned(dx.atan2(dy));
+                // A capsule without rotation has its axis along y. The rotation of a placement turns its offset, too.
+                let turn = dx.atan2(dy);
+                let placement = GeomPlacement::at(turned_back(centre, turn)).turned(turn);
                 GeomFactory::create_capsule_geom(simulator, body, height, radius * METRE, EDGES, placement)?
             }
             Form::Box { half: [x, y], centre } => {
@@ -247,6 +248,12 @@ impl Engine for Ours {
 
 fn px([x, y]: Point) -> Vector2 {
     Vector2::new(x * METRE, -y * METRE)
+}
+
+/// Returns a vector that a rotation by `angle` (rad) maps to `v`.
+fn turned_back(v: Vector2, angle: f32) -> Vector2 {
+    let (sin, cos) = angle.sin_cos();
+    Vector2::new(v.x * cos + v.y * sin, v.y * cos - v.x * sin)
 }
 
 fn metres(v: Vector2) -> Point {

@@ -118,6 +118,26 @@ fn queries_find_the_same_in_every_engine() {
 }
 
 #[test]
+fn forms_away_from_the_centre_of_mass_lie_where_the_judge_sees_them() {
+    let capsule = Form::Capsule { ends: [[1.0, 0.5], [2.0, 1.5]], radius: 0.25 };
+    let triangle = Form::hull(&[[-1.0, 0.0], [0.0, -0.5], [0.5, 0.5]], 0.0);
+    let square = Form::Box { half: [0.5, 0.25], centre: [-0.5, 1.5] };
+    let disc = Form::Circle { centre: [1.5, -0.5], radius: 0.4 };
+    let body = |forms: [&Form; 2], x: f32| {
+        Body::dynamic([x, 4.0], forms.map(|form| Shape::new(form.clone())).to_vec())
+    };
+    let floor = Body::immovable(Kind::Static, [0.0; 2], vec![Shape::rectangle([20.0, 1.0], [0.0, -1.0])]);
+    let pairs = [[&capsule, &square], [&capsule, &disc], [&triangle, &disc], [&triangle, &capsule]];
+    let bodies = pairs.into_iter().zip([-9.0, -3.0, 3.0, 9.0]).map(|(forms, x)| body(forms, x));
+    let bodies = std::iter::once(floor).chain(bodies).collect();
+    let scene = Scene { gravity: [0.0, -10.0], bodies, limits: UNBOUNDED, ..Scene::default() };
+    for engine in engines() {
+        let (_, verdict) = after(&scene, engine, 300);
+        assert!(verdict.contacts >= 4 && verdict.deepest < 0.015, "{}: {verdict:?}", engine.name);
+    }
+}
+
+#[test]
 fn bodies_come_and_go_in_every_engine() {
     for engine in engines() {
         let scene = joined(JointKind::Hinge, |_| {});
