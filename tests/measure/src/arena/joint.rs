@@ -20,7 +20,7 @@ pub enum JointKind {
     Rod,
     /// A rope: the distance of the centres of mass is at most its length.
     Rope {
-        /// Greatest distance in m, > 0.
+        /// Greatest distance of the centres of mass, metres, > 0.
         length: f32,
     },
     /// A spring between the centres of mass; its rest length is their initial distance.
@@ -40,8 +40,8 @@ pub struct Joint {
     pub reference: f32,
     /// Least and greatest joint angle in rad, or translation of a slider in m; `None` for no limits.
     pub limits: Option<[f32; 2]>,
-    /// Angular velocity in rad/s of the second body relative to the first that the motor seeks, and greatest torque in N m;
-    /// of a slider velocity in m/s and force in N. `None` for no motor.
+    /// Angular velocity in rad/s of the second body relative to the first that the motor seeks, and greatest torque in N m.
+    /// A slider has a velocity in m/s and a force in N. `None` for no motor.
     pub motor: Option<[f32; 2]>,
     /// Frequency in Hz and damping ratio of a spring that pulls the joint angle to 0, or of [`JointKind::Spring`]; `None` for
     /// no spring.
@@ -92,8 +92,8 @@ impl Joint {
         (x2 - x1).hypot(y2 - y1)
     }
 
-    /// Returns stiffness and damping of a spring with a frequency in Hz and a damping ratio between two bodies; `mobility` is
-    /// the inverse mass in 1/kg, or the inverse moment of inertia in 1/(kg m²), of a body.
+    /// Returns stiffness and damping of a spring between two bodies from its frequency in Hz and its damping ratio. `mobility`
+    /// is the inverse mass of a body in 1/kg, or its inverse moment of inertia in 1/(kg m²).
     pub(super) fn stiffness(
         bodies: [&Body; 2],
         [hertz, ratio]: [f32; 2],

@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Gain of a motor in 1/s. The motor reaches its target speed within one step, as far as its greatest effort allows.
 const SPEED_GAIN: f32 = 1e6;
-/// Stiffness in N/m of the spring that stands for a distance joint, rigid within the precision of floats.
+/// Stiffness in N/m (kg/s²) of the spring that stands for a distance joint, rigid within the precision of floats.
 const RIGID: f32 = 1e12;
 
 /// A scene of the arena in a rapier world.
@@ -67,7 +67,7 @@ fn placed([x, y]: Point) -> Pose {
     Pose::new(Vector::new(x, y), 0.0)
 }
 
-/// Returns the filter of a shape as groups of rapier, which has no groups whose members do not collide: each pair of one of
+/// Returns the filter of a shape as groups of rapier, which has no groups whose members do not collide. Each pair of one of
 /// four categories and one of eight collision groups (0 for none) is a group of rapier.
 fn groups(filter: Filter) -> InteractionGroups {
     let bit = |category: u32, group: u32| 1_u32 << (8 * category + group % 8);

@@ -19,10 +19,9 @@ pub struct Effort {
 
 /// Figures of a scene at one size in an engine: one line of a table.
 ///
-/// Times are CPU times in µs: of adding all bodies and joints, of the first step, and mean and longest of the later steps that
-/// all engines made, and of removing all bodies and joints one after the other at the end. Counts are
-/// means per step of the [`Counters`]. All other figures are the [`Verdict`] on the state at the end: lengths in m, speed in
-/// m/s, energy in J.
+/// Times are CPU times in µs. `build_us` is for adding all bodies and joints, `clear_us` for removing them one after the other
+/// at the end. `mean_us` and `longest_us` are of the steps after the first that all engines made. Counts are means per step of
+/// the [`Counters`]. All other figures are the [`Verdict`] on the state at the end: lengths in m, speed in m/s, energy in J.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "see above")]
 pub struct RunFigures {
@@ -170,8 +169,8 @@ pub(super) fn rounded(value: f64) -> f64 {
     (value * scale).round() / scale
 }
 
-/// Comparison of our engine with the peers at one size: ratio of the mean times of a step, and of the longest times, without the
-/// first step; of the first steps, of adding all and of removing all. Dimensionless; `None` if the peer was not run.
+/// Comparison of our engine with the peers at one size: ratios of the times of [`RunFigures`], dimensionless; `None` if the
+/// peer was not run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "see above and at `RunFigures`")]
 pub struct Comparison {
@@ -218,6 +217,7 @@ pub fn comparisons(runs: &[RunFigures]) -> Vec<Comparison> {
 pub struct Growth {
     pub scene: &'static str,
     pub engine: &'static str,
+    pub to_size: f32,
     pub from_bodies: usize,
     pub to_bodies: usize,
     pub exponent: f64,
@@ -234,6 +234,7 @@ pub fn growth(runs: &[RunFigures]) -> Vec<Growth> {
         Some(Growth {
             scene: from.scene,
             engine: from.engine,
+            to_size: to.size,
             from_bodies: from.bodies,
             to_bodies: to.bodies,
             exponent: rounded(exponent),

@@ -13,6 +13,7 @@ pub mod overview;
 pub mod pixels;
 mod png_file;
 pub mod style;
+pub mod times;
 
 use pixels::Pixels;
 use plotters::coord::Shift;

@@ -7,7 +7,7 @@ use std::f32::consts::{PI, TAU};
 /// Sizes, masses, surfaces and speeds that all parts of a random scene share.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Style {
-    /// Least and greatest extent of a body in m.
+    /// Least and greatest extent of a body in metres.
     pub(super) sizes: [f32; 2],
     /// Ratio of the greatest density to the least, dimensionless, >= 1. The geometric mean is 1 kg/m².
     pub(super) density_ratio: f32,
