@@ -30,6 +30,8 @@ pub struct Verdict {
     pub mean_overlap: f64,
     /// Greatest distance in metres between the two anchors of a joint.
     pub gap: f64,
+    /// Index of the joint with the greatest distance; `None` if no joint is open.
+    pub widest_joint: Option<usize>,
     /// Greatest speed of a centre of mass in m/s.
     pub speed: f64,
     /// Kinetic energy of all dynamic bodies in J (kg m²/s²).
@@ -78,10 +80,14 @@ pub fn judge(play: &mut Play<'_>) -> Verdict {
         }
     }
     verdict.height /= (verdict.bodies - verdict.not_finite).max(1) as f64;
-    for joint in play.joints.iter().flatten() {
+    for (index, joint) in play.joints.iter().enumerate() {
+        let Some(joint) = joint else { continue };
         let [Some(a), Some(b)] = joint.bodies.map(|index| states[index]) else { continue };
         let [Some(one), Some(two)] = joint.bodies.map(|index| play.bodies[index].as_ref()) else { continue };
-        verdict.gap = verdict.gap.max(gap(joint, [one, two], [a, b]));
+        let gap = gap(joint, [one, two], [a, b]);
+        if gap > verdict.gap {
+            (verdict.gap, verdict.widest_joint) = (gap, Some(index));
+        }
     }
     let joined = play.joints.iter().flatten().map(|joint| sorted(joint.bodies)).collect();
     verdict.measure_overlaps(placed, &joined);

@@ -17,7 +17,7 @@ use std::fmt::Write;
 /// - energy: the scene gains energy.
 /// - leaks: bodies are outside of the room at the end.
 /// - gap: a joint is open in the last second.
-/// - overlap: two shapes overlap at the end.
+/// - overlap: two shapes overlap in the last second.
 /// - restless: the scene moves at the end.
 ///
 /// From `failed` on, a flag is raised only if at least one peer does well. `restless` needs both peers at rest.

@@ -116,7 +116,9 @@ fn form(random: &mut Random, reach: f32, [x, y]: Point) -> Form {
         }
         kind => {
             let radius = if kind == 3 { 0.0 } else { 0.2 * reach };
-            let (corners, turn) = (3 + random.below(6), random.between(0.0, TAU));
+            // Corners are at least 0.02 m apart, since Box2D merges corners that are nearer.
+            let most = (0.5 * TAU * (reach - radius) / 0.02) as usize;
+            let (corners, turn) = ((3 + random.below(6)).min(most.max(3)), random.between(0.0, TAU));
             let mut corner = |index: usize| {
                 // Neighbouring corners are at least half of the regular angle apart.
                 let angle = turn + TAU * (index as f32 + random.between(0.0, 0.5)) / corners as f32;

@@ -9,8 +9,10 @@ use crate::arena::scene::{Body, Kind};
 use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Number of steps at the end in which joint gaps are measured.
+/// Number of steps at the end in which joint gaps and overlaps are measured.
 const LAST: usize = 60;
+/// Interval in steps between two measurements of overlaps.
+const INTERVAL: usize = 15;
 /// Number of steps at the end in which the fastest body tells whether the scene rests.
 const REST: usize = 30;
 
@@ -27,8 +29,8 @@ pub struct Effort {
 ///
 /// Times are CPU times of steps in µs. `top_speed` is the greatest speed of a centre of mass at any step, `end_speed` that in
 /// the last half second, both in m/s. `energy_gain` is the greatest rise of the total energy above that at the start, as a
-/// fraction of the greatest kinetic energy; `None` if the scene is driven. `gap` is the widest joint gap in the last second,
-/// and `deepest` the deepest overlap at the end, both in m. `escaped` bodies are outside of the room at the end.
+/// fraction of the greatest kinetic energy; `None` if the scene is driven. `gap` and `deepest` are means over the last second,
+/// in m: of the widest joint gap, and of the deepest overlap. `escaped` bodies are outside of the room at the end.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "see above")]
 pub struct RandomFigures {
@@ -96,13 +98,13 @@ fn run(
         }
     }
     if let Some(watch) = watch {
-        let verdict = judge(&mut play);
         figures.top_speed = rounded(watch.top_speed);
         figures.end_speed = rounded(watch.end_speed);
         let gain = (watch.highest - watch.first) / watch.kinetic;
         figures.energy_gain = (!random.is_driven).then(|| rounded(gain.max(0.0)));
-        figures.gap = rounded(watch.gap);
-        (figures.escaped, figures.deepest) = (verdict.escaped, rounded(verdict.deepest));
+        figures.gap = rounded(watch.gaps / LAST as f64);
+        figures.deepest = rounded(watch.depths / (LAST / INTERVAL) as f64);
+        figures.escaped = watch.escaped;
     }
     Ok(times)
 }
@@ -136,7 +138,8 @@ impl RandomFigures {
     }
 }
 
-/// Greatest values of a run so far. Energies in J, speeds in m/s, the gap in m.
+/// Greatest energies in J and speeds in m/s of a run so far, and sums over the last second of the widest joint gaps and the
+/// deepest overlaps, in m.
 struct RunWatch {
     gravity: f64,
     first: f64,
@@ -144,7 +147,9 @@ struct RunWatch {
     kinetic: f64,
     top_speed: f64,
     end_speed: f64,
-    gap: f64,
+    gaps: f64,
+    depths: f64,
+    escaped: usize,
 }
 
 impl RunWatch {
@@ -157,7 +162,9 @@ impl RunWatch {
             kinetic: 0.0,
             top_speed: 0.0,
             end_speed: 0.0,
-            gap: 0.0,
+            gaps: 0.0,
+            depths: 0.0,
+            escaped: 0,
         };
         for body in random.scene.bodies.iter().filter(|body| body.kind == Kind::Dynamic) {
             let start = State {
@@ -200,17 +207,24 @@ impl RunWatch {
             self.end_speed = self.end_speed.max(fastest);
         }
         if left <= LAST {
-            self.measure_gaps(play);
+            self.gaps += widest_gap(play);
+            if left % INTERVAL == 1 {
+                let verdict = judge(play);
+                (self.depths, self.escaped) = (self.depths + verdict.deepest, verdict.escaped);
+            }
         }
         Ok(())
     }
+}
 
-    fn measure_gaps(&mut self, play: &mut Play<'_>) {
-        for joint in play.joints.iter().flatten() {
-            let states = joint.bodies.map(|index| play.engine.state(index));
-            if let [Some(one), Some(two)] = joint.bodies.map(|index| play.bodies[index].as_ref()) {
-                self.gap = self.gap.max(gap(joint, [one, two], states));
-            }
+/// Returns the widest gap of a joint in m.
+fn widest_gap(play: &mut Play<'_>) -> f64 {
+    let mut widest = 0.0_f64;
+    for joint in play.joints.iter().flatten() {
+        let states = joint.bodies.map(|index| play.engine.state(index));
+        if let [Some(one), Some(two)] = joint.bodies.map(|index| play.bodies[index].as_ref()) {
+            widest = widest.max(gap(joint, [one, two], states));
         }
     }
+    widest
 }
