@@ -1,7 +1,8 @@
-//! The arena: scenes of Box2D's benchmark, which are independent of this workspace, at any size in any engine.
+//! The arena: scenes of Box2D's benchmark, large worlds and random scenes in any engine.
 //!
 //! [`scenes()`] describes the scenes once for all [`engines()`]. [`Play`] runs a scene in an engine, and [`judge()`]
-//! measures its final state by the same geometry for every engine. [`run`] times engines by turns.
+//! measures its final state by the same geometry for every engine. [`run`] times engines by turns; [`queries`], [`changes`]
+//! and [`memory`] measure large worlds. [`random`] compares engines in scenes that a seed determines.
 
 #[cfg(feature = "peers")]
 mod box2d;
