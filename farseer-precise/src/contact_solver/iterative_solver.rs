@@ -15,7 +15,8 @@ use std::ops::Range;
 use crate::bodies::{BodySet, MotionState};
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
-use crate::constraint_graph::{ColorUsage, ConstraintGraph};
+use crate::constraint_graph::{ColorUsage, ConstraintGraph, ConstraintGraph3};
+use crate::contact_solver::held_contacts::{HeldContacts, hold_deep_contacts};
 use crate::contact_solver::restitution::apply_restitution;
 use crate::contact_solver::rolling::{RollingContact, RollingSolver};
 use crate::contact_solver::soft_step::{ContactSubstep, relax, solve_with_bias, solve_with_joint_softness};
@@ -92,7 +93,7 @@ impl IterativeSolver<'_> {
     }
 
     /// Solves joints, hinges and contacts with bias, before positions are integrated. `has_joints`: whether joints act in the
-    /// substeps.
+    /// substeps. Deep contacts [prevail](hold_deep_contacts) over joints with large errors.
     fn solve_with_bias(&mut self, step: &StepContext, substep: ContactSubstep, has_joints: bool) {
         if has_joints {
             self.joints.solve_with_bias(self.bodies, step.h);
@@ -108,11 +109,40 @@ impl IterativeSolver<'_> {
             ),
             Some(_) => self.solve_with_bias_3d(step, substep),
         }
+        if has_joints && self.joints.has_large_iterative_error() {
+            self.hold_deep_contacts(step, substep);
+        }
         self.solve_hinge_stops(step.h);
         if has_joints {
             self.joints.equalize_z_velocity(self.bodies);
             self.joints.limit_speeds(self.bodies, step.h);
         }
+    }
+
+    /// Separates the contact points that joints have pressed too deep into static and kinematic bodies.
+    #[inline(never)]
+    fn hold_deep_contacts(&mut self, step: &StepContext, substep: ContactSubstep) {
+        let IterativeSolver { joints, bodies, constraints, parameters, .. } = self;
+        let (masks, held_bodies) = joints.masks_of_held_bodies();
+        let held = HeldContacts {
+            masks,
+            min_extents: bodies.min_extents.slice(..),
+            max_depth: parameters.speculative_distance,
+            bias_rate: step.jointed_static_softness.bias_rate,
+            max_bias_speed: substep.max_bias_speed,
+        };
+        let states = &mut bodies.states;
+        let ConstraintGraph { two_points, one_point, two_points_static, one_point_static, depth, .. } =
+            &mut **constraints;
+        hold_deep_contacts::<false, 2, _>(two_points, states, held, held_bodies);
+        hold_deep_contacts::<false, 1, _>(one_point, states, held, held_bodies);
+        hold_deep_contacts::<true, 2, _>(two_points_static, states, held, held_bodies);
+        hold_deep_contacts::<true, 1, _>(one_point_static, states, held, held_bodies);
+        let ConstraintGraph3 { prisms, balls, prisms_static, balls_static } = depth;
+        hold_deep_contacts::<false, 2, _>(prisms, states, held, held_bodies);
+        hold_deep_contacts::<false, 1, _>(balls, states, held, held_bodies);
+        hold_deep_contacts::<true, 2, _>(prisms_static, states, held, held_bodies);
+        hold_deep_contacts::<true, 1, _>(balls_static, states, held, held_bodies);
     }
 
     /// Relaxation of joints, contacts and hinges, after positions are integrated: removes the velocity by which the bias resolved

@@ -1,6 +1,7 @@
 //! The [iterative solver](iterative_solver) with its contact rows ([`soft_step`]), and closed forms for polygons that roll
 //! ([`rolling`]) or pivot from vertex to vertex ([`pivoting`]) over a static face.
 
+pub mod held_contacts;
 pub mod iterative_solver;
 pub mod load_adaptation;
 pub mod pair_velocities;

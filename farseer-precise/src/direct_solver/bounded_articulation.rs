@@ -285,7 +285,7 @@ impl IslandSolver<'_> {
     fn finish_articulation(&mut self, island: &mut DirectIsland, slop: f64) -> bool {
         let (dt, limits) = (f64::from(self.step.dt), [slop, self.max_correction(), 0.0]);
         island.displacements.clone_from(&island.total_displacements);
-        let gap = island.solve_positions(self.joints, (dt, 0.0), limits, 0.0, None);
+        let gap = island.solve_positions(self.joints, (dt, 0.0), limits, 0.0, None).error;
         island.was_articulation = gap <= ACCEPTED_JOINT_ERROR * self.length_unit();
         if island.was_articulation {
             for (&at, total) in island.joints.iter().zip(&island.joint_impulses) {

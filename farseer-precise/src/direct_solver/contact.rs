@@ -27,10 +27,14 @@ pub(super) struct ContactRows {
     pub(super) friction_limit: f64,
     /// Separations of the two contact points along the normal, length units; negative = penetration.
     pub(super) separations: [f64; 2],
-    /// Separations that the present position correction demands of the two contact points, length units, >= 0; 0 without one.
+    /// Separations that the present position correction demands of the two contact points, length units; 0 without one. It is
+    /// negative for a point that joints may press as far as its least separation.
     pub(super) corrections: [f64; 2],
     /// Relative velocity that a kinematic body A alone gives each row, length units/s; 0 without one.
     pub(super) prescribed_velocity: Vec3,
+    /// Separations below which joints must not press the two points in this step, length units, < 0; negative infinity for
+    /// contacts of two dynamic bodies.
+    least_separations: [f64; 2],
 }
 
 impl Deref for ContactRows {
@@ -74,6 +78,7 @@ impl ContactRows {
             separations: [one.separation, two.separation].map(f64::from),
             corrections: [0.0; 2],
             prescribed_velocity: [0.0; 3],
+            least_separations: [f64::NEG_INFINITY; 2],
         }
     }
 
@@ -243,6 +248,31 @@ impl ContactRows {
                 false => 0.0,
             }
         });
+    }
+
+    /// Sets the separations below which joints must not press the points in this step: the penetration `depth`. Points that are
+    /// deeper at its start separate by `min_correction`. Lengths in length units, >= 0.
+    pub(super) fn set_least_separations(&mut self, depth: f64, min_correction: f64) {
+        self.least_separations = self.separations.map(|separation| (separation + min_correction).min(-depth));
+    }
+
+    /// Adds the points that are pressed too deep to the active set of a position correction: after the `changes` of their
+    /// separations they are below their least separations by more than `slop`. They are to end there, without friction. Lengths
+    /// in length units. Returns whether there are any.
+    pub(super) fn hold_pressed_points(&mut self, changes: Vec3, slop: f64) -> bool {
+        let pressed = [0, 1].map(|row| self.is_pressed(row, changes[row], slop));
+        for row in (0..2).filter(|&row| pressed[row]) {
+            self.corrections[row] = self.least_separations[row] - self.separations[row];
+            self.active_rows = (self.active_rows | 1 << row) & !(1 << FRICTION);
+        }
+        pressed != [false; 2]
+    }
+
+    /// Returns whether a change of its separation presses the contact point `row` (0 or 1) below its least separation by more
+    /// than `slop`, or leaves it there. Lengths in length units.
+    #[inline(always)]
+    pub(super) fn is_pressed(&self, row: usize, change: f64, slop: f64) -> bool {
+        self.has_row(row) && self.separations[row] + change < self.least_separations[row] - slop
     }
 
     /// Returns the impulses of the rows that separate the points by their corrections. As the linear system is solved for

@@ -44,6 +44,7 @@ use crate::parameters::direct::{
     STIFF_ROUND_STEPS,
 };
 use crate::reusing_clone;
+pub(super) use position_correction::Correction;
 
 /// Cost and quality of the solution of an island in one update.
 #[derive(Debug, Clone, Copy, PartialEq)]

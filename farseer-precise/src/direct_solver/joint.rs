@@ -99,6 +99,9 @@ pub(crate) struct JointRows {
     linearisation_rate: Vec3,
     /// Position error of each row at the end of the step. Unit for translation: length units; angle: radians.
     pub(crate) errors: Vec3,
+    /// Part of the position error of each row at the start of the step that exceeds the greatest correction of a step. The
+    /// position correction leaves it. Unit for translation: length units; angle: radians.
+    kept_errors: Vec3,
     /// Length that one radian counts as where errors of rows are compared, in length units per radian.
     error_arm: f64,
 }
@@ -148,6 +151,7 @@ impl JointRows {
             transverse_stiffness: 0.0,
             linearisation_rate: [0.0; 3],
             errors: [0.0; 3],
+            kept_errors: [0.0; 3],
             error_arm,
         }
     }
@@ -502,6 +506,36 @@ impl JointRows {
         kept.fold(0.0, |worst, row| max_or_nan(self.length_per_unit(row) * self.errors[row].abs(), worst))
     }
 
+    /// Sets the part of the `initial` position errors of the rows that the step leaves: all beyond `max_correction` length units
+    /// and `max_rotation` radians. Initial errors are those at the start of the step (unit for translation: length units; angle:
+    /// radians). Returns whether any error stays.
+    pub(super) fn set_kept_errors(&mut self, initial: Vec3, max_correction: f64, max_rotation: f64) -> bool {
+        self.kept_errors = std::array::from_fn(|row| {
+            let most = if row == ANGLE { max_rotation } else { max_correction };
+            initial[row] - initial[row].clamp(-most, most)
+        });
+        self.kept_errors != [0.0; 3]
+    }
+
+    /// Returns the position error of the row with index `row` that this step is to correct. Unit for translation: length units;
+    /// angle: radians.
+    fn open_error(&self, row: usize) -> f64 {
+        let (error, kept) = (self.errors[row], self.kept_errors[row]);
+        if kept > 0.0 {
+            positive_part(error - kept)
+        } else if kept < 0.0 {
+            -positive_part(kept - error)
+        } else {
+            error
+        }
+    }
+
+    /// Returns the greatest position error of the rows that this step is to correct, in length units.
+    pub(super) fn max_open_error(&self) -> f64 {
+        let kept = (0..3).filter(|&row| !self.may_slip(row));
+        kept.fold(0.0, |worst, row| max_or_nan(self.length_per_unit(row) * self.open_error(row).abs(), worst))
+    }
+
     /// Selects the active set of a position correction: bilateral rows, rows at a limit, and other rows with a position error.
     pub(super) fn select_corrected_rows(&mut self) {
         let is_corrected = |&row: &usize| {
@@ -517,7 +551,7 @@ impl JointRows {
     pub(super) fn correction_impulses(&self, max_correction: f64) -> Vec3 {
         std::array::from_fn(|row| {
             let max_error = max_correction / self.length_per_unit(row);
-            let error = self.errors[row].clamp(-max_error, max_error);
+            let error = self.open_error(row).clamp(-max_error, max_error);
             if self.is_active(row) { -self.stiffness[row] * error } else { 0.0 }
         })
     }

@@ -5,12 +5,13 @@
 //! budget that the island soon goes to the iterative solver. During an impact that solver does worse than any direct result,
 //! because it starts from impulses that it cannot sustain.
 //!
-//! In three cases nothing is stored, and the island goes to the iterative solver at once:
+//! In four cases nothing is stored, and the island goes to the iterative solver at once:
 //!
 //! - the solution gains energy;
 //! - it diverges: a body rotates by more than `ACCEPTED_ROTATION`, a joint error exceeds `ACCEPTED_JOINT_ERROR`, and the
 //!   island has had no stored solution since the direct solver took it;
-//! - the island has no contacts, and the position solve hardly closes such an error (`JOINT_ERROR_PROGRESS`).
+//! - the island has no contacts, and the position solve hardly closes such an error (`JOINT_ERROR_PROGRESS`);
+//! - a static or kinematic body stands in the way of joints, and a kinematic body drives them against it.
 //!
 //! With [`SolverChoice::Direct`] every solution is stored, even one that gains energy.
 
@@ -19,9 +20,10 @@ use super::constraint_list::add_constraint_impulses;
 use super::cost_model::max_newton_steps;
 use super::island_body::{IslandBody, MemberIndex, MemberVectors, dot, max_or_nan};
 use super::island_io::{DirectIsland, RestingBody, RowReader};
-use super::island_newton::{IslandSystem, SolveStats, Tolerances};
+use super::island_newton::{Correction, IslandSystem, SolveStats, Tolerances};
 use super::island_solver::IslandSolver;
 use super::joint::JointRows;
+use super::lateral_friction::clear_impulses;
 use super::mat3::Vec3;
 use crate::bodies::BodySet;
 use crate::constraint_graph::{ConstraintGraph, ContactConstraint};
@@ -30,6 +32,7 @@ use crate::joints::JointSystem;
 use crate::joints::island_rows::StepInterval;
 use crate::joints::springs::SpringRows;
 use crate::mass::INFINITE_MASS;
+use crate::parameters::contacts::HELD_DEPTH_PER_EXTENT;
 use crate::parameters::direct::{
     ACCEPTED_ENERGY_GAIN, ACCEPTED_JOINT_ERROR, ACCEPTED_RESIDUAL, ACCEPTED_RESIDUAL_FRACTION,
     ACCEPTED_ROTATION, ACCEPTED_VELOCITY_ERROR, CORRECTION_ERROR_RATIO, CORRECTION_HALVINGS,
@@ -37,7 +40,24 @@ use crate::parameters::direct::{
     JOINTED_PENETRATION_RATE, JOINTED_PENETRATION_SPEED, LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR,
     POSITION_CORRECTIONS, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
+use crate::parameters::joints::JOINT_CORRECTION_SPEED;
 use crate::solver_choice::SolverChoice;
+
+/// Result of the position solve of an island with joints.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PositionSolution {
+    /// The greatest joint error that remains, length units.
+    pub(super) error: f64,
+    /// Whether a static or kinematic body stood in the way of joints, so that they keep errors.
+    is_blocked: bool,
+    /// Whether joints keep errors because they were larger than the greatest correction of a step.
+    keeps_errors: bool,
+}
+
+impl PositionSolution {
+    /// Stands for no solution: the error is infinite.
+    const NONE: Self = PositionSolution { error: f64::INFINITY, is_blocked: false, keeps_errors: false };
+}
 
 impl<'a> IslandSolver<'a> {
     /// Solves an island with joints. `was_solved` is its [`has_accepted_solution`](super::IslandHistory::has_accepted_solution).
@@ -59,10 +79,11 @@ impl<'a> IslandSolver<'a> {
             return self.rest(island, &reader, stats);
         }
         let rotation = island.system.max_angular_speed() * reader.dt;
-        let error_after = match gains_energy && self.is_release_allowed() {
-            true => f64::INFINITY,
-            false => self.solve_jointed_positions(island, &reader, [deepest, error_before]),
-        };
+        let PositionSolution { error: error_after, is_blocked, keeps_errors } =
+            match gains_energy && self.is_release_allowed() {
+                true => PositionSolution::NONE,
+                false => self.solve_jointed_positions(island, &reader, [deepest, error_before]),
+            };
         // All penetration is held, and so nothing was corrected.
         let is_overlap_held =
             deepest > slop && error_after == error_before && island.system.greatest_correction() <= slop;
@@ -72,12 +93,13 @@ impl<'a> IslandSolver<'a> {
         let has_gap = error_after > ACCEPTED_JOINT_ERROR * unit;
         let has_diverged = !was_solved && rotation > ACCEPTED_ROTATION && has_gap;
         let is_stuck = island.contact_handles.is_empty() && self.is_joint_stuck([error_before, error_after]);
-        island.is_released = self.is_release_allowed() && (gains_energy || has_diverged || is_stuck);
-        if !island.is_released {
-            self.store_jointed_solution(island);
-        }
-        let is_accepted =
-            !gains_energy && rotation <= ACCEPTED_ROTATION && error_after <= ACCEPTED_JOINT_ERROR * unit;
+        let is_contradiction = is_blocked && !stats.is_solved && self.is_pulled(island);
+        island.is_released =
+            self.is_release_allowed() && (gains_energy || has_diverged || is_stuck || is_contradiction);
+        self.store_or_forget(island, is_contradiction);
+        let is_closing = keeps_errors && !self.is_joint_stuck([error_before, error_after]);
+        let has_failed = gains_energy || rotation > ACCEPTED_ROTATION;
+        let is_accepted = !has_failed && (!has_gap || is_blocked || is_closing);
         SolveStats { is_solved: stats.is_solved && is_accepted, ..stats }
     }
 
@@ -95,6 +117,8 @@ impl<'a> IslandSolver<'a> {
         let slop = island.load_bodies(bodies, f64::from(step.substeps), unit);
         let mut reader = RowReader::new(bodies, step, slop, unit * RESTING_VELOCITY_ERROR);
         island.make_all_rows(rows, (joints, springs), &reader, unit);
+        let min_correction = JOINTED_PENETRATION_SPEED * unit * reader.dt;
+        island.set_least_separations(bodies, self.parameters.speculative_distance.into(), min_correction);
         if island.system.is_driven() {
             reader.velocity_tolerance = unit * MOVING_VELOCITY_ERROR;
         }
@@ -108,18 +132,16 @@ impl<'a> IslandSolver<'a> {
         stats
     }
 
-    /// Closes the joints of an island and resolves its penetration, after the solution of the velocities. Returns the greatest
-    /// joint error that remains, in length units. `deepest` is the greatest penetration before and `error_before` the greatest
-    /// joint error before, both in length units.
+    /// Closes the joints of an island and resolves its penetration, after the solution of the velocities. `deepest` is the
+    /// greatest penetration before and `error_before` the greatest joint error before, both in length units.
     fn solve_jointed_positions(
         &self,
         island: &mut DirectIsland,
         reader: &RowReader<'_>,
         [deepest, error_before]: [f64; 2],
-    ) -> f64 {
+    ) -> PositionSolution {
         let (joints, dt) = (&*self.joints, reader.dt);
-        let mut of_joints = island.joints.iter().zip(&island.joint_bodies);
-        let is_pulled = of_joints.any(|(&at, &ends)| joints.constraint(at).is_moved_by_kinematic_body(ends));
+        let is_pulled = self.is_pulled(island);
         let min_correction = JOINTED_PENETRATION_SPEED * self.length_unit() * dt;
         island.solve_positions(
             joints,
@@ -128,6 +150,12 @@ impl<'a> IslandSolver<'a> {
             (JOINTED_PENETRATION_RATE * dt).min(1.0),
             (!is_pulled).then_some(error_before),
         )
+    }
+
+    /// Returns whether a moving kinematic body pulls at a joint of the island.
+    fn is_pulled(&self, island: &DirectIsland) -> bool {
+        let mut of_joints = island.joints.iter().zip(&island.joint_bodies);
+        of_joints.any(|(&at, &ends)| self.joints.constraint(at).is_moved_by_kinematic_body(ends))
     }
 
     /// Returns the greatest position correction of a step, in length units.
@@ -142,6 +170,25 @@ impl<'a> IslandSolver<'a> {
         error_before > accepted
             && error_after > accepted
             && error_after > error_before - JOINT_ERROR_PROGRESS * self.max_correction()
+    }
+
+    /// Stores the solution of an island that is not released. A released island keeps the impulses of the last update, unless its
+    /// driven joints contradict contacts.
+    fn store_or_forget(&mut self, island: &DirectIsland, is_contradiction: bool) {
+        if !island.is_released {
+            self.store_jointed_solution(island);
+        } else if is_contradiction {
+            self.forget_impulses(island);
+        }
+    }
+
+    /// Removes the stored impulses of an island in which driven joints contradict contacts. They may contain a self-stress of any size,
+    /// which the iterative solver could not sustain.
+    fn forget_impulses(&mut self, island: &DirectIsland) {
+        island.joints.iter().for_each(|&at| self.joints.forget_force(at));
+        for &handle in &island.contact_handles {
+            clear_impulses(&mut self.constraints.direct_constraint_mut(handle).constraint);
+        }
     }
 
     /// Stores the solution of an island with joints: forces of joints and impulses of contacts. Its joints and springs are
@@ -288,7 +335,7 @@ impl DirectIsland {
     }
 
     /// Position solve of the island: closes joints and resolves penetration by changing `displacements`, which start as those
-    /// by the velocities. Returns the greatest joint error that remains, in length units.
+    /// by the velocities.
     ///
     /// `dt` is the length of the step in seconds, `deepest` the greatest penetration. `limits` are the penetration slop, the
     /// greatest correction and the least correction, in length units. `resolved_fraction` (0..=1) is the fraction of a
@@ -301,27 +348,65 @@ impl DirectIsland {
         limits: [f64; 3],
         resolved_fraction: f64,
         known_error: Option<f64>,
-    ) -> f64 {
+    ) -> PositionSolution {
         let (rotates_much, slop) = (self.system.max_angular_speed() * dt > JACOBIAN_ROTATION, limits[0]);
         let mut error = match known_error.filter(|_| !rotates_much) {
             Some(error) => error,
             None => self.compute_position_errors(joints, (dt, rotates_much)),
         };
-        for correction in 0.. {
+        let keeps_errors = self.keep_large_errors(joints, limits[1], JOINT_CORRECTION_SPEED * dt);
+        let mut is_blocked = false;
+        for correction in 0..POSITION_CORRECTIONS {
             let is_jacobian_new = correction > 0 || rotates_much;
             let tolerance = if correction == 0 { slop } else { CORRECTION_ERROR_RATIO * slop };
-            if correction == POSITION_CORRECTIONS || (error <= tolerance && deepest <= slop) {
-                return error;
+            let open_error = if keeps_errors { self.max_open_error() } else { error };
+            if open_error <= tolerance && deepest <= slop {
+                break;
             }
-            let closes_joints = error > tolerance;
-            if !self.system.correct_positions(limits, resolved_fraction, [is_jacobian_new, closes_joints]) {
-                return error;
+            let how = [is_jacobian_new, open_error > tolerance];
+            match self.system.correct_positions(limits, resolved_fraction, how) {
+                Correction::None => break,
+                Correction::Free => error = self.apply_correction(joints, dt, error),
+                Correction::Blocked => {
+                    self.step_along_correction(1.0);
+                    error = self.compute_position_errors(joints, (dt, true));
+                    is_blocked = true;
+                    break;
+                }
             }
-            error = self.apply_correction(joints, dt, error);
             // Penetration is resolved once per step.
             deepest = 0.0;
         }
-        f64::INFINITY
+        PositionSolution { error, is_blocked, keeps_errors }
+    }
+
+    /// Leaves the part of the joint errors at the start of the step that exceeds `max_correction` length units or `max_rotation`
+    /// radians: joints close little by little. Returns whether there is such an error.
+    fn keep_large_errors(&mut self, joints: &JointSystem, max_correction: f64, max_rotation: f64) -> bool {
+        let mut is_any_large = false;
+        for (rows, &at) in self.system.joints.iter_mut().zip(&self.joints) {
+            is_any_large |=
+                rows.set_kept_errors(joints.constraint(at).initial_errors(), max_correction, max_rotation);
+        }
+        is_any_large
+    }
+
+    /// Returns the greatest joint error that this step is to correct, in length units.
+    fn max_open_error(&self) -> f64 {
+        self.system.joints.iter().fold(0.0, |worst, rows| max_or_nan(rows.max_open_error(), worst))
+    }
+
+    /// Sets the separations below which joints must not press each contact with a static or kinematic body in this step.
+    /// `max_depth` is the penetration for large bodies, and deeper points separate by `min_correction`, both in length units.
+    fn set_least_separations(&mut self, bodies: &BodySet, max_depth: f64, min_correction: f64) {
+        let IslandSystem { members, contacts, .. } = &mut self.system;
+        for contact in contacts {
+            if let [FIXED, member] = contact.bodies {
+                let extent = f64::from(bodies.min_extents[members[member].body]);
+                let depth = max_depth.min(f64::from(HELD_DEPTH_PER_EXTENT) * extent);
+                contact.set_least_separations(depth, min_correction);
+            }
+        }
     }
 
     /// Applies the last position correction, or a fraction of it that does not increase the greatest joint error, `before`.

@@ -48,7 +48,8 @@ pub(super) struct MotorLimitLanes {
     /// Largest impulse of each limit in a substep, >= 0: mass units * length units/s in linear rows, mass units * length
     /// units^2/s in angular rows.
     max_limit_impulse: JointLanes,
-    /// Largest violation of a limit that is corrected in proportion: radians in angular rows, infinite in linear rows.
+    /// Largest violation of a limit that is corrected in proportion, >= 0: length units in linear rows, radians in angular rows.
+    /// Larger ones are corrected at its speed.
     max_limit_error: JointLanes,
     /// Accumulated impulses of the lower and the upper limit in a substep, both >= 0: mass units * length units/s in linear
     /// rows, mass units * length units^2/s in angular rows. The lower limit acts along the row, the upper limit against it.
@@ -116,6 +117,18 @@ impl MotorLimitLanes {
             lane,
             if is_angle { SOFT_ROW_ANGLE_ERROR } else { f64::INFINITY },
         );
+    }
+
+    /// Bounds the violation of a limit that is corrected in proportion by `max_error`, >= 0 (length units in linear rows, radians
+    /// in angular rows), for the joints in `lanes`.
+    pub(super) fn bound_limit_error(&mut self, max_error: f32, lanes: JointLanes) {
+        let bounded = smaller(self.max_limit_error, f32x4::splat(max_error));
+        self.max_limit_error = select(lanes, bounded, self.max_limit_error);
+    }
+
+    /// Returns by how much each joint is beyond its limits, >= 0: length units in linear rows, radians in angular rows.
+    pub(super) fn limit_violation(&self) -> JointLanes {
+        positive(greater(self.limits[0] - self.position, self.position - self.limits[1]) - self.slop)
     }
 
     /// Sets the coordinate of each joint (`position`) and the inverse effective mass of the row (`inverse_mass`) at the present

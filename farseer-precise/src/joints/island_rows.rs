@@ -213,6 +213,12 @@ impl JointConstraint {
         rows.errors = self.position_errors(&frame);
     }
 
+    /// Returns the position errors of the rows along the normal, of the angle and along the tangent at the start of the step:
+    /// length units, for the angle radians.
+    pub(crate) fn initial_errors(&self) -> Vec3 {
+        self.position_errors(&JointFrame::of(self))
+    }
+
     /// Returns the linearisation errors of the rows along the normal, of the angle and along the tangent for these
     /// displacements, in length units (for the angle 0).
     ///

@@ -143,6 +143,11 @@ impl JointSystem {
         self.mark_solved(joint);
     }
 
+    /// Removes the stored force of a joint: the next solver starts without an impulse of it.
+    pub(crate) fn forget_force(&mut self, joint: JointIndex) {
+        self.constraints[joint].force = [0.0; 3];
+    }
+
     /// Converts the row impulses that the direct solver has found in a step of `dt` seconds to the force of the joint, and
     /// stores it. No other solver takes the joint in this step.
     pub(crate) fn store_solution(&mut self, joint: JointIndex, rows: &JointRows, dt: f64) {
@@ -368,6 +373,18 @@ impl JointSystem {
             let is_iterative = |at: JointIndex| articulations[articulation_of[at]].is_iterative();
             soft.prepare((constraints, springs), is_iterative, (bodies, step), *length_unit);
         }
+    }
+
+    /// Returns whether a joint of the iterative solver has a position error that is too large to be corrected in proportion, at
+    /// the start of the substep.
+    pub(crate) fn has_large_iterative_error(&self) -> bool {
+        self.soft.has_large_error()
+    }
+
+    /// Returns two masks for each body index: all bits set if the body has joints in the iterative solver, and all bits set if a
+    /// contact [holds](crate::contact_solver::held_contacts) the body in this update, else 0.
+    pub(crate) fn masks_of_held_bodies(&mut self) -> (&[u32], &mut [u32]) {
+        self.soft.masks_of_held_bodies()
     }
 
     /// Returns whether joints or springs act in the substeps of the iterative solver in this update.

@@ -4,7 +4,8 @@
 //! the [motor-limit row](super::block_row). Impulses are those of one substep on body B, in the rows of `BodyPairLanes`.
 
 use crate::parameters::joints::{
-    HANDED_OVER_IMPULSE_LOSS, HANDED_OVER_LOSS_PER_CORRECTION, SOFT_ROW_ANGLE_ERROR, SOFT_ROW_ARM,
+    DRIVEN_JOINT_ERROR, HANDED_OVER_IMPULSE_LOSS, HANDED_OVER_LOSS_PER_CORRECTION, JOINT_CORRECTION_SPEED,
+    SOFT_ROW_ANGLE_ERROR, SOFT_ROW_ARM,
 };
 use wide::{f32x4, f64x4};
 
@@ -18,7 +19,7 @@ use super::block_pair::{
 use super::block_row::{MotorLimitLanes, motor_limit_row};
 use super::frame::JointFrame;
 use super::indices::JointIndex;
-use super::joint_constraint::{JointConstraint, JointList};
+use super::joint_constraint::{JointAnchor, JointConstraint, JointList};
 use super::locked_dofs::LockedDofs;
 use super::soft_law::{BlockEffectiveMass, RowSoftness, RowSoftnessLanes, wide_masks};
 use crate::index::{BodyIndex, IndexedVec};
@@ -46,6 +47,11 @@ pub(super) struct SoftJointBlock {
     /// Position errors of the equality rows along the normal, of the angle and along the tangent: length units, for the angle
     /// radians.
     position_errors: RowLanes,
+    /// Largest position errors that are corrected in proportion at bodies that contacts hold, >= 0: of the linear rows together
+    /// (length units) and of the angular row (radians). Larger ones are corrected at [`JOINT_CORRECTION_SPEED`].
+    max_errors: [f32; 2],
+    /// Mask of the joints with a kinematic body: their lanes have all bits set.
+    driven_lanes: JointLanes,
     /// Accumulated impulses of a substep on body B in the equality rows along the normal, of the angle and along the tangent:
     /// mass units * length units/s, for the angle mass units * length units^2/s.
     impulses: RowLanes,
@@ -111,6 +117,8 @@ impl SoftJointBlock {
             wide_row_masks: [f64x4::ZERO; 3],
             effective_mass: BlockEffectiveMass::default(),
             position_errors: [ZERO; 3],
+            max_errors: [f32::INFINITY; 2],
+            driven_lanes: ZERO,
             impulses: [ZERO; 3],
             target: ZERO,
             max_linear_impulse: infinite,
@@ -152,6 +160,7 @@ impl SoftJointBlock {
             set_lane_rounded(&mut self.impulses[row], lane, impulses[row]);
             self.row_masks[row].as_mut_array()[lane] = f32::from_bits(!0);
         }
+        self.set_driven(lane, joint, bodies);
         let initial_angle = if joint.locked == LockedDofs::Distance { 0.0 } else { joint.angle };
         set_lane_rounded(&mut self.target, lane, joint.range[0] - initial_angle);
         if joint.max_impulse < f64::from(f32::MAX) {
@@ -171,6 +180,12 @@ impl SoftJointBlock {
         is_acting
     }
 
+    /// Notes whether a body of the joint in a lane is kinematic.
+    fn set_driven(&mut self, lane: usize, joint: &JointConstraint, bodies: &BodySet) {
+        let is_driven = has_kinematic_body(joint, bodies);
+        self.driven_lanes.as_mut_array()[lane] = f32::from_bits(if is_driven { !0 } else { 0 });
+    }
+
     /// Sets the greatest impulse of the joint in a lane: of the linear rows for joints that keep a point or a distance, else of
     /// the angular row.
     fn set_max_impulse(&mut self, lane: usize, joint: &JointConstraint) {
@@ -185,8 +200,11 @@ impl SoftJointBlock {
     /// their lanes. `length_unit` is the length unit of the simulator.
     pub(super) fn prepare(&mut self, softness: &RowSoftness, length_unit: f32) {
         self.wide_row_masks = wide_masks(self.row_masks);
+        let max_error = (JOINT_CORRECTION_SPEED / softness.bias_rate) as f32;
+        self.max_errors = [max_error * length_unit, max_error];
         self.pair.update_jacobian();
         self.update_rows();
+        self.bound_errors_of(select(self.compliant_lanes, ZERO, self.driven_lanes));
         self.limit_warm_start(&RowSoftnessLanes::splat(softness), length_unit);
     }
 
@@ -321,6 +339,56 @@ impl SoftJointBlock {
         self.pair.store_velocities(states, velocities);
     }
 
+    /// Bounds the position errors by `max_errors` at bodies that contacts hold against joints (their entries of `held_masks` have
+    /// all bits set, others are 0), and at joints with kinematic bodies. Compliant joints keep theirs.
+    ///
+    /// The impulse of a soft row grows with its error. Without the bound it would exceed any contact.
+    #[inline(always)]
+    fn bound_errors(&mut self, held_masks: &IndexedVec<BodyIndex, u32>) {
+        let held = self.pair.marked_lanes(held_masks) | self.driven_lanes;
+        self.bound_errors_of(select(self.compliant_lanes, ZERO, held));
+    }
+
+    /// Bounds the position errors of the joints in the lanes `held` by `max_errors`.
+    fn bound_errors_of(&mut self, held: JointLanes) {
+        if held.none() {
+            return;
+        }
+        let is_angle = self.pair.direction == RowDirection::Fixed;
+        if let Some(motor_and_limits) = &mut self.motor_and_limits {
+            motor_and_limits.bound_limit_error(self.max_errors[usize::from(is_angle)], held);
+        }
+        let [along, angle, across] =
+            std::array::from_fn(|row| self.position_errors[row] & self.row_masks[row]);
+        let errors = [along * along + across * across, angle * angle].map(f32x4::sqrt);
+        for (rows, kind) in [(&[ALONG, ACROSS][..], 0), (&[ANGLE], 1)] {
+            let (error, most) = (errors[kind], f32x4::splat(self.max_errors[kind]));
+            let fraction = select(held & error.simd_gt(most), most / error, f32x4::splat(1.0));
+            rows.iter().for_each(|&row| self.position_errors[row] *= fraction);
+        }
+    }
+
+    /// Returns whether a joint of the block has a position error, or is beyond a limit, by more than `max_errors`, or
+    /// by [`DRIVEN_JOINT_ERROR`] of them if a kinematic body drives it.
+    pub(super) fn has_large_error(&self) -> bool {
+        let one = f32x4::splat(1.0);
+        let share = select(self.driven_lanes, f32x4::splat(DRIVEN_JOINT_ERROR), one);
+        let [along, angle, across] =
+            std::array::from_fn(|row| self.position_errors[row] & self.row_masks[row]);
+        let [linear, angular] = self.max_errors.map(|error| {
+            let most = share * f32x4::splat(error);
+            most * most
+        });
+        let mut is_large =
+            (along * along + across * across).simd_gt(linear) | (angle * angle).simd_gt(angular);
+        if let Some(motor_and_limits) = &self.motor_and_limits {
+            let is_angle = self.pair.direction == RowDirection::Fixed;
+            let most = share * f32x4::splat(self.max_errors[usize::from(is_angle)]);
+            is_large |= motor_and_limits.limit_violation().simd_gt(most);
+        }
+        is_large.any()
+    }
+
     /// Removes the velocity error of rigid joints after an impact, if one of their bodies is in `impacted_masks`. Adds the
     /// other bodies of these joints to `impacted_masks` and `impacted_bodies`.
     ///
@@ -402,9 +470,11 @@ impl SoftJointBlock {
     }
 
     /// Updates relative poses and rows after the bodies have moved in a substep.
-    pub(super) fn advance(&mut self, bodies: &mut BodySet) {
+    /// `held_masks` has all bits set for bodies that contacts hold against joints, else 0.
+    pub(super) fn advance(&mut self, bodies: &mut BodySet, held_masks: &IndexedVec<BodyIndex, u32>) {
         self.pair.advance_poses(bodies, self.row_impulses());
         self.update_rows();
+        self.bound_errors(held_masks);
     }
 
     /// Returns the total impulses of this substep on body B in world coordinates: along x and y (mass units * length units/s)
@@ -437,6 +507,13 @@ impl SoftJointBlock {
             joint.mean_force = Some(per_second(&self.total_impulse, dt));
         }
     }
+}
+
+/// Returns whether a body of the joint is kinematic.
+fn has_kinematic_body(joint: &JointConstraint, bodies: &BodySet) -> bool {
+    joint.anchors.iter().any(|&JointAnchor { pose_body: body, .. }| {
+        body != BodyIndex::PLACEHOLDER && body < bodies.first_static() && bodies.is_kinematic(body)
+    })
 }
 
 /// Returns the mask of a joint's equality rows: bit ALONG (normal), ANGLE or ACROSS (tangent). A distance or angle with a range

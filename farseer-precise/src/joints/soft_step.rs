@@ -39,13 +39,15 @@ pub(super) struct SoftJoints {
     jointed_bodies: Vec<BodyIndex>,
     /// For each body index all bits set if the body is in `jointed_bodies`, else 0.
     jointed_masks: IndexedVec<BodyIndex, u32>,
+    /// For each body index all bits set if a contact has held the body against joints in this update, else 0.
+    held_masks: IndexedVec<BodyIndex, u32>,
     /// Indices of bodies that an impact of this update has reached, by a contact or through joints.
     impacted_bodies: Vec<BodyIndex>,
     /// For each body index all bits set if the body is in `impacted_bodies`, else 0.
     impacted_masks: IndexedVec<BodyIndex, u32>,
 }
 
-reusing_clone! { SoftJoints { colored_joints, blocks, springs, angle_springs, jointed_bodies, jointed_masks, impacted_bodies, impacted_masks } }
+reusing_clone! { SoftJoints { colored_joints, blocks, springs, angle_springs, jointed_bodies, jointed_masks, held_masks, impacted_bodies, impacted_masks } }
 
 impl SoftJoints {
     /// Assigns colours to the 2D joints, whose indices into `joints` are `in_plane`, and reserves memory. Called after the list
@@ -62,7 +64,7 @@ impl SoftJoints {
         self.jointed_bodies.reserve(bodies.min(2 * self.colored_joints.len()));
         self.impacted_bodies.drain(..).for_each(|body| self.impacted_masks[body] = 0);
         // All masks are 0 here.
-        for masks in [&mut self.jointed_masks, &mut self.impacted_masks] {
+        for masks in [&mut self.jointed_masks, &mut self.held_masks, &mut self.impacted_masks] {
             masks.resize(bodies, 0);
         }
     }
@@ -72,7 +74,9 @@ impl SoftJoints {
         self.blocks.clear();
         self.springs.clear();
         self.angle_springs.clear();
-        self.jointed_bodies.drain(..).for_each(|body| self.jointed_masks[body] = 0);
+        for body in self.jointed_bodies.drain(..) {
+            (self.jointed_masks[body], self.held_masks[body]) = (0, 0);
+        }
     }
 
     /// Builds the rows of an update: from the joints for which `is_iterative` returns true, and from the springs that the
@@ -151,6 +155,16 @@ impl SoftJoints {
         self.blocks.is_empty() && self.springs.is_empty() && self.angle_springs.is_empty()
     }
 
+    /// Returns the masks of the bodies with joints or springs, and those of the bodies that contacts hold.
+    pub(super) fn masks_of_held_bodies(&mut self) -> (&[u32], &mut [u32]) {
+        (self.jointed_masks.slice(..), self.held_masks.slice_mut(..))
+    }
+
+    /// Returns whether a joint has a position error that is too large to be corrected in proportion, at the start of the substep.
+    pub(super) fn has_large_error(&self) -> bool {
+        self.blocks.iter().any(SoftJointBlock::has_large_error)
+    }
+
     /// Returns for each body index all bits set if the body has a joint or spring in the iterative solver, else 0.
     pub(super) fn body_masks(&self) -> &IndexedVec<BodyIndex, u32> {
         &self.jointed_masks
@@ -186,7 +200,8 @@ impl SoftJoints {
     pub(super) fn advance(&mut self, bodies: &mut BodySet) {
         self.springs.iter_mut().for_each(|spring| spring.advance(bodies));
         self.angle_springs.iter_mut().for_each(|spring| spring.advance(bodies));
-        self.blocks.iter_mut().for_each(|block| block.advance(bodies));
+        let SoftJoints { blocks, held_masks, .. } = self;
+        blocks.iter_mut().for_each(|block| block.advance(bodies, held_masks));
     }
 
     /// Limits the velocities of bodies with joints or springs in the iterative solver, except bullets, in a substep of `h`

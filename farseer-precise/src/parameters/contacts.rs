@@ -43,6 +43,18 @@ pub(crate) const CONTACT_DAMPING_RATIO: f32 = 10.0;
 /// 1 / (5 h) for substeps of h seconds. Box2D 3 has 8 substeps instead. Value chosen; its sensitivity is not measured.
 pub(crate) const SUBSTEPS_PER_CONTACT_PERIOD: f32 = 5.0;
 
+/// Penetration above which a contact with a static or kinematic body prevails over joints with large position errors, as a
+/// fraction of the least distance from the middle of the body to its surface. Unit: dimensionless, below 1. It is at most the
+/// speculative distance, [`SPECULATIVE_DISTANCE`].
+///
+/// Derived: a body whose middle has passed a face is pushed out at the far side. Half of the distance leaves as much again for
+/// the motion of one step, above which continuous collision stops the body.
+pub(crate) const HELD_DEPTH_PER_EXTENT: f32 = 0.5;
+
+/// Gauss-Seidel sweeps over the two points of a contact that prevails over joints. Unit: dimensionless, a count. Each sweep
+/// leaves k12^2 / (k11 k22) of the error, a quarter for a long beam: eight leave 1.5e-5.
+pub(crate) const HELD_CONTACT_SWEEPS: usize = 8;
+
 /// Frequency of the contacts of bodies that have joints in the iterative solver. Unit: Hz. Stiffer contacts prevail over
 /// joints, which then have gaps: in piles of ragdolls the gaps are 3.1 px with [`CONTACT_FREQUENCY`], 1.3 px with this
 /// frequency. Box2D 3 has 30 Hz for all contacts.

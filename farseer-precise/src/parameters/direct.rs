@@ -51,6 +51,14 @@ pub(crate) const JOINTED_PENETRATION_SPEED: f64 = 0.03;
 /// 0.8 fewer of them gape or do not rest than without the test, fewest with 0.5.
 pub(crate) const HELD_SEPARATION_FRACTION: f64 = 0.5;
 
+/// Compliance of joint rows in a position correction that joints would press into a static or kinematic body, as a fraction of
+/// the inverse effective mass of the row. Unit: dimensionless.
+///
+/// Derived: let a joint with the error e pull at the angle a against a wall. It moves the body by e sin a / (c + sin^2 a) along
+/// the wall, for the compliance c. That is at most e / (2 sqrt c), so that with this value no displacement exceeds the error.
+/// Nearly rigid rows would throw the body along the wall.
+pub(crate) const PRESSING_JOINT_COMPLIANCE: f64 = 0.25;
+
 /// Most further solutions of a position correction, each without the held points of the one before. Unit: dimensionless, a
 /// count. Measured: tracked vehicles come to rest with 2 or more, and more than 4 make no difference.
 pub(crate) const HELD_POINT_SOLUTIONS: usize = 4;

@@ -73,6 +73,7 @@ mod precise_loads;
 mod precise_motion;
 mod precise_movers;
 mod precise_one_way;
+mod precise_pulls;
 mod precise_queries;
 mod precise_rolling;
 mod precise_saves;

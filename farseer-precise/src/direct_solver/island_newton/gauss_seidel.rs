@@ -8,7 +8,8 @@ use crate::parameters::direct::ISLAND_SWEEPS;
 
 impl IslandSystem {
     /// Makes [`ISLAND_SWEEPS`] sweeps of projected Gauss-Seidel over all rows, from the initial impulses: the fallback without
-    /// an acceptable solution. The sweeps add no more energy than the initial impulses do.
+    /// an acceptable solution. The sweeps add no more energy than the initial impulses do. In islands with joints, as many sweeps
+    /// over the contacts with fixed bodies follow.
     pub(super) fn gauss_seidel_sweeps(&mut self) {
         self.restore_initial_impulses();
         let IslandSystem { members, contacts, joints, .. } = self;
@@ -19,6 +20,16 @@ impl IslandSystem {
             }
             for contact in contacts.iter_mut() {
                 solve_row_alone(contact, FRICTION, members);
+                solve_row_alone(contact, 0, members);
+                solve_row_alone(contact, 1, members);
+            }
+        }
+        if joints.is_empty() {
+            return;
+        }
+        // Where joints contradict contacts with bodies that no impulse moves, contacts prevail.
+        for _ in 0..ISLAND_SWEEPS {
+            for contact in contacts.iter_mut().filter(|contact| contact.bodies.contains(&FIXED)) {
                 solve_row_alone(contact, 0, members);
                 solve_row_alone(contact, 1, members);
             }

@@ -5,7 +5,21 @@ use super::super::island_body::{MemberVectors, max_or_nan};
 use super::super::joint::JointRows;
 use super::super::mat3::Vec3;
 use super::IslandSystem;
-use crate::parameters::direct::{FIRST_COMPLIANCE, HELD_POINT_SOLUTIONS, HELD_SEPARATION_FRACTION};
+use crate::parameters::direct::{
+    FIRST_COMPLIANCE, HELD_POINT_SOLUTIONS, HELD_SEPARATION_FRACTION, JOINT_ROW_COMPLIANCE,
+    PRESSING_JOINT_COMPLIANCE,
+};
+
+/// Result of a position correction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Correction {
+    /// No error is to be corrected.
+    None,
+    /// All errors are corrected as demanded.
+    Free,
+    /// A static or kinematic body stands in the way: joints keep errors.
+    Blocked,
+}
 
 impl IslandSystem {
     /// Position correction of penetration in an island without joints. Returns whether a contact point is deep enough for a
@@ -22,21 +36,23 @@ impl IslandSystem {
     ) -> bool {
         self.advance_separations(dt, slop) > slop
             && self.correct_positions([slop, max_correction, 0.0], resolved_fraction, [false, true])
+                != Correction::None
     }
 
     /// Position correction of all constraints in one linear solve. [`corrections`](Self::corrections) then returns the
-    /// displacement of each member of the island. Returns whether there is anything to correct.
+    /// displacement of each member of the island.
     ///
     /// `limits` are the penetration that remains, the greatest correction and the least correction, in length units. Joint
     /// errors are corrected completely up to the greatest correction, penetration by `resolved_fraction` (0..=1).
     /// `are_jacobians_new` tells that the factors of the matrix are out of date, `closes_joints` that a joint has an error to
-    /// correct. In islands with joints, held points are [left out](Self::leave_out_held_points).
+    /// correct. In islands with joints, held points are [left out](Self::leave_out_held_points), and joints do not
+    /// [press](Self::correct_beside_pressed_points) bodies into static or kinematic ones.
     pub(in super::super) fn correct_positions(
         &mut self,
         [slop, max_correction, min_correction]: [f64; 3],
         resolved_fraction: f64,
         [are_jacobians_new, closes_joints]: [bool; 2],
-    ) -> bool {
+    ) -> Correction {
         self.is_factored &= !are_jacobians_new;
         self.set_compliance(FIRST_COMPLIANCE);
         self.joints.iter_mut().for_each(JointRows::select_corrected_rows);
@@ -52,16 +68,63 @@ impl IslandSystem {
             if !(may_be_held && self.leave_out_held_points()) {
                 break;
             }
-            if !closes_joints && self.greatest_correction() <= slop {
-                return false;
+            if !closes_joints && self.greatest_correction() <= slop && !self.has_pressed_point(slop) {
+                return Correction::None;
             }
             self.solve_corrections(max_correction);
         }
         if self.contacts.iter().any(|contact| contact.active_rows != 0) {
             self.limit_corrections(max_correction);
         }
+        let is_blocked = may_be_held && self.correct_beside_pressed_points([slop, max_correction]);
         self.correct_separations();
+        if is_blocked { Correction::Blocked } else { Correction::Free }
+    }
+
+    /// Returns whether a contact point is pressed too deep into a static or kinematic body before any correction, by more than
+    /// `slop` length units.
+    fn has_pressed_point(&self, slop: f64) -> bool {
+        self.contacts.iter().any(|contact| (0..2).any(|row| contact.is_pressed(row, 0.0, slop)))
+    }
+
+    /// Solves the position correction again if it presses a contact point too deep into a static or kinematic body: such points
+    /// hold, and joints yield. `limits` are the penetration slop and the greatest correction, in length units. Returns whether
+    /// there is such a point.
+    ///
+    /// Joint rows are otherwise a thousand times as stiff as contact rows. Where both contradict each other, they would pull the
+    /// body through the wall. Here pressed points have the compliance of joints, and joints yield
+    /// ([`PRESSING_JOINT_COMPLIANCE`]).
+    fn correct_beside_pressed_points(&mut self, [slop, max_correction]: [f64; 2]) -> bool {
+        if !self.hold_pressed_points(slop) {
+            return false;
+        }
+        self.is_factored = false;
+        self.joints.iter_mut().for_each(|joint| joint.set_round_stiffness([PRESSING_JOINT_COMPLIANCE; 3]));
+        for _ in 0..HELD_POINT_SOLUTIONS {
+            self.factorise();
+            self.solve_corrections(max_correction);
+            if !self.hold_pressed_points(slop) {
+                break;
+            }
+        }
+        self.limit_corrections(max_correction);
+        // The next correction sets the stiffness of all rows again.
+        (self.compliance, self.is_factored) = (0.0, false);
         true
+    }
+
+    /// Adds the contact points that the displacements in `direction` press too deep to the active set. Returns whether there are
+    /// any. `slop` in length units.
+    fn hold_pressed_points(&mut self, slop: f64) -> bool {
+        let mut is_any_pressed = false;
+        for contact in &mut self.contacts {
+            let changes = contact.relative_velocities_in(&self.direction);
+            if contact.hold_pressed_points(changes, slop) {
+                contact.stiffness = contact.effective_masses.map(|mass| mass / JOINT_ROW_COMPLIANCE);
+                is_any_pressed = true;
+            }
+        }
+        is_any_pressed
     }
 
     /// Changes the separations of all contacts by the position corrections.
