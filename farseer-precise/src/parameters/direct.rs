@@ -420,8 +420,8 @@ pub(crate) const ITERATIVE_JOINT_COST: f64 = 0.3;
 pub(crate) const ITERATIVE_CONTACT_COST: f64 = 0.1;
 
 /// Modelled cost per update that the budget of an island with joints grants. Unit: dimensionless, multiples of the modelled
-/// cost of one update of the iterative solver. Measured together with [`BUDGET_OVERDRAFT`]: with 5 and 300, 2.5 and 150, 1.25
-/// and 75, of 4,800 random figures 71, 179 and 337 end with gaps of more than 0.1 length units (Box2D 3: 1,364), and falling
+/// cost of one update of the iterative solver. Measured together with [`BUDGET_OVERDRAFT`], with 5 and 300, 2.5 and 150,
+/// 1.25 and 75. Of 4,800 random figures 71, 179 and 337 end with gaps of more than 0.1 length units, of Box2D's 1,364. Falling
 /// ragdolls take 1.73, 1.01 and 0.73 ms per update.
 pub(crate) const JOINTED_BUDGET: f64 = 2.5;
 
