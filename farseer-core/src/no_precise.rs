@@ -92,7 +92,7 @@ impl Precise {
         match *self {}
     }
 
-    pub(crate) fn geoms_near(&self, _: &Aabb, _: &Objects) -> Option<Vec<GeomId>> {
+    pub(crate) fn list_geoms_near(&self, _: &Aabb, _: &Objects, _: &mut Vec<(u32, GeomId)>) -> bool {
         match *self {}
     }
 }

@@ -17,13 +17,17 @@ use farseer_precise::parameters::broad_phase::{
 };
 
 impl Precise {
-    /// Returns the geoms that may overlap an AABB, and perhaps others, in the order of the list of geoms. `None`: the proxies
-    /// are older than the list of geoms, there is a depth axis, or the AABB is out of range. The caller then tests all geoms.
-    pub(crate) fn geoms_near(&self, aabb: &Aabb, objects: &Objects) -> Option<Vec<GeomId>> {
+    /// Lists in `found` the geoms that may overlap an AABB, and perhaps others, in the order of the list of geoms, each after the
+    /// key by which that is sorted. Returns false, with a `found` of no meaning, if the proxies are older than the list of geoms,
+    /// there is a depth axis, or the AABB is out of range. The caller then tests all geoms.
+    pub(crate) fn list_geoms_near(
+        &self,
+        aabb: &Aabb,
+        objects: &Objects,
+        found: &mut Vec<(u32, GeomId)>,
+    ) -> bool {
         let solver = &self.solver;
-        let Aabb { min, max } = *aabb;
-        let coordinate_sum =
-            [min.x, min.y, max.x, max.y].iter().fold(0.0, |max_coordinate: f32, x| max_coordinate + x.abs());
+        let coordinate_sum = coordinate_sum(aabb);
         // A comparison that is false for NaN, too.
         let is_in_range = coordinate_sum < QUERY_MAX_COORDINATE;
         let is_outdated =
@@ -34,17 +38,15 @@ impl Precise {
             || objects.has_new_members
             || !is_in_range
         {
-            return None;
+            return false;
         }
-        let tolerance = QUERY_ROUNDING_RATIO * coordinate_sum;
-        let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
-        // Each geom after the key by which the list is sorted.
+        let bounds = widened(aabb, QUERY_ROUNDING_RATIO * coordinate_sum);
         let of_proxy = |proxy: ProxyIndex| {
             let proxy = solver.proxies.proxy(proxy);
             (proxy.list_key, geom_of(proxy))
         };
-        let mut found: Vec<(u32, GeomId)> =
-            self.always_tested.iter().map(|tested| (tested.list_key, tested.geom)).collect();
+        found.clear();
+        found.extend(self.always_tested.iter().map(|tested| (tested.list_key, tested.geom)));
         solver.grid.for_each_overlap(&bounds, |proxy| found.push(of_proxy(proxy)));
         let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
         for &geom in
@@ -54,7 +56,7 @@ impl Precise {
         }
         found.sort_unstable_by_key(|&(key, _)| key);
         found.dedup_by_key(|&mut (key, _)| key);
-        Some(found.into_iter().map(|(_, geom)| geom).collect())
+        true
     }
 
     /// Stores the geoms that every AABB query tests in `always_tested`.
@@ -90,4 +92,16 @@ impl Precise {
         };
         QUERY_ROUNDING_RATIO * shape.max_extent <= tolerance && geom.local_vertices.iter().all(is_covered)
     }
+}
+
+/// Sum of the magnitudes of the coordinates of an AABB, in length units; NaN if one is.
+fn coordinate_sum(aabb: &Aabb) -> f32 {
+    let Aabb { min, max } = *aabb;
+    [min.x, min.y, max.x, max.y].iter().fold(0.0, |sum: f32, x| sum + x.abs())
+}
+
+/// Left, top, right and bottom of an AABB, widened by a margin in length units.
+fn widened(aabb: &Aabb, margin: f32) -> [f32; 4] {
+    let Aabb { min, max } = *aabb;
+    [min.x - margin, min.y - margin, max.x + margin, max.y + margin]
 }

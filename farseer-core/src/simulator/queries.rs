@@ -39,7 +39,21 @@ impl PhysicsSimulator {
     /// The geoms that may reach into a box, in list order: all geoms if there is no grid.
     pub(crate) fn geoms_near(&self, aabb: &Aabb) -> Cow<'_, [GeomId]> {
         let precise = self.pipeline.precise.as_ref();
-        let near = precise.and_then(|precise| precise.geoms_near(aabb, &self.objects));
-        near.map_or(Cow::Borrowed(self.objects.geom_list()), Cow::Owned)
+        let mut found = Vec::new();
+        match precise.is_some_and(|precise| precise.list_geoms_near(aabb, &self.objects, &mut found)) {
+            true => Cow::Owned(found.into_iter().map(|(_, geom)| geom).collect()),
+            false => Cow::Borrowed(self.objects.geom_list()),
+        }
+    }
+
+    /// Lists in `found` the geoms of [`geoms_near`](Self::geoms_near), each after a key of no meaning, without an allocation
+    /// once it is long enough.
+    #[cfg(feature = "precise")]
+    pub(crate) fn list_geoms_near(&self, aabb: &Aabb, found: &mut Vec<(u32, GeomId)>) {
+        let precise = self.pipeline.precise.as_ref();
+        if !precise.is_some_and(|precise| precise.list_geoms_near(aabb, &self.objects, found)) {
+            found.clear();
+            found.extend(self.objects.geom_list().iter().map(|&geom| (0, geom)));
+        }
     }
 }
