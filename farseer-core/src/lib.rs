@@ -14,7 +14,8 @@
 //! | in this manual | |
 //! |---|---|
 //! | this page | [first program](#a-first-program), [the update](#what-an-update-does), [methods to choose from](#methods-to-choose-from), [where they fail](#where-they-fail), [joints, springs, controllers](#joints-springs-controllers), [units](#units-and-axes), [bad input](#bad-input), [determinism](#determinism), [saving](#saving) |
-//! | [`guide::new_games`] | games that are no ports: bodies with their geoms in one call, typed events, queries with filters |
+//! | [`guide::new_games`] | games that are no ports: bodies with their geoms in one call, typed events, queries with filters, a character |
+//! | [`guide::five_tasks`] | a pile, a figure with a servo, a platform with a character, sounds of hits, one-way ledges |
 //! | [`guide::porting`] | from C# to Rust, member by member, with a small game before and after |
 //! | [`guide::choosing`] | which set of methods for which game, the solver selection of the precise set, and limits of each |
 //! | [`guide::differences`] | differences from the original, and their reasons |
@@ -591,7 +592,10 @@ pub use path::{
     LinkType, Path,
 };
 #[cfg(feature = "precise")]
-pub use queries::{Explosion, NearestPoint, QueryFilter};
+pub use queries::{
+    CharacterMover, Explosion, MoverInput, MoverOptions, MoverReport, MoverState, MoverTouch, NearestPoint,
+    QueryFilter,
+};
 pub use report::{AwakeReason, Event, Hit, Island, StepCounters, StepTimes};
 pub use shape::{Aabb, Feature, Footprint, Vertices, ray_helper};
 #[cfg(feature = "space")]

@@ -13,10 +13,10 @@ use conformance::fixtures::plane::{
     self, NARROW_PHASES, add_box, add_circle, add_floor, faithful_methods, lively_scene, simulator_with, v,
 };
 use farseer_core::{
-    BodyBuilder, BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, Dispatch, EventHandler,
-    FluidContainerRef, FluidDragController, GeomBuilder, GravityController, InactivityController,
-    IslandSolver, JointFactory, JointId, Methods, PhysicsSimulator, ScalingController, SolverChoice,
-    SpringFactory, SpringId, WantedEvents, WaveController,
+    BodyBuilder, BodyId, BodyInterpolation, BroadPhaseCollider, CharacterMover, Context, Controller,
+    Dispatch, EventHandler, FluidContainerRef, FluidDragController, GeomBuilder, GravityController,
+    InactivityController, IslandSolver, JointFactory, JointId, Methods, MoverInput, MoverOptions,
+    PhysicsSimulator, ScalingController, SolverChoice, SpringFactory, SpringId, WantedEvents, WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.
@@ -593,4 +593,32 @@ fn crush_monitored_stopped_and_slowed_bodies_allocate_nothing() {
         (0..200).for_each(|_| simulator.update(depth::DT));
         assert_eq!(calls(|| (0..100).for_each(|_| simulator.update(depth::DT))), 0);
     });
+}
+
+#[test]
+fn a_character_that_walks_jumps_and_rides_allocates_nothing_after_the_first_moves() {
+    let mut simulator = PhysicsSimulator::precise([0.0, 900.0]).unwrap();
+    let add = |simulator: &mut PhysicsSimulator, body, size: [f32; 2]| {
+        simulator.add_body(body, [GeomBuilder::rectangle(size[0], size[1])]).unwrap().0
+    };
+    add(&mut simulator, BodyBuilder::fixed().position([0.0, 10.0]), [2000.0, 20.0]);
+    for i in 0..10 {
+        add(&mut simulator, BodyBuilder::fixed().position([40.0 * i as f32 - 200.0, 3.0]), [20.0, 20.0]);
+    }
+    let lift = add(&mut simulator, BodyBuilder::kinematic().position([0.0, -50.0]), [60.0, 10.0]);
+    let shape = GeomBuilder::capsule(60.0, 12.0);
+    let mut mover = CharacterMover::new(&shape, [0.0, -100.0], MoverOptions::default()).unwrap();
+    let mut calls_of = |from: usize, to: usize| -> usize {
+        let mut count = 0;
+        for step in from..to {
+            let sign = if step % 160 < 80 { 1.0 } else { -1.0 };
+            simulator[lift].set_linear_velocity_y(40.0 * sign);
+            simulator.update(1.0 / 60.0);
+            let input = MoverInput { x: 150.0 * sign, jump: step % 50 < 10, drop: false };
+            count += calls(|| _ = mover.update(&mut simulator, input, 1.0 / 60.0).unwrap());
+        }
+        count
+    };
+    assert!(calls_of(0, 320) > 0, "the first moves fill the memory");
+    assert_eq!(calls_of(320, 960), 0);
 }

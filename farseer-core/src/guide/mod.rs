@@ -2,7 +2,8 @@
 //!
 //! | page | about |
 //! |---|---|
-//! | [`new_games`] | bodies with their geoms in one call, typed events, queries with filters |
+//! | [`new_games`] | bodies with their geoms in one call, typed events, queries with filters, a character |
+//! | [`five_tasks`] | a pile, a figure with a servo, a platform with a character, sounds of hits, one-way ledges |
 //! | [`choosing`] | which methods for which game, and where each fails |
 //! | [`settings`] | settings of a simulator with the precise set |
 //! | [`solvers`] | islands, and which solver takes them |
@@ -22,6 +23,10 @@ pub mod choosing {}
 
 #[doc = include_str!("differences.md")]
 pub mod differences {}
+
+#[cfg(feature = "precise")]
+#[doc = include_str!("five_tasks.md")]
+pub mod five_tasks {}
 
 #[cfg(feature = "precise")]
 #[doc = include_str!("new_games.md")]

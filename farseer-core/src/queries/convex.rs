@@ -61,27 +61,64 @@ impl Convex {
 
     /// A piece of a geom whose points `to_world` brings to the world. It must keep distances.
     pub(super) fn of_piece(piece: &Piece, to_world: impl Fn(Point) -> Point) -> Self {
+        let mut convex = Convex { core: Vec::new(), radius: 0.0, free_side: None };
+        convex.set_to_piece(piece, to_world);
+        convex
+    }
+
+    /// Becomes [`of_piece`](Self::of_piece), in the memory of the former core.
+    pub(super) fn set_to_piece(&mut self, piece: &Piece, to_world: impl Fn(Point) -> Point) {
         let at = |[x, y]: [f32; 2]| to_world([f64::from(x), f64::from(y)]);
-        let (mut core, radius): (Vec<Point>, f32) = match piece {
-            Piece::Circle { centre, radius } => (vec![at(*centre)], *radius),
-            Piece::Capsule { ends, radius } => (ends.map(at).to_vec(), *radius),
-            Piece::Polygon(corners) | Piece::Part { corners, .. } => {
-                (corners.iter().map(|&c| at(c)).collect(), 0.0)
+        self.core.clear();
+        let core = &mut self.core;
+        let radius: f32 = match piece {
+            Piece::Circle { centre, radius } => {
+                core.push(at(*centre));
+                *radius
             }
-            Piece::Edge { ends, .. } => (ends.map(at).to_vec(), 0.0),
+            Piece::Capsule { ends, radius } => {
+                core.extend(ends.map(at));
+                *radius
+            }
+            Piece::Polygon(corners) | Piece::Part { corners, .. } => {
+                core.extend(corners.iter().map(|&c| at(c)));
+                0.0
+            }
+            Piece::Edge { ends, .. } => {
+                core.extend(ends.map(at));
+                0.0
+            }
         };
         // A matrix of the game may mirror a geom.
-        if doubled_area(&core) < 0.0 {
+        if doubled_area(core) < 0.0 {
             core.reverse();
         }
-        let free_side = match piece {
+        self.radius = f64::from(radius);
+        self.free_side = match piece {
             Piece::Edge { normal, .. } => {
                 let origin = at([0.0; 2]);
                 Some(minus(at(*normal), origin))
             }
             _ => None,
         };
-        Convex { core, radius: f64::from(radius), free_side }
+    }
+
+    /// Becomes `other` moved by `way`, in length units, in the memory of the former core.
+    pub(super) fn set_to_moved(&mut self, other: &Convex, way: Point) {
+        self.core.clear();
+        self.core.extend(other.core.iter().map(|&corner| plus(corner, way)));
+        (self.radius, self.free_side) = (other.radius, other.free_side);
+    }
+
+    /// The outward unit normals of the edges that pass within `reach` length units of a point; of an edge of a chain, that on
+    /// its free side.
+    pub(super) fn normals_at(&self, at: Point, reach: f64) -> impl Iterator<Item = Point> + '_ {
+        let is_near = move |edge: &[Point; 2]| {
+            let way = minus(nearest_on(*edge, at), at);
+            dot(way, way) <= reach * reach
+        };
+        let normal = |edge| self.free_side.or_else(|| outward(edge));
+        self.edges().filter(is_near).filter_map(normal)
     }
 
     /// The shape moved by `way`, in length units.

@@ -7,6 +7,7 @@ mod cast;
 mod convex;
 mod explosion;
 mod filter;
+mod mover;
 mod ray;
 mod world_shape;
 
@@ -22,6 +23,7 @@ use convex::{Convex, Placement};
 
 pub use explosion::Explosion;
 pub use filter::QueryFilter;
+pub use mover::{CharacterMover, MoverInput, MoverOptions, MoverReport, MoverState, MoverTouch};
 
 /// The point of a geom that is nearest to a point: see [`PhysicsSimulator::nearest_point`].
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,12 +13,17 @@ const BEYOND_POLYGON: f32 = 0.05;
 /// The convex pieces of a geom at its present place.
 pub(super) fn pieces_of(objects: &Objects, geom: GeomId) -> impl Iterator<Item = Convex> + '_ {
     objects.geom(geom).into_iter().flat_map(|geom| {
-        let matrix = geom.matrix();
-        let [m11, m12, m21, m22, x, y] =
-            [matrix.m11, matrix.m12, matrix.m21, matrix.m22, matrix.m41, matrix.m42].map(f64::from);
-        let to_world = move |[px, py]: Point| [px * m11 + py * m21 + x, px * m12 + py * m22 + y];
+        let to_world = to_world(&geom);
         geom.entry.pieces().iter().map(move |piece| Convex::of_piece(piece, to_world))
     })
+}
+
+/// Brings points of a geom to the world.
+pub(super) fn to_world(geom: &GeomRef<'_>) -> impl Fn(Point) -> Point + Copy + use<> {
+    let matrix = geom.matrix();
+    let [m11, m12, m21, m22, x, y] =
+        [matrix.m11, matrix.m12, matrix.m21, matrix.m22, matrix.m41, matrix.m42].map(f64::from);
+    move |[px, py]: Point| [px * m11 + py * m21 + x, px * m12 + py * m22 + y]
 }
 
 /// Whether a geom touches one of these shapes.

@@ -44,6 +44,7 @@ mod lifecycle;
 mod limits;
 mod link_scenes;
 mod mouse_picker;
+mod mover;
 mod narrow_reference;
 mod not_finite;
 mod other_vectors;
