@@ -132,7 +132,7 @@ fn about_middle(area: f64, inertia: f32) -> MassProperties {
 }
 
 /// Returns the area of a polygon, its first moments in x and y, and its second moment about the origin, in powers of length
-/// units. Each edge makes a triangle with the first corner (C. Ericson, *Real-Time Collision Detection*, 2005).
+/// units. Each edge makes a triangle with the first corner, as in Box2D 3 (E. Catto, `b2ComputePolygonMass`).
 fn area_and_moments(corners: &[Vector2]) -> [f64; 4] {
     let Some(&first) = corners.first() else { return [0.0; 4] };
     let origin = [f64::from(first.x), f64::from(first.y)];

@@ -71,7 +71,7 @@ impl WantedEvents {
     pub const TOUCH: Self = WantedEvents(1);
     /// [`Event::SensorBegin`](crate::Event::SensorBegin) and [`Event::SensorEnd`](crate::Event::SensorEnd).
     pub const SENSOR: Self = WantedEvents(1 << 1);
-    /// [`Hit`](crate::Hit).
+    /// [`PhysicsSimulator::hits`](crate::PhysicsSimulator::hits): a list of its own, beside the events.
     pub const HIT: Self = WantedEvents(1 << 2);
     /// All of them.
     pub const ALL: Self = WantedEvents(0b111);

@@ -105,8 +105,9 @@ impl PhysicsSimulator {
     /// the normal points from the geom to the shape, and the shape touches at `position + fraction * motion`.
     ///
     /// `shape` is any shape of a [`GeomBuilder`], with its offset and rotation offset; other properties have no effect.
-    /// `rotation` is that of the shape, in radians. A geom that the shape touches or overlaps at the start is hit at fraction 0,
-    /// unless the shape moves away from it.
+    /// `rotation` is that of the shape, in radians. A geom that the shape touches or overlaps at the start is hit at fraction 0
+    /// if the motion leads further into it. A shape that slides along a face or leaves it hits nothing, nor does one without motion:
+    /// [`overlap_shape`](Self::overlap_shape) finds overlaps.
     ///
     /// ```
     /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, QueryFilter};

@@ -76,8 +76,8 @@ pub enum Event {
         other: GeomId,
     },
     /// Two geoms with collision response begin to touch: once for the pair, if one of both
-    /// [wants](crate::Geom::set_wanted_events) it. Only with the [precise set](crate::Methods::Precise), as the events that
-    /// follow.
+    /// [wants](crate::Geom::set_wanted_events) it. Only with the [precise set](crate::Methods::Precise), as the ends of
+    /// touches and the events of sensors and of sleep.
     ///
     /// A touch that begins has exactly one end, as the same kind of event, however it ends: also by filters, and when a side
     /// is disabled, removed or disposed. If one side is made a [sensor](crate::Objects::set_sensor) while the two touch, the

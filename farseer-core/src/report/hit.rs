@@ -1,4 +1,4 @@
-//! Hits: touches that begin at speed.
+//! Hits: contact points that close at speed.
 
 use crate::geom::GeomId;
 use crate::math::Vector2;

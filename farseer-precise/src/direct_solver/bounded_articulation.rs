@@ -57,7 +57,7 @@ impl DirectIsland {
     }
 
     /// Builds the rows of all joints at their present positions, for one `interval`. `error_arm` is the length that one radian
-    /// counts as, in length units per radian.
+    /// counts as, in length units per radian. If the interval `moves` bodies, rods get their geometric stiffness.
     fn make_interval_rows(&mut self, interval: StepInterval, error_arm: f64, moves: bool) {
         let DirectIsland {
             system: IslandSystem { members, joints: rows, .. },

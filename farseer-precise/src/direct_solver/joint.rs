@@ -86,9 +86,9 @@ pub(crate) struct JointRows {
     /// Fraction of the impulse of each row that becomes its multiplier in the next round, 0..=1. It is 1 for a rigid row, and 0
     /// for a row whose compliance exceeds that of the round.
     multiplier_share: Vec3,
-    /// Spring of the constraint; without effect if `spring_row` is [`NONE`].
+    /// Spring of the constraint; without effect if `spring_row` is [`NONE`], and without stiffness for a rod.
     spring_damper: SpringDamper,
-    /// Index of the row of the spring, or [`NONE`].
+    /// Index of the row of the spring or of the transverse row of a rod that carries momentum, or [`NONE`].
     spring_row: usize,
     /// Velocity error that stands for the stretch of the spring. Unit for translation: length units/s; angle: radians/s.
     stretch_bias: f64,
@@ -445,7 +445,8 @@ impl JointRows {
         self.low[row] == f64::NEG_INFINITY && self.high[row] == f64::INFINITY
     }
 
-    /// Returns whether the row with index `row` has finite bounds on both sides, as a motor or brake.
+    /// Returns whether the row with index `row` has finite bounds on both sides: that of a motor or brake, or of a joint with a
+    /// greatest impulse.
     fn has_motor(&self, row: usize) -> bool {
         self.high[row] > 0.0 && self.high[row] < f64::INFINITY
     }

@@ -14,7 +14,7 @@
 //!
 //! RATTLE is symplectic, without energy drift, in a limit only: joints solved to convergence, and a constant number of substeps.
 //! Here a substep ends after a few iterations, and the number of substeps follows the motion. The [energy
-//! balance](super::energy_balance) bounds the drift of articulations of up to `MAX_BALANCED_ARTICULATION_BODIES` bodies.
+//! balance](super::energy_balance) bounds the drift of articulations that get one: see `ArticulationSize` in `substep_plan`.
 //!
 //! **Geometric stiffness** above the stable limit occurs in a whip. That of a body is added to the inertia, that of a [rod](super::rod)
 //! to the coupling of its two bodies. Most of the added stiffness carries momentum, so that little energy is lost.

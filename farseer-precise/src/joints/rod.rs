@@ -1,8 +1,9 @@
 //! Distance joints of a free articulation across their axes.
 //!
 //! A distance joint under tension T acts as a stiffness T / L against motion across its axis, with the length L: its force
-//! turns with the rod. An explicit substep cannot integrate that stiffness beyond a limit, so that a chain of rods with a heavy
-//! end would be torn apart. The excess is integrated implicitly, as that of [bodies](super::articulation_step) is.
+//! turns with the rod. This is geometric stiffness (M. Tournier and others, "Stable constrained dynamics", 2015). An explicit
+//! substep cannot integrate that stiffness beyond a limit, so that a chain of rods with a heavy end would be torn apart. The
+//! excess is integrated implicitly, as that of [bodies](super::articulation_step) is.
 
 use crate::parameters::direct::STABLE_STIFFNESS;
 use crate::parameters::joints::STIFFNESS_JUMP_RATIO;

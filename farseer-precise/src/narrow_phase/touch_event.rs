@@ -12,7 +12,7 @@ impl WantedEvent {
     pub const TOUCH: u8 = 1;
     /// Bit of begin and end of overlaps with a sensor.
     pub const SENSOR: u8 = 1 << 1;
-    /// Bit of hits: touches that begin at speed.
+    /// Bit of [hits](super::hits): contact points that close at speed, also where the geoms touch already.
     pub const HIT: u8 = 1 << 2;
 }
 

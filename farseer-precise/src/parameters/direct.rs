@@ -182,9 +182,10 @@ pub(crate) const ROUND_NEWTON_STEPS: usize = 25;
 /// Most Newton steps of an island without contacts that are taken in full, without a line search, although the active set changes.
 /// Unit: dimensionless, a count.
 ///
-/// A full step finds the next active set at once, as in the primal-dual active set strategy. The line search ends where the first
-/// slack rope becomes taut, so that a chain of 40 ropes needs 40 steps. Measured on 64 chains of 3 to 40 ropes: without full steps
-/// seven fail and gape by 0.02 to 0.45 m; from 5 on two. The time falls by a third.
+/// A full step finds the next active set at once, as in the primal-dual active set strategy (M. Hintermüller and others, 2003:
+/// see `island_newton`). The line search ends where the first slack rope becomes taut, so that a chain of 40 ropes needs 40
+/// steps. Measured on 64 chains of 3 to 40 ropes: without full steps seven fail and gape by 0.02 to 0.45 m; from 5 on two. The
+/// time falls by a third.
 pub(crate) const FULL_NEWTON_STEPS: usize = 8;
 
 /// Most rounds of the augmented Lagrangian method in the solution of one island, including one stiff round. Unit:

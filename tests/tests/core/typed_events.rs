@@ -324,10 +324,6 @@ fn a_hit_has_speed_point_and_normal_and_comes_once_for_each_slap() {
     for _ in 0..180 {
         simulator.update(DT);
         hits.extend_from_slice(simulator.hits());
-        assert!(
-            !simulator.events().iter().any(|event| matches!(event, Event::TouchBegin { .. }))
-                || floor != geom
-        );
     }
     assert!((2..=4).contains(&hits.len()), "{hits:?}");
     let first = hits[0];
