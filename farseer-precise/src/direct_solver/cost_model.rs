@@ -18,7 +18,7 @@ use crate::parameters::direct::{
     FACTOR_PRODUCT_COST, FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST,
     ITERATIVE_ISLAND_COST, ITERATIVE_JOINT_COST, JOINTED_BUDGET, MASS_RATIO_BUDGET, NEWTON_BODY_COST,
     NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT,
-    UPDATE_NEWTON_STEPS,
+    UPDATE_NEWTON_STEPS, WORLD_COST_LIMIT,
 };
 use crate::solver_choice::SolverChoice;
 
@@ -74,13 +74,26 @@ impl DirectIsland {
     }
 }
 
+/// Returns the modelled cost that the Newton steps of all `islands` together may have in one update, in microseconds:
+/// [`WORLD_COST_LIMIT`]. Islands that come when it is spent get the fewest steps.
+pub(super) fn world_cost_limit<'a>(islands: impl Iterator<Item = &'a DirectIsland>) -> f64 {
+    let [at_least, ratio] = WORLD_COST_LIMIT;
+    at_least + ratio * islands.map(iterative_update_cost).sum::<f64>()
+}
+
+/// Returns the modelled cost of the last update of `island` in the direct solver, in microseconds.
+pub(super) fn direct_update_cost(island: &DirectIsland) -> f64 {
+    relative_cost(island, island.newton_steps) * iterative_update_cost(island)
+}
+
 /// Returns the maximum number of Newton steps in one update of `island`: so many that their modelled cost is at most
-/// [`UPDATE_COST_LIMIT`], clamped to the range [`UPDATE_NEWTON_STEPS`].
+/// [`UPDATE_COST_LIMIT`] and what the other islands leave of [`WORLD_COST_LIMIT`]. It is in the range [`UPDATE_NEWTON_STEPS`].
 pub(super) fn max_newton_steps(island: &DirectIsland) -> usize {
     let [min_steps, max_steps] = UPDATE_NEWTON_STEPS;
     let step =
         newton_step_cost(&island.system.factor, (island.contact_handles.len() + island.joint_count()) as f64);
-    (UPDATE_COST_LIMIT * iterative_update_cost(island) / step).clamp(min_steps, max_steps) as usize
+    let limit = (UPDATE_COST_LIMIT * iterative_update_cost(island)).min(island.cost_limit);
+    (limit / step).clamp(min_steps, max_steps) as usize
 }
 
 /// Returns the modelled cost of one update of the iterative solver for `island`, in microseconds.

@@ -43,6 +43,8 @@ pub(super) struct DirectIsland {
     pub(super) is_on_trial: bool,
     /// Number of Newton steps for the island in the last update.
     pub(super) newton_steps: usize,
+    /// Modelled cost in microseconds that the islands before this one have left in the present update.
+    pub(super) cost_limit: f64,
     /// Whether the island has no acceptable solution and goes to the iterative solver in this update. Contact cycles with a
     /// budget are not released: each failed solution costs more of the budget.
     pub(super) is_released: bool,
@@ -71,7 +73,7 @@ pub(super) struct DirectIsland {
 
 reusing_clone! {
     DirectIsland {
-        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, is_on_trial, newton_steps, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
+        system, contact_handles, contact_bodies, displacements, separations, has_impulse_sum, is_on_trial, newton_steps, cost_limit, is_released, was_articulation, resting_bodies, joints, joint_bodies, springs,
         spring_bodies, interval_joints, joint_impulses, total_displacements
     }
 }

@@ -4,7 +4,7 @@
 //! it, and no rows are built for them. An island with a larger residual is solved by [`island_newton`](super::island_newton).
 
 use super::DirectSolver;
-use super::cost_model::update_budget;
+use super::cost_model::{direct_update_cost, update_budget, world_cost_limit};
 use super::island_body::MemberIndex;
 use super::island_history::{Histories, IslandHistory, ReselectionTimer};
 use super::island_io::{DirectIsland, RowReader, free_velocity};
@@ -45,10 +45,13 @@ impl DirectSolver {
         let has_changed = solver.constraints.take_direct_change()
             | (std::mem::replace(&mut self.step_lengths, seconds) != seconds);
         let DirectSolver { islands, count, history, timer, scratch, .. } = self;
+        let mut cost_left = world_cost_limit(islands.slice(..*count).iter());
         for island in islands.slice_mut(..*count) {
+            island.cost_limit = cost_left;
             island.has_impulse_sum &= !has_changed;
             island.system.swap_scratch(scratch);
             solver.try_and_solve(island, history, timer);
+            cost_left -= direct_update_cost(island);
             island.system.swap_scratch(scratch);
         }
         self.release_unsolved()

@@ -153,6 +153,15 @@ impl IslandStats {
         self.has_contact_cycles() && self.bodies < CYCLIC_ISLAND_BODIES && self.joints == 0 && !self.has_depth
     }
 
+    /// Returns whether the island has joints, but is mainly a pile that moves: at least [`CYCLIC_ISLAND_BODIES`] bodies, with contact
+    /// cycles and more contacts than joints. The active set of so many contacts changes in each update, and no solution repays the cost.
+    fn is_moving_pile(&self) -> bool {
+        self.moves
+            && self.bodies >= CYCLIC_ISLAND_BODIES
+            && self.has_contact_cycles()
+            && self.contacts > self.joints
+    }
+
     /// Returns whether the direct solver gets this island on trial under the user's `choice`. It finds out whether the island
     /// stands [by friction](super::island_solver::IslandSolver::stands_by_friction). If not, the iterative solver has it in the
     /// same update.
@@ -189,7 +198,7 @@ impl IslandStats {
         let pause = (self.pause > 0, SolverReason::Rests { updates: self.pause });
         first_reason(&if self.joints > 0 {
             let has_failed = self.was_paused && !was_direct && self.has_joint_gap;
-            [pause, (has_failed, SolverReason::Moves), pause, pause]
+            [pause, (has_failed, SolverReason::Moves), (self.is_moving_pile(), SolverReason::Moves), pause]
         } else if self.has_depth {
             [
                 pause,
