@@ -107,9 +107,9 @@ impl RestDetector<'_> {
         let links = self.joints.body_pairs().chain(springs.clone());
         unite_islands(&mut islands, self.bodies, self.proxies, self.pairs, links);
         let mut min_rest_time = std::mem::take(&mut sleep.min_rest_time);
-        self.find_min_rest_time(sleep, springs, &mut islands, &mut min_rest_time);
+        self.find_min_rest_time(sleep, springs.clone(), &mut islands, &mut min_rest_time);
         if !requested.is_empty() {
-            self.complete_rest_time(sleep, requested, &mut islands, &mut min_rest_time);
+            self.complete_rest_time(sleep, (requested, springs), &mut islands, &mut min_rest_time);
         }
         let mut falling_asleep = std::mem::take(&mut sleep.falling_asleep);
         falling_asleep.clear();
@@ -125,11 +125,11 @@ impl RestDetector<'_> {
     }
 
     /// Sets the rest times of the islands of the `requested` bodies to [`TIME_TO_SLEEP`], where all of their other bodies are at
-    /// rest.
+    /// rest, and no drive, belt or moving kinematic body keeps them awake.
     fn complete_rest_time(
         &self,
         sleep: &SleepState,
-        requested: &[BodyIndex],
+        (requested, springs): (&[BodyIndex], impl Iterator<Item = [BodyIndex; 2]>),
         islands: &mut UnionFind<BodyIndex>,
         min_rest_time: &mut IndexedVec<BodyIndex, f32>,
     ) {
@@ -141,6 +141,13 @@ impl RestDetector<'_> {
                 is_restless[islands.find(body)] = true;
             }
         }
+        let mut keep_awake = |body: BodyIndex, rest: f32| {
+            if rest <= 0.0 {
+                is_restless[islands.find(body)] = true;
+            }
+        };
+        self.limit_by_contacts(&mut keep_awake);
+        for_each_driven(self.bodies, self.joints, springs, self.dt, |body| keep_awake(body, 0.0));
         for &body in requested {
             let island = islands.find(body);
             if !is_restless[island] {

@@ -109,7 +109,7 @@ impl ArticulatedLink {
     #[inline(always)]
     pub(super) fn predict_rod(&mut self, parent: &ArticulatedLink) -> f64 {
         let deviation = self.rod.predict(self.velocity_across(parent)).abs();
-        if deviation > 0.0 { deviation / self.angle_error_or_length } else { 0.0 }
+        self.rod_spin(deviation)
     }
 
     /// Sets axis and stable stiffness of a distance joint at the start of a step. Returns the angular velocity of the rod, in
@@ -127,8 +127,15 @@ impl ArticulatedLink {
         };
         let inverse = inverse_mass(self, self.arm) + inverse_mass(parent, self.parent_arm);
         self.rod = RodState::of_mass(inverse.recip());
-        let speed = self.velocity_across(parent).abs();
-        if speed > 0.0 { speed / self.angle_error_or_length } else { 0.0 }
+        self.rod_spin(self.velocity_across(parent).abs())
+    }
+
+    /// Returns the angular velocity of a rod whose ends have the relative velocity `across` its axis, length units/s, >= 0. Unit:
+    /// radians/s; 0 for a rod of no length, which has no direction.
+    #[inline(always)]
+    fn rod_spin(&self, across: f64) -> f64 {
+        let length = self.angle_error_or_length;
+        if across > 0.0 && length > 0.0 { across / length } else { 0.0 }
     }
 
     /// Returns the velocity of the body's point at the end of `arm`, a vector from the centre of mass. Unit: length units/s.

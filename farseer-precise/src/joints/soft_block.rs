@@ -62,6 +62,8 @@ pub(super) struct SoftJointBlock {
     max_linear_impulse: JointLanes,
     /// Largest angular impulse in a substep, mass units * length units^2/s, >= 0; infinite without a limit.
     max_angular_impulse: JointLanes,
+    /// Whether a joint had a position error above `max_errors` at this pose, before the errors were bounded.
+    has_large_error: bool,
     /// Whether one of the joints has a finite greatest impulse.
     has_impulse_limit: bool,
     /// Mask of the compliant joints, whose users set `softness`: their lanes have all bits set.
@@ -123,6 +125,7 @@ impl SoftJointBlock {
             target: ZERO,
             max_linear_impulse: infinite,
             max_angular_impulse: infinite,
+            has_large_error: false,
             has_impulse_limit: false,
             compliant_lanes: ZERO,
             compliant_softness: RowSoftnessLanes::splat(&RowSoftness::RIGID),
@@ -130,6 +133,12 @@ impl SoftJointBlock {
             motor_and_limits: kind.has_motor_or_limits.then(MotorLimitLanes::default),
             total_impulse: [ZERO; 3],
         }
+    }
+
+    /// Returns whether a joint of the block has a position error that is too large to be corrected in proportion, at the start of
+    /// the substep.
+    pub(super) fn has_large_error(&self) -> bool {
+        self.has_large_error
     }
 
     /// Returns whether all four lanes have joints.
@@ -204,6 +213,7 @@ impl SoftJointBlock {
         self.max_errors = [max_error * length_unit, max_error];
         self.pair.update_jacobian();
         self.update_rows();
+        self.has_large_error = self.exceeds_max_errors();
         self.bound_errors_of(select(self.compliant_lanes, ZERO, self.driven_lanes));
         self.limit_warm_start(&RowSoftnessLanes::splat(softness), length_unit);
     }
@@ -370,7 +380,7 @@ impl SoftJointBlock {
 
     /// Returns whether a joint of the block has a position error, or is beyond a limit, by more than `max_errors`, or
     /// by [`DRIVEN_JOINT_ERROR`] of them if a kinematic body drives it.
-    pub(super) fn has_large_error(&self) -> bool {
+    fn exceeds_max_errors(&self) -> bool {
         let one = f32x4::splat(1.0);
         let share = select(self.driven_lanes, f32x4::splat(DRIVEN_JOINT_ERROR), one);
         let [along, angle, across] =
@@ -474,6 +484,7 @@ impl SoftJointBlock {
     pub(super) fn advance(&mut self, bodies: &mut BodySet, held_masks: &IndexedVec<BodyIndex, u32>) {
         self.pair.advance_poses(bodies, self.row_impulses());
         self.update_rows();
+        self.has_large_error = self.exceeds_max_errors();
         self.bound_errors(held_masks);
     }
 
