@@ -6,6 +6,7 @@ use crate::contacts::arbiter::ArbiterRef;
 use crate::geom::GeomId;
 use crate::objects::Objects;
 use crate::report::{AwakeReason, Island};
+use crate::simulator::candidates::{Candidate, Segment};
 use crate::springs::{SpringForce, SpringId};
 use crate::{Aabb, IslandResidual, Methods};
 use serde::{Deserialize, Serialize};
@@ -92,7 +93,11 @@ impl Precise {
         match *self {}
     }
 
-    pub(crate) fn list_geoms_near(&self, _: &Aabb, _: &Objects, _: &mut Vec<(u32, GeomId)>) -> bool {
+    pub(crate) fn for_each_near(&self, _: &Aabb, _: &Objects, _: impl FnMut(Candidate)) -> bool {
+        match *self {}
+    }
+
+    pub(crate) fn for_each_along(&self, _: &Segment, _: &Objects, _: impl FnMut(Candidate) -> f64) -> bool {
         match *self {}
     }
 }

@@ -182,6 +182,14 @@ fn sum_of(points: &[Vector2]) -> f32x4 {
 /// Tolerance of the squared length of a unit vector, dimensionless: each coordinate is rounded once.
 const UNIT_LENGTH_TOLERANCE: f32 = 4.0 * f32::EPSILON;
 
+/// The outline of a geom in the world at some pose of its body.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WorldOutline<'a> {
+    pub(crate) vertices: &'a [Vector2],
+    pub(crate) aabb: Aabb,
+    pub(crate) matrix: PlaneMatrix,
+}
+
 /// The geoms of a simulator.
 pub(crate) type Geoms = Collection<GeomEntry, GeomId>;
 
@@ -335,6 +343,30 @@ impl GeomEntry {
     pub(crate) fn refresh(&mut self) {
         self.pose.matrix.apply_to_all(&self.local_vertices, &mut self.world_vertices);
         self.aabb = self.box_around(&self.world_vertices, self.pose.position);
+    }
+
+    /// The outline in the world as it is stored.
+    pub(crate) fn world_outline(&self) -> WorldOutline<'_> {
+        WorldOutline { vertices: &self.world_vertices, aabb: self.aabb, matrix: self.pose.matrix }
+    }
+
+    /// The outline at a pose, as [`set_pose`](Self::set_pose) would store it. `vertices` is room for as many points as the
+    /// outline has. `None` where the geom would not be finite.
+    #[inline]
+    pub(crate) fn outline_at<'a>(
+        &self,
+        pose: &GeomPose,
+        vertices: &'a mut [Vector2],
+    ) -> Option<WorldOutline<'a>> {
+        pose.matrix.apply_to_all(&self.local_vertices, vertices);
+        let aabb = self.box_around(vertices, pose.position);
+        let back = pose.inverse;
+        // Any infinity or NaN makes a product, and with it the sum, NaN. Sums of finite numbers need not be finite.
+        let zero = f32x4::ZERO;
+        let sum = sum_of(vertices) * zero
+            + f32x4::new([pose.position.x, pose.position.y, back.m41, back.m42]) * zero
+            + f32x4::new([aabb.min.x, aabb.min.y, aabb.max.x, aabb.max.y]) * zero;
+        sum.simd_eq(zero).all().then_some(WorldOutline { vertices, aabb, matrix: pose.matrix })
     }
 
     /// The box of an outline in world coordinates with its origin at `origin`.

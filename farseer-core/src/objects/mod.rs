@@ -34,6 +34,7 @@ pub(crate) use editing::unit;
 pub use farseer_queries::GeomPointPair;
 pub(crate) use geom_transforms::TransformUpdate;
 pub use ray_cast::RayCastHit;
+pub(crate) use ray_cast::{Ray, is_query_box, ray_segment};
 pub(crate) use save::SavedObjects;
 pub use typed_ids::{TypedJointId, TypedSpringId};
 

@@ -2,9 +2,10 @@
 
 use super::Objects;
 use crate::geom::GeomId;
-use crate::geom::entry::GeomEntry;
+use crate::geom::entry::{GeomEntry, GeomPose, WorldOutline};
 use crate::math::Vector2;
 use crate::shape::Aabb;
+use crate::simulator::candidates::Segment;
 use crate::storage::order::sort_by_number;
 
 /// The point at which a ray enters a geom.
@@ -33,88 +34,100 @@ impl Objects {
     /// The box of every listed geom is tested: the time grows with their number. A simulator with the precise set uses
     /// its grid instead.
     pub fn ray_cast(&self, start: Vector2, end: Vector2) -> Option<RayCastHit> {
-        self.ray_cast_among(self.geoms.list(), start, end)
-    }
-
-    pub(crate) fn ray_cast_among(
-        &self,
-        geoms: &[GeomId],
-        start: Vector2,
-        end: Vector2,
-    ) -> Option<RayCastHit> {
         let ray = Ray::new(start, end)?;
-        let hits = geoms.iter().filter_map(|&geom| self.first_hit(&ray, geom));
-        let nearest = hits.reduce(|nearest, hit| if hit.0 < nearest.0 { hit } else { nearest });
-        nearest.map(|(_, hit)| hit)
+        let entries = self.geoms.list().iter().filter_map(|&geom| self.first_entry(&ray, geom));
+        let nearest =
+            entries.reduce(|nearest, entry| if entry.fraction < nearest.fraction { entry } else { nearest });
+        nearest.map(|entry| ray.hit(&entry))
     }
 
     /// Every geom that a ray from `start` to `end` enters, once each at its first entry, ordered by distance, and in
     /// list order at equal distances. See [`ray_cast`](Self::ray_cast).
     pub fn ray_cast_all(&self, start: Vector2, end: Vector2) -> Vec<RayCastHit> {
-        self.ray_cast_all_among(self.geoms.list(), start, end)
-    }
-
-    pub(crate) fn ray_cast_all_among(
-        &self,
-        geoms: &[GeomId],
-        start: Vector2,
-        end: Vector2,
-    ) -> Vec<RayCastHit> {
         let Some(ray) = Ray::new(start, end) else { return Vec::new() };
-        let mut hits: Vec<(f64, RayCastHit)> =
-            geoms.iter().filter_map(|&geom| self.first_hit(&ray, geom)).collect();
+        let mut entries: Vec<RayEntry> =
+            self.geoms.list().iter().filter_map(|&geom| self.first_entry(&ray, geom)).collect();
         // Fractions are 0 or more: such numbers are ordered as their bits are. The sum makes -0 and +0 equal.
-        sort_by_number(&mut hits, |(fraction, _)| (fraction + 0.0).to_bits().into());
-        hits.into_iter().map(|(_, hit)| hit).collect()
+        sort_by_number(&mut entries, |entry| (entry.fraction + 0.0).to_bits().into());
+        entries.iter().map(|entry| ray.hit(entry)).collect()
     }
 
     /// The geoms whose [boxes](crate::GeomRef::aabb) overlap or touch a box, in list order, without disposed ones. None
     /// if a coordinate is not finite, or `min` is greater than `max`. For the costs see [`ray_cast`](Self::ray_cast).
     pub fn query_aabb(&self, aabb: &Aabb) -> Vec<GeomId> {
-        self.query_aabb_among(self.geoms.list(), aabb)
-    }
-
-    pub(crate) fn query_aabb_among(&self, geoms: &[GeomId], aabb: &Aabb) -> Vec<GeomId> {
-        let is_finite = |v: Vector2| v.x.is_finite() && v.y.is_finite();
-        let is_box = aabb.min.x <= aabb.max.x && aabb.min.y <= aabb.max.y;
-        if !is_finite(aabb.min) || !is_finite(aabb.max) || !is_box {
+        if !is_query_box(aabb) {
             return Vec::new();
         }
-        let overlaps = |&geom: &GeomId| {
-            !self.is_disposed(geom)
-                && self
-                    .with_current_transform(geom, |geom| Aabb::intersect(&geom.aabb, aabb))
-                    .unwrap_or(false)
-        };
-        geoms.iter().copied().filter(overlaps).collect()
+        let overlaps = |&geom: &GeomId| !self.is_disposed(geom) && self.geom_overlaps(geom, aabb);
+        self.geoms.list().iter().copied().filter(overlaps).collect()
     }
 
-    /// The first hit of a ray from `start` to `end` on the polygon of a geom, with the fraction in double precision.
-    #[cfg(feature = "precise")]
-    pub(crate) fn first_hit_of_ray(
-        &self,
-        start: Vector2,
-        end: Vector2,
-        geom: GeomId,
-    ) -> Option<(f64, RayCastHit)> {
-        self.first_hit(&Ray::new(start, end)?, geom)
+    /// Whether the box of a geom overlaps or touches a box.
+    pub(crate) fn geom_overlaps(&self, geom: GeomId, aabb: &Aabb) -> bool {
+        self.with_outline(geom, |_, outline| Aabb::intersect(&outline.aabb, aabb)).unwrap_or(false)
     }
 
-    /// The first hit of a ray on a geom, with the fraction in double precision.
-    fn first_hit(&self, ray: &Ray, id: GeomId) -> Option<(f64, RayCastHit)> {
-        if self.is_disposed(id) {
+    /// The first entry of a ray into the polygon of a geom.
+    pub(crate) fn first_entry(&self, ray: &Ray, geom: GeomId) -> Option<RayEntry> {
+        if self.geoms.is_disposed(geom) {
             return None;
         }
-        self.with_current_transform(id, |geom| {
-            let (fraction, edge) = ray.first_entry(geom)?;
-            let point = ray.start.zip(ray.direction, |start, way| start + way * fraction);
-            let length = (edge.x * edge.x + edge.y * edge.y).sqrt();
-            let normal = Vector2::new((-edge.y / length) as f32, (edge.x / length) as f32);
-            let point = Vector2::new(point.x as f32, point.y as f32);
-            Some((fraction, RayCastHit { geom: id, point, normal, fraction: fraction as f32 }))
-        })
-        .flatten()
+        let entry = self.with_outline(geom, |entry, outline| ray.first_entry(entry, outline)).flatten();
+        entry.map(|(fraction, edge)| RayEntry { geom, fraction, edge })
     }
+
+    /// Calls `read` with a geom and its outline at the present pose, or at the pose to come if its body was edited.
+    fn with_outline<T>(
+        &self,
+        geom: GeomId,
+        read: impl FnOnce(&GeomEntry, &WorldOutline<'_>) -> T,
+    ) -> Option<T> {
+        let entry = self.geoms.get(geom)?;
+        let pending = self.bodies.get(entry.body).and_then(|body| body.pending_pose());
+        let mut vertices = [Vector2::new(0.0, 0.0); MAX_STACK_VERTICES];
+        let outline = pending.and_then(|(position, rotation)| {
+            let pose = GeomPose::of_body(position, rotation, entry.offset, entry.rotation_offset);
+            entry.outline_at(&pose, vertices.get_mut(..entry.local_vertices.len())?)
+        });
+        Some(match (outline, pending) {
+            (Some(outline), _) => read(entry, &outline),
+            // The pose is not possible, or the polygon has many corners.
+            (None, Some(_)) => {
+                self.with_current_transform(geom, |entry| read(entry, &entry.world_outline()))?
+            }
+            (None, None) => read(entry, &entry.world_outline()),
+        })
+    }
+
+    /// Whether there are disposed geoms, which the next update removes.
+    pub(crate) fn has_disposed_geoms(&self) -> bool {
+        !self.geoms.disposed().is_empty()
+    }
+}
+
+/// Largest number of corners of a polygon that a query brings to the world without an allocation, a count. Circles and capsules
+/// have up to about 32 corners in games; the value is chosen.
+const MAX_STACK_VERTICES: usize = 32;
+
+/// Whether a query box is finite, and no `min` is greater than `max`.
+pub(crate) fn is_query_box(Aabb { min, max }: &Aabb) -> bool {
+    let is_finite = |v: &Vector2| v.x.is_finite() && v.y.is_finite();
+    is_finite(min) && is_finite(max) && min.x <= max.x && min.y <= max.y
+}
+
+/// Returns the path of a ray.
+pub(crate) fn ray_segment(start: Vector2, end: Vector2) -> Segment {
+    Segment { start, end, half_extents: Vector2::zeros() }
+}
+
+/// The first entry of a ray into a geom.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RayEntry {
+    geom: GeomId,
+    /// Fraction of the ray, 0..=1.
+    pub(crate) fraction: f64,
+    /// Vector along the edge that is entered, in length units; the outside is on the side of `(-y, x)`.
+    edge: DoubleVector,
 }
 
 /// A vector in double precision: differences of floats, and products of two of them, are exact or nearly so.
@@ -142,7 +155,9 @@ impl DoubleVector {
     }
 }
 
-struct Ray {
+/// A ray from a point to another.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ray {
     start: DoubleVector,
     direction: DoubleVector,
     aabb: Aabb,
@@ -150,7 +165,7 @@ struct Ray {
 
 impl Ray {
     /// `None` for a ray without a direction.
-    fn new(start: Vector2, end: Vector2) -> Option<Self> {
+    pub(crate) fn new(start: Vector2, end: Vector2) -> Option<Self> {
         let is_finite = [start.x, start.y, end.x, end.y].iter().all(|value| value.is_finite());
         (is_finite && start != end).then(|| Ray {
             start: DoubleVector::of(start),
@@ -159,29 +174,43 @@ impl Ray {
         })
     }
 
+    /// The hit at an entry of the ray.
+    pub(crate) fn hit(&self, entry: &RayEntry) -> RayCastHit {
+        let &RayEntry { geom, fraction, edge } = entry;
+        let point = self.start.zip(self.direction, |start, way| start + way * fraction);
+        let length = (edge.x * edge.x + edge.y * edge.y).sqrt();
+        let normal = Vector2::new((-edge.y / length) as f32, (edge.x / length) as f32);
+        let point = Vector2::new(point.x as f32, point.y as f32);
+        RayCastHit { geom, point, normal, fraction: fraction as f32 }
+    }
+
     /// The fraction at the nearest edge through which the ray enters, 0 or more, and that edge's direction. The outside
     /// is on the side of `(-y, x)`.
-    fn first_entry(&self, geom: &GeomEntry) -> Option<(f64, DoubleVector)> {
-        if !Aabb::intersect(&self.aabb, &geom.aabb) {
+    fn first_entry(&self, geom: &GeomEntry, world: &WorldOutline<'_>) -> Option<(f64, DoubleVector)> {
+        let outline = world.vertices;
+        if !Aabb::intersect(&self.aabb, &world.aabb) || outline.is_empty() {
             return None;
         }
-        let outline = &geom.world_vertices;
         // Positive on the side of the ray that is behind an edge which is entered; an end that lies on the ray belongs
         // to that side. So two edges that meet on the ray have no gap between them.
-        let side = |v: DoubleVector| self.direction.cross(v.minus(self.start));
-        let is_mirrored = is_mirrored(geom);
+        let is_behind = |v: Vector2| self.direction.cross(DoubleVector::of(v).minus(self.start)) >= 0.0;
+        let mut is_mirrored = None;
         let mut nearest: Option<(f64, DoubleVector)> = None;
         let edges = outline.len() - usize::from(geom.outline.is_open());
-        for (index, &from) in outline.iter().enumerate().take(edges) {
-            let to = outline[outline.next_index(index)];
-            let (mut from, mut to) = (DoubleVector::of(from), DoubleVector::of(to));
-            if is_mirrored {
-                std::mem::swap(&mut from, &mut to);
-            }
-            let is_entered = side(from) < 0.0 && side(to) >= 0.0;
-            if !is_entered {
+        let mut to = (outline[0], is_behind(outline[0]));
+        for index in 1..=edges {
+            let from = to;
+            let next = outline[if index == outline.len() { 0 } else { index }];
+            to = (next, is_behind(next));
+            if from.1 == to.1 {
                 continue;
             }
+            let is_mirrored = *is_mirrored.get_or_insert_with(|| is_mirrored_outline(geom, world));
+            let (from, to) = if is_mirrored { (to, from) } else { (from, to) };
+            if from.1 {
+                continue;
+            }
+            let (from, to) = (DoubleVector::of(from.0), DoubleVector::of(to.0));
             let edge = to.minus(from);
             let fraction = from.minus(self.start).cross(edge) / self.direction.cross(edge);
             let is_on_the_way = (0.0..=1.0).contains(&fraction);
@@ -195,12 +224,12 @@ impl Ray {
 
 /// Whether the outside of an outline is on the other side of its edges. It is if a matrix set by the user has mirrored
 /// the outline. It also is for a chain, whose winding is opposite, unless a matrix has mirrored it.
-fn is_mirrored(geom: &GeomEntry) -> bool {
+fn is_mirrored_outline(geom: &GeomEntry, world: &WorldOutline<'_>) -> bool {
     if geom.outline.is_chain() {
-        let matrix = geom.pose.matrix;
+        let matrix = world.matrix;
         return f64::from(matrix.m11) * f64::from(matrix.m22) > f64::from(matrix.m12) * f64::from(matrix.m21);
     }
-    let outline = &geom.world_vertices;
+    let outline = world.vertices;
     let Some(&origin) = outline.first() else { return false };
     let from_origin = |v: Vector2| DoubleVector::of(v).minus(DoubleVector::of(origin));
     let doubled_area: f64 =

@@ -189,6 +189,7 @@ impl Precise {
                 self.always_tested.push(AlwaysTested { list_key: objects.geoms.list_key(id), geom: id });
             }
         }
+        self.always_tested.sort_unstable_by_key(|tested| tested.list_key);
     }
 }
 

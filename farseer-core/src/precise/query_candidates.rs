@@ -1,4 +1,4 @@
-//! Adapter: the geoms that an AABB query of the game has to test, found with the hash grid.
+//! Adapter: the geoms that a query of the game has to test, found with the hash grid.
 //!
 //! The grid holds the fat AABBs of the last step. Geoms that these AABBs do not cover, and geoms of bodies that were edited
 //! since, are always candidates.
@@ -11,52 +11,96 @@ use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::ids::{AlwaysTested, geom_of};
 use crate::shape::Aabb;
-use farseer_precise::index::ProxyIndex;
+use crate::simulator::candidates::{Candidate, Segment};
+use farseer_precise::broad_phase::hash_grid::GridSegment;
+use farseer_precise::broad_phase::proxies::Proxy;
 use farseer_precise::parameters::broad_phase::{
     PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
 };
 
 impl Precise {
-    /// Lists in `found` the geoms that may overlap an AABB, and perhaps others, in the order of the list of geoms, each after the
-    /// key by which that is sorted. Returns false, with a `found` of no meaning, if the proxies are older than the list of geoms,
-    /// there is a depth axis, or the AABB is out of range. The caller then tests all geoms.
-    pub(crate) fn list_geoms_near(
+    /// Returns whether the grid knows all listed geoms: the proxies are as new as the list of geoms, and there is no depth axis.
+    fn grid_is_current(&self, objects: &Objects) -> bool {
+        let is_outdated =
+            self.edits.needs_rebuild || self.edits.has_membership_changes || self.loaded.is_some();
+        !(is_outdated || self.solver.depth.is_some() || objects.has_new_structure || objects.has_new_members)
+    }
+
+    /// Calls `visit` with the geoms that may overlap an AABB, and perhaps others, in no particular order; a geom may come twice.
+    /// Returns false without a call if the grid does not know all geoms, or the AABB is out of range. The caller then tests all
+    /// geoms.
+    pub(crate) fn for_each_near(
         &self,
         aabb: &Aabb,
         objects: &Objects,
-        found: &mut Vec<(u32, GeomId)>,
+        mut visit: impl FnMut(Candidate),
     ) -> bool {
-        let solver = &self.solver;
-        let coordinate_sum = coordinate_sum(aabb);
-        // A comparison that is false for NaN, too.
-        let is_in_range = coordinate_sum < QUERY_MAX_COORDINATE;
-        let is_outdated =
-            self.edits.needs_rebuild || self.edits.has_membership_changes || self.loaded.is_some();
-        if is_outdated
-            || solver.depth.is_some()
-            || objects.has_new_structure
-            || objects.has_new_members
-            || !is_in_range
-        {
+        let Aabb { min, max } = *aabb;
+        let Some(tolerance) = tolerance_of([min.x, min.y, max.x, max.y]) else { return false };
+        if !self.grid_is_current(objects) {
             return false;
         }
-        let bounds = widened(aabb, QUERY_ROUNDING_RATIO * coordinate_sum);
-        let of_proxy = |proxy: ProxyIndex| {
-            let proxy = solver.proxies.proxy(proxy);
-            (proxy.list_key, geom_of(proxy))
-        };
-        found.clear();
-        found.extend(self.always_tested.iter().map(|tested| (tested.list_key, tested.geom)));
-        solver.grid.for_each_overlap(&bounds, |proxy| found.push(of_proxy(proxy)));
-        let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
-        for &geom in
-            edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms)
-        {
-            found.extend(self.proxy_of(geom, 0).map(of_proxy));
-        }
-        found.sort_unstable_by_key(|&(key, _)| key);
-        found.dedup_by_key(|&mut (key, _)| key);
+        let inner = [min.x + tolerance, min.y + tolerance, max.x - tolerance, max.y - tolerance];
+        // A fat AABB does not follow an edit before the next step.
+        let has_edits = self.for_each_beside_grid(objects, &mut visit);
+        let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
+        self.solver.grid.for_each_overlap(&bounds, |index| {
+            let candidate = candidate_of(self.solver.proxies.proxy(index));
+            let is_inside = !has_edits
+                && contains(&inner, self.solver.proxies.fat_aabb_of(index))
+                && !self.is_always_tested(candidate.list_key);
+            visit(Candidate { is_inside, ..candidate });
+        });
         true
+    }
+
+    /// Calls `visit` with the geoms that an AABB may touch on its way along a segment, and perhaps others, nearly in the order
+    /// along the segment; a geom may come twice. `visit` returns the fraction of the segment beyond which geoms are of no
+    /// interest, 0..=1. Returns false as [`for_each_near`](Self::for_each_near) does.
+    pub(crate) fn for_each_along(
+        &self,
+        segment: &Segment,
+        objects: &Objects,
+        mut visit: impl FnMut(Candidate) -> f64,
+    ) -> bool {
+        let Segment { start, end, half_extents } = *segment;
+        let ends = [start.x, start.y, end.x, end.y];
+        let tolerance = tolerance_of(ends).zip(tolerance_of([half_extents.x, half_extents.y, 0.0, 0.0]));
+        let Some(tolerance) = tolerance.map(|(ends, halves)| ends + halves) else { return false };
+        if !self.grid_is_current(objects) {
+            return false;
+        }
+        let mut max_fraction = 1.0;
+        self.for_each_beside_grid(objects, &mut |candidate| max_fraction = visit(candidate));
+        let segment = GridSegment {
+            start: [start.x, start.y],
+            end: [end.x, end.y],
+            half_extents: [half_extents.x + tolerance, half_extents.y + tolerance],
+            max_fraction,
+        };
+        let proxies = &self.solver.proxies;
+        self.solver.grid.for_each_along(&segment, |index| visit(candidate_of(proxies.proxy(index))));
+        true
+    }
+
+    /// Calls `visit` with the geoms that fat AABBs do not cover, and with those of bodies that were edited since the last step.
+    /// Returns whether there are edited bodies.
+    fn for_each_beside_grid(&self, objects: &Objects, visit: &mut impl FnMut(Candidate)) -> bool {
+        for &AlwaysTested { list_key, geom } in &self.always_tested {
+            visit(Candidate { list_key, geom, is_inside: false });
+        }
+        let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
+        let geoms =
+            edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms);
+        for proxy in geoms.filter_map(|&geom| self.proxy_of(geom, 0)) {
+            visit(candidate_of(self.solver.proxies.proxy(proxy)));
+        }
+        !(objects.touched_bodies.is_empty() && self.edits.bodies.is_empty())
+    }
+
+    /// Returns whether the geom with this list key may reach beyond its fat AABB.
+    fn is_always_tested(&self, list_key: u32) -> bool {
+        self.always_tested.binary_search_by_key(&list_key, |tested| tested.list_key).is_ok()
     }
 
     /// Stores the geoms that every AABB query tests in `always_tested`.
@@ -94,14 +138,20 @@ impl Precise {
     }
 }
 
-/// Sum of the magnitudes of the coordinates of an AABB, in length units; NaN if one is.
-fn coordinate_sum(aabb: &Aabb) -> f32 {
-    let Aabb { min, max } = *aabb;
-    [min.x, min.y, max.x, max.y].iter().fold(0.0, |sum: f32, x| sum + x.abs())
+/// Returns the geom of a proxy as a candidate.
+fn candidate_of(proxy: &Proxy) -> Candidate {
+    Candidate { list_key: proxy.list_key, geom: geom_of(proxy), is_inside: false }
 }
 
-/// Left, top, right and bottom of an AABB, widened by a margin in length units.
-fn widened(aabb: &Aabb, margin: f32) -> [f32; 4] {
-    let Aabb { min, max } = *aabb;
-    [min.x - margin, min.y - margin, max.x + margin, max.y + margin]
+/// Returns whether one AABB contains another; false for the AABB of a proxy that takes part in no query.
+fn contains(outer: &[f32; 4], inner: &[f32; 4]) -> bool {
+    outer[0] <= inner[0] && outer[1] <= inner[1] && inner[2] <= outer[2] && inner[3] <= outer[3]
+}
+
+/// Returns the distance by which a query with these coordinates is enlarged for the rounding of geoms, in length units; `None` if
+/// the coordinates are out of range, or not finite.
+fn tolerance_of(coordinates: [f32; 4]) -> Option<f32> {
+    let sum = coordinates.iter().fold(0.0, |sum: f32, x| sum + x.abs());
+    // The comparison is false for NaN, too.
+    (sum < QUERY_MAX_COORDINATE).then_some(QUERY_ROUNDING_RATIO * sum)
 }

@@ -8,6 +8,7 @@ use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::objects::{Objects, RayCastHit};
 use crate::shape::Aabb;
+use crate::simulator::candidates::Segment;
 
 /// Maximum number of steps of a cast, a count. Between polygons two or three are needed; a graze of two circles takes most.
 const MAX_STEPS: usize = 60;
@@ -31,28 +32,44 @@ impl<'a> Cast<'a> {
         Ok(Cast { pieces, motion, touch: TOUCH_RATIO * extent })
     }
 
-    /// The box around the shape on its whole way.
-    pub(super) fn aabb(&self) -> Aabb {
-        let (from, way) = (aabb_of(self.pieces), vector(self.motion));
-        let corners = [from.min, from.max, from.min + way, from.max + way];
-        Aabb::from_vertices(&corners)
+    /// The path of the box around the shape.
+    pub(super) fn segment(&self) -> Segment {
+        let Aabb { min, max } = aabb_of(self.pieces);
+        let start = (min + max) * 0.5;
+        // A touch may be that far from the obstacle.
+        let touch = Vector2::new(self.touch as f32, self.touch as f32);
+        Segment { start, end: start + vector(self.motion), half_extents: (max - min) * 0.5 + touch }
     }
 
-    /// The first touch of a geom, with its fraction of the way.
-    pub(super) fn hit(&self, objects: &Objects, geom: GeomId) -> Option<(f64, RayCastHit)> {
-        let touches = world_shape::pieces_of(objects, geom).flat_map(|obstacle| {
-            let meets = |piece: &Convex| self.first_touch(piece, &obstacle);
-            self.pieces.iter().filter_map(meets).collect::<Vec<_>>()
-        });
-        let (fraction, normal, at) =
-            touches.reduce(|first, touch| if touch.0 < first.0 { touch } else { first })?;
+    /// The first touch of a geom, with its fraction of the way, if that is at most `max_fraction`.
+    pub(super) fn hit(
+        &self,
+        objects: &Objects,
+        geom: GeomId,
+        max_fraction: f64,
+    ) -> Option<(f64, RayCastHit)> {
+        let mut first: Option<(f64, Point, Point)> = None;
+        for obstacle in world_shape::pieces_of(objects, geom) {
+            for piece in self.pieces {
+                let Some(touch) = self.first_touch(piece, &obstacle, max_fraction) else { continue };
+                if first.is_none_or(|first| touch.0 < first.0) {
+                    first = Some(touch);
+                }
+            }
+        }
+        let (fraction, normal, at) = first?;
         let hit = RayCastHit { geom, point: vector(at), normal: vector(normal), fraction: fraction as f32 };
         Some((fraction, hit))
     }
 
     /// The first touch of two convex shapes: fraction of the way, normal from the obstacle to the shape, and point on the
     /// obstacle.
-    fn first_touch(&self, shape: &Convex, obstacle: &Convex) -> Option<(f64, Point, Point)> {
+    fn first_touch(
+        &self,
+        shape: &Convex,
+        obstacle: &Convex,
+        max_fraction: f64,
+    ) -> Option<(f64, Point, Point)> {
         if let Some(free_side) = obstacle.free_side {
             let is_behind = dot(minus(shape.middle(), obstacle.core[0]), free_side) < 0.0;
             if is_behind || dot(self.motion, free_side) >= 0.0 {
@@ -70,7 +87,7 @@ impl<'a> Cast<'a> {
                 return Some((fraction, gap.normal.map(|part| -part), gap.point_b));
             }
             fraction += gap.distance / closing;
-            if fraction > 1.0 {
+            if fraction > max_fraction {
                 return None;
             }
         }

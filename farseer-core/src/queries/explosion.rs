@@ -92,8 +92,8 @@ impl PhysicsSimulator {
         crate::math::finite::finite("strength", strength)?;
         let around = Vector2::new(reach, reach);
         let filter = QueryFilter { fixed: false, kinematic: false, ..*filter };
-        let near = self.candidates(&Aabb::new(position - around, position + around), &filter);
-        Ok(near.filter_map(|geom| self.push_on(geom, explosion)).collect())
+        let near = self.admitted(&Aabb::new(position - around, position + around), &filter, |_| true);
+        Ok(near.into_iter().filter_map(|geom| self.push_on(geom, explosion)).collect())
     }
 
     /// The push on a geom; `None` out of reach.

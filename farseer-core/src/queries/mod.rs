@@ -17,7 +17,7 @@ use crate::math::Vector2;
 use crate::objects::{Objects, RayCastHit};
 use crate::shape::Aabb;
 use crate::simulator::PhysicsSimulator;
-use crate::storage::order::sort_by_number;
+use crate::simulator::candidates::{Candidate, First, Segment, fraction_key, in_order};
 use crate::{Error, Result};
 use convex::{Convex, Placement};
 
@@ -69,7 +69,14 @@ impl PhysicsSimulator {
         filter: &QueryFilter<'_>,
     ) -> Result<Option<RayCastHit>> {
         let ray = ray::Ray::new(start.into(), end.into())?;
-        Ok(nearest(self.candidates(&ray.aabb(), filter).filter_map(|geom| ray.hit(self, geom))))
+        let mut first = First::new();
+        self.for_each_admitted_along(&ray.segment(), filter, |list_key, geom| {
+            if let Some((fraction, hit)) = ray.hit(self, geom) {
+                first.offer(list_key, fraction, hit);
+            }
+            first.number()
+        });
+        Ok(first.into_item())
     }
 
     /// All geoms that a ray from `start` to `end` enters, each at its first entry, by distance: see [`cast_ray`](Self::cast_ray).
@@ -83,7 +90,13 @@ impl PhysicsSimulator {
         filter: &QueryFilter<'_>,
     ) -> Result<Vec<RayCastHit>> {
         let ray = ray::Ray::new(start.into(), end.into())?;
-        Ok(by_distance(self.candidates(&ray.aabb(), filter).filter_map(|geom| ray.hit(self, geom))))
+        let mut hits = Vec::new();
+        self.for_each_admitted_along(&ray.segment(), filter, |list_key, geom| {
+            let hit = ray.hit(self, geom);
+            hits.extend(hit.map(|(fraction, hit)| (fraction_key(fraction), list_key, hit)));
+            1.0
+        });
+        Ok(in_order(hits))
     }
 
     /// Any geom between two points, the first that is found: the cheapest test of a line of sight.
@@ -97,8 +110,13 @@ impl PhysicsSimulator {
         filter: &QueryFilter<'_>,
     ) -> Result<Option<RayCastHit>> {
         let ray = ray::Ray::new(start.into(), end.into())?;
-        let hit = self.candidates(&ray.aabb(), filter).find_map(|geom| ray.hit(self, geom));
-        Ok(hit.map(|(_, hit)| hit))
+        let mut found = None;
+        self.for_each_admitted_along(&ray.segment(), filter, |_, geom| {
+            found = found.or_else(|| ray.hit(self, geom).map(|(_, hit)| hit));
+            // A negative fraction ends the search.
+            if found.is_some() { -1.0 } else { 1.0 }
+        });
+        Ok(found)
     }
 
     /// The first geom that a shape touches on its straight way from a position by a motion. The point of the hit is on the geom,
@@ -134,7 +152,14 @@ impl PhysicsSimulator {
     ) -> Result<Option<RayCastHit>> {
         let pieces = placed(shape, position.into(), rotation)?;
         let cast = cast::Cast::new(&pieces, motion.into())?;
-        Ok(nearest(self.candidates(&cast.aabb(), filter).filter_map(|geom| cast.hit(self, geom))))
+        let mut first = First::new();
+        self.for_each_admitted_along(&cast.segment(), filter, |list_key, geom| {
+            if let Some((fraction, hit)) = cast.hit(self, geom, first.number()) {
+                first.offer(list_key, fraction, hit);
+            }
+            first.number()
+        });
+        Ok(first.into_item())
     }
 
     /// All geoms that a shape touches on its way, by distance: see [`cast_shape`](Self::cast_shape).
@@ -151,7 +176,13 @@ impl PhysicsSimulator {
     ) -> Result<Vec<RayCastHit>> {
         let pieces = placed(shape, position.into(), rotation)?;
         let cast = cast::Cast::new(&pieces, motion.into())?;
-        Ok(by_distance(self.candidates(&cast.aabb(), filter).filter_map(|geom| cast.hit(self, geom))))
+        let mut hits = Vec::new();
+        self.for_each_admitted_along(&cast.segment(), filter, |list_key, geom| {
+            let hit = cast.hit(self, geom, 1.0);
+            hits.extend(hit.map(|(fraction, hit)| (fraction_key(fraction), list_key, hit)));
+            1.0
+        });
+        Ok(in_order(hits))
     }
 
     /// The geoms that a shape touches or overlaps, in list order. `shape` as in [`cast_shape`](Self::cast_shape). Chains have no
@@ -167,8 +198,7 @@ impl PhysicsSimulator {
         filter: &QueryFilter<'_>,
     ) -> Result<Vec<GeomId>> {
         let pieces = placed(shape, position.into(), rotation)?;
-        let touches = |geom: &GeomId| world_shape::touches(self, *geom, &pieces);
-        Ok(self.candidates(&convex::aabb_of(&pieces), filter).filter(touches).collect())
+        Ok(self.admitted(&convex::aabb_of(&pieces), filter, |geom| world_shape::touches(self, geom, &pieces)))
     }
 
     /// Any geom that a shape touches or overlaps: whether there is room for it.
@@ -183,8 +213,13 @@ impl PhysicsSimulator {
         filter: &QueryFilter<'_>,
     ) -> Result<Option<GeomId>> {
         let pieces = placed(shape, position.into(), rotation)?;
-        let touches = |geom: &GeomId| world_shape::touches(self, *geom, &pieces);
-        Ok(self.candidates(&convex::aabb_of(&pieces), filter).find(touches))
+        let mut found = None;
+        self.for_each_admitted_near(&convex::aabb_of(&pieces), filter, |_, geom| {
+            if found.is_none() && world_shape::touches(self, geom, &pieces) {
+                found = Some(geom);
+            }
+        });
+        Ok(found)
     }
 
     /// The geoms that contain a point, in list order. Chains contain none.
@@ -193,11 +228,11 @@ impl PhysicsSimulator {
     /// A point that is not finite.
     pub fn geoms_at(&self, point: impl Into<Vector2>, filter: &QueryFilter<'_>) -> Result<Vec<GeomId>> {
         let point = [Convex::point(finite("point", point.into())?)];
-        let contains = |geom: &GeomId| {
-            let is_chain = self.geom(*geom).is_some_and(|geom| geom.outline().is_chain());
-            !is_chain && world_shape::touches(self, *geom, &point)
+        let contains = |geom: GeomId| {
+            let is_chain = self.geom(geom).is_some_and(|geom| geom.outline().is_chain());
+            !is_chain && world_shape::touches(self, geom, &point)
         };
-        Ok(self.candidates(&convex::aabb_of(&point), filter).filter(contains).collect())
+        Ok(self.admitted(&convex::aabb_of(&point), filter, contains))
     }
 
     /// The nearest geom within a distance of a point, with its nearest point; of several at the same distance, the first in list
@@ -215,13 +250,15 @@ impl PhysicsSimulator {
         let reach = crate::math::finite::zero_or_more("max_distance", max_distance)?;
         let around = Aabb::new(point - Vector2::new(reach, reach), point + Vector2::new(reach, reach));
         let from_point = Convex::point(point);
-        let found = self.candidates(&around, filter).filter_map(|geom| {
-            let closest = world_shape::nearest(self, geom, &from_point)?;
-            Some((closest.distance, geom, closest))
+        let mut first = First::new();
+        self.for_each_admitted_near(&around, filter, |list_key, geom| {
+            let closest = world_shape::nearest(self, geom, &from_point);
+            if let Some(closest) = closest.filter(|closest| closest.distance <= f64::from(reach)) {
+                first.offer(list_key, closest.distance, (geom, closest));
+            }
         });
-        let in_reach = found.filter(|(distance, ..)| *distance <= f64::from(reach));
-        let best = in_reach.reduce(|best, other| if other.0 < best.0 { other } else { best });
-        Ok(best.map(|(distance, geom, closest)| {
+        Ok(first.into_item().map(|(geom, closest)| {
+            let distance = closest.distance;
             let is_outside = distance > 0.0;
             NearestPoint {
                 geom,
@@ -236,16 +273,53 @@ impl PhysicsSimulator {
         }))
     }
 
-    /// The geoms near a box that a filter admits, in list order.
-    fn candidates<'a>(
-        &'a self,
+    /// The geoms near a box that a filter admits and for which `is_found` is true, in list order.
+    pub(super) fn admitted(
+        &self,
         aabb: &Aabb,
-        filter: &'a QueryFilter<'_>,
-    ) -> impl Iterator<Item = GeomId> + 'a {
-        let near = self.geoms_near(aabb).into_owned();
-        let aabb = *aabb;
-        near.into_iter()
-            .filter(move |&geom| filter.admits(self, geom) && world_shape::may_reach(self, geom, &aabb))
+        filter: &QueryFilter<'_>,
+        is_found: impl Fn(GeomId) -> bool,
+    ) -> Vec<GeomId> {
+        let mut found = Vec::new();
+        self.for_each_admitted_near(aabb, filter, |list_key, geom| {
+            if is_found(geom) {
+                found.push((0, list_key, geom));
+            }
+        });
+        in_order(found)
+    }
+
+    /// Calls `visit` with the list keys and ids of the geoms near a box that a filter admits: in no particular order, and perhaps
+    /// twice with one of them.
+    fn for_each_admitted_near(
+        &self,
+        aabb: &Aabb,
+        filter: &QueryFilter<'_>,
+        mut visit: impl FnMut(u32, GeomId),
+    ) {
+        self.for_each_near(aabb, |Candidate { list_key, geom, .. }| {
+            if filter.admits(self, geom) && world_shape::may_reach(self, geom, aabb) {
+                visit(list_key, geom);
+            }
+        });
+    }
+
+    /// Calls `visit` with the list keys and ids of the geoms along a path that a filter admits, as
+    /// [`for_each_admitted_near`](Self::for_each_admitted_near) does. `visit` returns the fraction of the path beyond which geoms
+    /// are of no interest; the last one holds for the next call.
+    fn for_each_admitted_along(
+        &self,
+        segment: &Segment,
+        filter: &QueryFilter<'_>,
+        mut visit: impl FnMut(u32, GeomId) -> f64,
+    ) {
+        let mut max_fraction = 1.0;
+        self.for_each_along(segment, |Candidate { list_key, geom, .. }| {
+            if filter.admits(self, geom) {
+                max_fraction = visit(list_key, geom);
+            }
+            max_fraction
+        });
     }
 }
 
@@ -267,19 +341,6 @@ fn finite(argument: &'static str, point: Vector2) -> Result<Vector2> {
         true => Ok(point),
         false => Err(Error::invalid(argument, (point.x, point.y), "finite")),
     }
-}
-
-/// The first hit. Of several at the same fraction, the first in the order of the hits.
-fn nearest(hits: impl Iterator<Item = (f64, RayCastHit)>) -> Option<RayCastHit> {
-    hits.reduce(|nearest, hit| if hit.0 < nearest.0 { hit } else { nearest }).map(|(_, hit)| hit)
-}
-
-/// All hits by fraction, in the order of the hits at equal ones.
-fn by_distance(hits: impl Iterator<Item = (f64, RayCastHit)>) -> Vec<RayCastHit> {
-    let mut hits: Vec<_> = hits.collect();
-    // Fractions are 0 or more: such numbers are ordered as their bits are. The sum makes -0 and +0 equal.
-    sort_by_number(&mut hits, |(fraction, _)| (fraction + 0.0).to_bits().into());
-    hits.into_iter().map(|(_, hit)| hit).collect()
 }
 
 /// Whether an object of the simulator has this geom, and it is not disposed.

@@ -1,27 +1,38 @@
 //! Rays against the true shapes of geoms.
 
 use super::convex::{Point, dot, minus, plus, point, scaled, vector};
-use super::{finite, world_shape};
+use super::finite;
+use super::world_shape::{self, RoundPiece};
 use crate::Result;
 use crate::geom::GeomId;
 use crate::geom::outline::Outline;
 use crate::math::Vector2;
-use crate::objects::{Objects, RayCastHit};
-use crate::shape::Aabb;
+use crate::objects::{Objects, Ray as PolygonRay, RayCastHit, ray_segment};
+use crate::simulator::candidates::Segment;
 
 /// A ray from a point to another.
 pub(super) struct Ray {
     start: Vector2,
     end: Vector2,
+    /// The ray against polygons; `None` for one without a direction.
+    polygon_ray: Option<PolygonRay>,
 }
 
 impl Ray {
     pub(super) fn new(start: Vector2, end: Vector2) -> Result<Self> {
-        Ok(Ray { start: finite("start", start)?, end: finite("end", end)? })
+        let (start, end) = (finite("start", start)?, finite("end", end)?);
+        Ok(Ray { start, end, polygon_ray: PolygonRay::new(start, end) })
     }
 
-    pub(super) fn aabb(&self) -> Aabb {
-        Aabb::from_vertices(&[self.start, self.end])
+    /// The path of the ray.
+    pub(super) fn segment(&self) -> Segment {
+        ray_segment(self.start, self.end)
+    }
+
+    /// The first point at which the ray enters the polygon of a geom.
+    fn hit_of_polygon(&self, objects: &Objects, id: GeomId) -> Option<(f64, RayCastHit)> {
+        let ray = self.polygon_ray.as_ref()?;
+        objects.first_entry(ray, id).map(|entry| (entry.fraction, ray.hit(&entry)))
     }
 
     /// The first point at which the ray enters a geom, with its fraction of the ray.
@@ -29,16 +40,15 @@ impl Ray {
         let outline = objects.geom(id)?.outline();
         // The polygon of a concave outline has no edges between its convex pieces.
         if !matches!(outline, Outline::Circle { .. } | Outline::Capsule { .. }) {
-            return objects.first_hit_of_ray(self.start, self.end, id);
+            return self.hit_of_polygon(objects, id);
         }
-        let mut pieces = world_shape::pieces_of(objects, id);
-        let piece = pieces.next().filter(|piece| piece.radius > 0.0);
-        let Some(piece) = piece else { return objects.first_hit_of_ray(self.start, self.end, id) };
+        let Some(round) = world_shape::round_piece(objects, id) else {
+            return self.hit_of_polygon(objects, id);
+        };
         let (start, way) = (point(self.start), minus(point(self.end), point(self.start)));
-        let (fraction, normal) = match *piece.core {
-            [centre] => enter_circle(start, way, centre, piece.radius)?,
-            [one, other] => enter_capsule(start, way, [one, other], piece.radius)?,
-            _ => return None,
+        let (fraction, normal) = match round {
+            RoundPiece::Circle { centre, radius } => enter_circle(start, way, centre, radius)?,
+            RoundPiece::Capsule { ends, radius } => enter_capsule(start, way, ends, radius)?,
         };
         let at = plus(start, scaled(way, fraction));
         let hit =

@@ -3,8 +3,10 @@
 use super::convex::{Closest, Convex, Point, closest};
 use crate::geom::GeomId;
 use crate::geom::view::GeomRef;
+use crate::math::Matrix;
 use crate::objects::Objects;
 use crate::shape::Aabb;
+use farseer_precise::pieces::Piece;
 
 /// Part of the size of a geom's box by which its true shape may reach beyond its polygon: a circle of eight corners by 8 % of its
 /// radius. A fraction.
@@ -13,14 +15,35 @@ const BEYOND_POLYGON: f32 = 0.05;
 /// The convex pieces of a geom at its present place.
 pub(super) fn pieces_of(objects: &Objects, geom: GeomId) -> impl Iterator<Item = Convex> + '_ {
     objects.geom(geom).into_iter().flat_map(|geom| {
-        let to_world = to_world(&geom);
-        geom.entry.pieces().iter().map(move |piece| Convex::of_piece(piece, to_world))
+        let to_world = to_world(&geom.matrix());
+        geom.entry.pieces().iter().map(move |piece| Convex::of_piece(piece, &to_world))
     })
 }
 
-/// Brings points of a geom to the world.
-pub(super) fn to_world(geom: &GeomRef<'_>) -> impl Fn(Point) -> Point + Copy + use<> {
-    let matrix = geom.matrix();
+/// The round shape of a geom in the world, in length units.
+pub(super) enum RoundPiece {
+    Circle { centre: Point, radius: f64 },
+    Capsule { ends: [Point; 2], radius: f64 },
+}
+
+/// The circle or capsule of a geom at its present place; `None` for another shape.
+pub(super) fn round_piece(objects: &Objects, geom: GeomId) -> Option<RoundPiece> {
+    let geom = objects.geom(geom)?;
+    let to_world = to_world(&geom.matrix());
+    let at = |[x, y]: [f32; 2]| to_world([f64::from(x), f64::from(y)]);
+    match geom.entry.pieces().first()? {
+        Piece::Circle { centre, radius } if *radius > 0.0 => {
+            Some(RoundPiece::Circle { centre: at(*centre), radius: f64::from(*radius) })
+        }
+        Piece::Capsule { ends, radius } if *radius > 0.0 => {
+            Some(RoundPiece::Capsule { ends: ends.map(at), radius: f64::from(*radius) })
+        }
+        _ => None,
+    }
+}
+
+/// Returns the function that brings points of a geom to the world, by the matrix of the geom.
+fn to_world(matrix: &Matrix) -> impl Fn(Point) -> Point + use<> {
     let [m11, m12, m21, m22, x, y] =
         [matrix.m11, matrix.m12, matrix.m21, matrix.m22, matrix.m41, matrix.m42].map(f64::from);
     move |[px, py]: Point| [px * m11 + py * m21 + x, px * m12 + py * m22 + y]

@@ -3,6 +3,7 @@
 mod apply_edits;
 mod body_contacts;
 mod callbacks;
+pub(crate) mod candidates;
 mod collide;
 mod contacts;
 mod context;

@@ -9,6 +9,10 @@
 //! Source: hierarchical hash grids, C. Ericson, "Real-Time Collision Detection" (2005), section 7.2. The multipliers of the
 //! hash are primes of xxHash32 (Y. Collet).
 
+mod segment;
+
+pub use segment::GridSegment;
+
 use crate::index::{IndexedVec, ProxyIndex};
 use crate::parameters::broad_phase::{GRID_LEVELS, GRID_MAX_CELL_INDEX, GRID_MIN_CELL_EXPONENT};
 use wide::f32x4;

@@ -23,6 +23,8 @@ pub(super) struct Ours {
     joints: Vec<(Option<JointId>, Option<SpringId>)>,
     /// Number of dynamic bodies that exist at present.
     dynamic_bodies: usize,
+    /// Result of the last box query; its memory is used again.
+    found: Vec<GeomId>,
 }
 
 impl Ours {
@@ -34,7 +36,7 @@ impl Ours {
         if scene.takes_lesser_friction {
             simulator.set_friction_type(FrictionType::Minimum);
         }
-        Ok(Ours { simulator, bodies: Vec::new(), joints: Vec::new(), dynamic_bodies: 0 })
+        Ok(Ours { simulator, bodies: Vec::new(), joints: Vec::new(), dynamic_bodies: 0, found: Vec::new() })
     }
 
     fn add_shape(&mut self, body: BodyId, shape: &Shape) -> Result<()> {
@@ -232,7 +234,9 @@ impl Engine for Ours {
     }
 
     fn count_in_box(&mut self, low: Point, high: Point) -> Result<usize> {
-        Ok(self.simulator.query_aabb(&Aabb::from_vertices(&[px(low), px(high)])).len())
+        let area = Aabb::from_vertices(&[px(low), px(high)]);
+        self.simulator.query_aabb_into(&area, &mut self.found);
+        Ok(self.found.len())
     }
 
     fn counters(&mut self) -> Result<Counters> {
