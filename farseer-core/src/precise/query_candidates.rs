@@ -3,6 +3,8 @@
 //! The grid holds the fat AABBs of the last step. Geoms that these AABBs do not cover, and geoms of bodies that were edited
 //! since, are always candidates.
 
+#[cfg(feature = "space")]
+use crate::body::BodyId;
 use crate::body::entry::BodyEntry;
 use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, GeomPose};
@@ -19,7 +21,7 @@ use farseer_precise::parameters::broad_phase::{
 };
 
 impl Precise {
-    /// Returns whether the grid knows all listed geoms: the proxies are as new as the list of geoms, and there is no depth axis.
+    /// Returns whether the grid knows all listed geoms: the proxies are as new as the list of geoms.
     fn grid_is_current(&self, objects: &Objects) -> bool {
         let is_outdated =
             self.edits.needs_rebuild || self.edits.has_membership_changes || self.loaded.is_some();
@@ -37,7 +39,7 @@ impl Precise {
     ) -> bool {
         let Aabb { min, max } = *aabb;
         let Some(tolerance) = tolerance_of([min.x, min.y, max.x, max.y]) else { return false };
-        if !self.grid_is_current(objects) {
+        if self.solver.depth.is_some() || !self.grid_is_current(objects) {
             return false;
         }
         let inner = [min.x + tolerance, min.y + tolerance, max.x - tolerance, max.y - tolerance];
@@ -63,23 +65,48 @@ impl Precise {
         objects: &Objects,
         mut visit: impl FnMut(Candidate) -> f64,
     ) -> bool {
-        let Segment { start, end, half_extents } = *segment;
-        let ends = [start.x, start.y, end.x, end.y];
-        let tolerance = tolerance_of(ends).zip(tolerance_of([half_extents.x, half_extents.y, 0.0, 0.0]));
-        let Some(tolerance) = tolerance.map(|(ends, halves)| ends + halves) else { return false };
-        if !self.grid_is_current(objects) {
+        let is_current = self.solver.depth.is_none() && self.grid_is_current(objects);
+        let Some(segment) = grid_segment(segment).filter(|_| is_current) else { return false };
+        let mut max_fraction = 1.0;
+        self.for_each_beside_grid(objects, &mut |candidate| max_fraction = visit(candidate));
+        let proxies = &self.solver.proxies;
+        self.solver.grid.for_each_along(&GridSegment { max_fraction, ..segment }, |index| {
+            visit(candidate_of(proxies.proxy(index)))
+        });
+        true
+    }
+
+    /// Calls `visit` with the geoms that an upright box may touch on its way along a segment with a depth axis, and perhaps others,
+    /// nearly in the order along the segment; a geom may come twice. The grid spans x and z, so all heights are visited; `edited`
+    /// are bodies whose depth the game has changed since the last step. See [`for_each_along`](Self::for_each_along).
+    #[cfg(feature = "space")]
+    pub(crate) fn for_each_along_in_depth(
+        &self,
+        segment: &Segment,
+        objects: &Objects,
+        edited: &[BodyId],
+        mut visit: impl FnMut(Candidate) -> f64,
+    ) -> bool {
+        let Some(segment) = grid_segment(segment).filter(|_| self.grid_is_current(objects)) else {
+            return false;
+        };
+        if self.solver.depth.is_none() {
             return false;
         }
         let mut max_fraction = 1.0;
         self.for_each_beside_grid(objects, &mut |candidate| max_fraction = visit(candidate));
-        let segment = GridSegment {
-            start: [start.x, start.y],
-            end: [end.x, end.y],
-            half_extents: [half_extents.x + tolerance, half_extents.y + tolerance],
-            max_fraction,
-        };
         let proxies = &self.solver.proxies;
-        self.solver.grid.for_each_along(&segment, |index| visit(candidate_of(proxies.proxy(index))));
+        let geoms = edited.iter().filter_map(|&body| objects.bodies.get(body)).flat_map(|entry| &entry.geoms);
+        for proxy in geoms.filter_map(|&geom| self.proxy_of(geom, 0)) {
+            max_fraction = visit(candidate_of(proxies.proxy(proxy)));
+        }
+        self.solver.grid.for_each_along(&GridSegment { max_fraction, ..segment }, |index| {
+            let proxy = proxies.proxy(index);
+            if !proxy.is_world {
+                max_fraction = visit(candidate_of(proxy));
+            }
+            max_fraction
+        });
         true
     }
 
@@ -119,7 +146,7 @@ impl Precise {
     /// Returns whether the fat AABB of a geom's proxy covers the geom's vertices and AABB in every pose of its body. False for
     /// geoms of more than one convex piece and for geoms whose AABB or matrix does not follow from vertices and pose.
     pub(in crate::precise) fn proxy_covers_geom(&self, id: GeomId, geom: &GeomEntry) -> bool {
-        let has_own_pose = geom.box_radius.is_some() || geom.user_matrix.is_some() || geom.refresh_is_due;
+        let has_own_pose = geom.user_matrix.is_some() || geom.refresh_is_due;
         let Some(proxy) = self.proxy_of(id, 0).filter(|_| !has_own_pose && geom.pieces().len() == 1) else {
             return false;
         };
@@ -134,7 +161,14 @@ impl Precise {
             });
             x >= 0.0 && y >= 0.0
         };
-        QUERY_ROUNDING_RATIO * shape.max_extent <= tolerance && geom.local_vertices.iter().all(is_covered)
+        let covers_disc = |radius: f32| {
+            let origin = on_body.apply(Vector2::zeros()) - Vector2::from(shape.centre);
+            let [half_x, half_y] = shape.half_extents;
+            origin.norm() + radius <= half_x.min(half_y) + shape.radius + tolerance
+        };
+        QUERY_ROUNDING_RATIO * shape.max_extent <= tolerance
+            && geom.local_vertices.iter().all(is_covered)
+            && geom.box_radius.is_none_or(covers_disc)
     }
 }
 
@@ -146,6 +180,18 @@ fn candidate_of(proxy: &Proxy) -> Candidate {
 /// Returns whether one AABB contains another; false for the AABB of a proxy that takes part in no query.
 fn contains(outer: &[f32; 4], inner: &[f32; 4]) -> bool {
     outer[0] <= inner[0] && outer[1] <= inner[1] && inner[2] <= outer[2] && inner[3] <= outer[3]
+}
+
+/// Returns the path of a query in the grid, enlarged for the rounding of geoms; `None` if it is out of range.
+fn grid_segment(&Segment { start, end, half_extents }: &Segment) -> Option<GridSegment> {
+    let tolerance = tolerance_of([start.x, start.y, end.x, end.y])?
+        + tolerance_of([half_extents.x, half_extents.y, 0.0, 0.0])?;
+    Some(GridSegment {
+        start: [start.x, start.y],
+        end: [end.x, end.y],
+        half_extents: [half_extents.x + tolerance, half_extents.y + tolerance],
+        max_fraction: 1.0,
+    })
 }
 
 /// Returns the distance by which a query with these coordinates is enlarged for the rounding of geoms, in length units; `None` if

@@ -3,8 +3,8 @@
 use conformance::fixtures::plane::{Random, add_box, add_circle, add_floor, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    Aabb, BodyFactory, Context, EventHandler, GeomFactory, GeomId, GeomPlacement, Methods, Objects,
-    PhysicsSimulator, Vertices,
+    Aabb, BodyFactory, Context, EventHandler, GeomBuilder, GeomFactory, GeomId, GeomPlacement, Methods,
+    Objects, PhysicsSimulator, QueryFilter, Vertices,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -60,6 +60,54 @@ fn compare(simulator: &PhysicsSimulator, random: &mut Random, centre: Vector2) -
     let within = simulator.query_aabb(&area);
     assert_eq!(within, objects.query_aabb(&area));
     inside.len() + hits.len() + within.len()
+}
+
+/// Compares filtered queries at a random position with those of a loaded twin, which has no grid yet.
+fn compare_filtered(simulator: &PhysicsSimulator, random: &mut Random) -> usize {
+    let mut twin = PhysicsSimulator::precise([0.0, 0.0]).unwrap();
+    twin.restore(&simulator.snapshot()).unwrap();
+    let mut place = || v(random.between(-600.0, 600.0), random.between(-600.0, 600.0));
+    let (a, b) = (place(), place());
+    let (turn, size) = (random.between(0.0, 6.0), random.between(2.0, 90.0));
+    let filters =
+        [QueryFilter::default(), QueryFilter { fixed: false, sensors: true, ..QueryFilter::default() }];
+    let filter = &filters[random.below(2)];
+    let shapes =
+        [GeomBuilder::circle(size), GeomBuilder::rectangle(size, 20.0), GeomBuilder::capsule(90.0, 9.0)];
+    let shape = &shapes[random.below(3)];
+    let [one, other] = [simulator, &twin].map(|simulator| {
+        (
+            simulator.cast_ray(a, b, filter).unwrap(),
+            simulator.cast_ray_all(a, b, filter).unwrap(),
+            simulator.cast_ray_any(a, b, filter).unwrap().is_some(),
+            simulator.cast_shape(shape, a, turn, b - a, filter).unwrap(),
+            simulator.cast_shape_all(shape, a, turn, b - a, filter).unwrap(),
+            simulator.overlap_shape(shape, a, turn, filter).unwrap(),
+            simulator.nearest_point(a, size, filter).unwrap(),
+            simulator.geoms_at(a, filter).unwrap(),
+        )
+    });
+    assert_eq!(one, other);
+    assert_eq!(one.0, one.1.first().copied());
+    one.1.len() + one.4.len() + one.5.len()
+}
+
+#[test]
+fn filtered_grid_queries_equal_a_test_of_every_geom() {
+    let mut answers = 0;
+    for seed in 0..6 {
+        let random = &mut Random::new(seed);
+        let mut simulator = random_scene(random, v(0.0, 0.0));
+        for step in 0..60 {
+            answers += compare_filtered(&simulator, random);
+            if step % 4 == 3 {
+                edit(&mut simulator, random, v(0.0, 0.0));
+                answers += compare_filtered(&simulator, random);
+            }
+            simulator.update(DT);
+        }
+    }
+    assert!(answers > 1000, "{answers}");
 }
 
 fn edit(simulator: &mut PhysicsSimulator, random: &mut Random, centre: Vector2) {

@@ -16,6 +16,7 @@ mod fields;
 mod fixed_springs;
 mod flush;
 mod former_names;
+mod grid_queries;
 mod grips;
 mod interpolation;
 mod joints;

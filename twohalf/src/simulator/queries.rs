@@ -1,9 +1,10 @@
 //! Queries by a point of the screen and by a box of the world.
 
 use farseer_core::GeomId;
+use farseer_core::depth::{DepthAxis, DepthPath};
 
 use super::draw_items::Drawable;
-use crate::{TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
+use crate::{TwoHalfGeom, TwoHalfPhysicsSimulator, Vector2, Vector3, VirtualGeom};
 
 impl TwoHalfPhysicsSimulator {
     /// The first geom, in the order of the geom list, whose picture contains a point of the screen; see
@@ -54,30 +55,64 @@ impl TwoHalfPhysicsSimulator {
     /// `high` that of the greatest. The result is empty if a number is not finite, or one of `low` exceeds
     /// that of `high`. [`platforms_in_box`](Self::platforms_in_box) returns the platforms.
     ///
-    /// Tests the AABB of every listed geom, in time proportional to their number. The filter is called for
-    /// the found ones only.
+    /// With the precise set its hash grid is searched, so that the time does not grow with the number of geoms.
+    /// The filter is called for the found ones only.
     pub fn query_box(
         &self,
         low: Vector3,
         high: Vector3,
         mut is_wanted: impl FnMut(GeomId) -> bool,
     ) -> Vec<GeomId> {
-        let is_axis =
-            |axis: usize| low[axis].is_finite() && high[axis].is_finite() && low[axis] <= high[axis];
-        if !(0..3).all(is_axis) {
+        if !is_box(low, high) {
             return Vec::new();
         }
-        let is_near =
-            |geom: GeomId| self.geom(geom).is_some_and(|geom| overlaps_box(&geom.virtual_geom(), low, high));
-        let is_found = |&geom: &GeomId| !self.core.is_disposed(geom) && is_near(geom) && is_wanted(geom);
-        self.geom_list().iter().copied().filter(is_found).collect()
+        let mut found = self.geoms_near(path_within([low.x, low.z], [high.x, high.z]), |geom| {
+            self.overlaps_box(geom, low, high)
+        });
+        found.retain(|&geom| is_wanted(geom));
+        found
+    }
+
+    /// Returns the geoms near a path for which `is_found` is true, in the order of the geom list.
+    pub(super) fn geoms_near(&self, path: DepthPath, is_found: impl Fn(GeomId) -> bool) -> Vec<GeomId> {
+        let mut found: Vec<(u32, GeomId)> = Vec::new();
+        self.for_each_geom_along(&path, |list_key, geom| {
+            if is_found(geom) {
+                found.push((list_key, geom));
+            }
+            1.0
+        });
+        found.sort_unstable_by_key(|&(list_key, _)| list_key);
+        found.dedup_by_key(|&mut (list_key, _)| list_key);
+        found.into_iter().map(|(_, geom)| geom).collect()
+    }
+
+    /// Calls `visit` with the geoms that a box may touch on a path over X and Z, at any height, and perhaps others, nearly in the
+    /// order along the path; a geom may come twice. The first argument of `visit` is a number by which geoms are
+    /// sorted as in the geom list. It returns the fraction of the path beyond which geoms are of no interest.
+    pub(super) fn for_each_geom_along(&self, path: &DepthPath, mut visit: impl FnMut(u32, GeomId) -> f64) {
+        let depths = &self.world.depths;
+        // Until the first update the core knows no depths.
+        let is_done =
+            depths.is_sent && DepthAxis::of(&self.core).for_each_geom_along(path, &depths.edited, &mut visit);
+        if !is_done {
+            for (list_key, &geom) in (0..).zip(self.geom_list()) {
+                visit(list_key, geom);
+            }
+        }
+    }
+
+    /// Returns whether the AABB of a geom that is not disposed overlaps or touches the box from `low` to `high`, px.
+    pub(super) fn overlaps_box(&self, geom: GeomId, low: Vector3, high: Vector3) -> bool {
+        let is_near = |geom: TwoHalfGeom<'_>| overlaps_box(&geom.virtual_geom(), low, high);
+        !self.core.is_disposed(geom) && self.geom(geom).is_some_and(is_near)
     }
 
     /// The geoms that [overlap](crate::TwoHalfGeom::collides_with_geom) another one in all three axes, for
     /// example a sensor, in the order of the geom list. Geoms of its own body, disposed ones and filtered
     /// ones are left out. Collision categories, groups and flags do not count. Empty for a stale id.
     ///
-    /// Broad phase over all listed geoms, then narrow phase of the shapes whose AABBs overlap. The filter is
+    /// Broad phase as in [`query_box`](Self::query_box), then narrow phase of the shapes whose AABBs overlap. The filter is
     /// called before the narrow phase.
     pub fn overlaps_of(&self, geom: GeomId, mut is_wanted: impl FnMut(GeomId) -> bool) -> Vec<GeomId> {
         let Some(view) = self.geom(geom).filter(|_| !self.core.is_disposed(geom)) else { return Vec::new() };
@@ -93,6 +128,19 @@ impl TwoHalfPhysicsSimulator {
     pub fn screen_to_ground(&self, point: Vector2) -> Vector3 {
         self.projection().screen_to_ground(point)
     }
+}
+
+/// Returns whether a query box is finite, and no coordinate of `low` exceeds that of `high`.
+pub(super) fn is_box(low: Vector3, high: Vector3) -> bool {
+    (0..3).all(|axis| low[axis].is_finite() && high[axis].is_finite() && low[axis] <= high[axis])
+}
+
+/// Returns the path along the middle of a rectangle over X and Z, of a box as wide as the rectangle.
+pub(super) fn path_within(low: [f32; 2], high: [f32; 2]) -> DepthPath {
+    // Halves first: a sum may overflow.
+    let middle = [0, 1].map(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
+    let half_extents = [0, 1].map(|axis| 0.5 * high[axis] - 0.5 * low[axis]);
+    DepthPath { start: middle, end: middle, half_extents }
 }
 
 /// Returns whether the AABB of a geom overlaps or touches the box from `low` to `high`, px.

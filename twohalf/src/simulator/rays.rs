@@ -1,7 +1,9 @@
 //! Ray casts and shape casts of boxes in three axes.
 
 use farseer_core::GeomId;
+use farseer_core::depth::DepthPath;
 
+use super::queries::is_box;
 use crate::projection::to_world;
 use crate::shapes::{ConvexPieces, Hit, Sweep, entry_of_parts};
 use crate::{ContactTarget, DepthProfile, PlatformId, TwoHalfPhysicsSimulator, Vector3};
@@ -30,6 +32,12 @@ pub struct SweepHit3D {
     pub fraction: f32,
 }
 
+/// Least number by which geoms are ordered after all platforms.
+const GEOM_KEYS: u64 = 1 << 32;
+
+/// Fraction of a path by which a hit may be found too early through rounding, dimensionless: many times the rounding of an `f32`.
+const FRACTION_TOLERANCE: f64 = 1e-4;
+
 /// Returns a normal of the frame of the plane (y down) in the world (Y up), without negative zeros.
 fn outward(normal: Vector3) -> Vector3 {
     to_world(normal).map(|part| part + 0.0)
@@ -45,8 +53,8 @@ impl TwoHalfPhysicsSimulator {
     /// it. The ground is the plane Y = 0, from above. Disposed geoms are not hit. A ray without length, or
     /// that is not finite, hits nothing.
     ///
-    /// Tests the AABB of every listed geom and every platform, in time proportional to their number. The
-    /// filter is called only for targets that the ray enters.
+    /// Tests the AABB of every platform; the geoms come from the hash grid of the precise set, along the ray up to
+    /// its first hit. The filter is called only for targets that the ray enters.
     ///
     /// ```
     /// use twohalf::{ContactTarget, TwoHalfPhysicsSimulator, Vector3};
@@ -64,7 +72,7 @@ impl TwoHalfPhysicsSimulator {
     ) -> Option<RayHit3D> {
         let ray = Sweep::of_point(to_world(start), to_world(end - start))?;
         let (partner, (fraction, normal)) =
-            self.first_entered(&ray, start.inf(&end), start.sup(&end), is_wanted)?;
+            self.first_entered(&ray, [start, end].map(|at| [at, at]), is_wanted)?;
         let point = to_world(ray.at(fraction));
         Some(RayHit3D { partner, point, normal: outward(normal), fraction })
     }
@@ -81,8 +89,8 @@ impl TwoHalfPhysicsSimulator {
     /// The result is `None` without a path, for numbers that are not finite, or if one of `low` exceeds that
     /// of `high`.
     ///
-    /// Tests the AABB of every listed geom and every platform, in time proportional to their number. The
-    /// filter is called only for targets that the box touches.
+    /// Tests the AABB of every platform; the geoms come from the hash grid of the precise set, along the path up to
+    /// its first hit. The filter is called only for targets that the box touches.
     ///
     /// ```
     /// use twohalf::{ContactTarget, Platform, TwoHalfPhysicsSimulator, Vector3};
@@ -106,39 +114,64 @@ impl TwoHalfPhysicsSimulator {
             return None;
         }
         let sweep = Sweep::of_box(to_world((low + high) * 0.5), to_world(displacement), (high - low) * 0.5)?;
-        let (from, to) = (low.inf(&(low + displacement)), high.sup(&(high + displacement)));
-        let (partner, (fraction, normal)) = self.first_entered(&sweep, from, to, is_wanted)?;
+        let boxes = [[low, high], [low + displacement, high + displacement]];
+        let (partner, (fraction, normal)) = self.first_entered(&sweep, boxes, is_wanted)?;
         Some(SweepHit3D { partner, normal: outward(normal), fraction })
     }
 
-    /// Returns the first hit of a path among the targets whose AABBs overlap the box from `low` to `high` around the path
-    /// (world, px); `None` without a hit.
+    /// Returns the first hit of a path among the targets whose AABBs overlap the box around the path; `None` without a hit.
+    /// `boxes`: lowest and highest corners of the moved box at the start and at the end, in the world, px.
     fn first_entered(
         &self,
         sweep: &Sweep,
-        low: Vector3,
-        high: Vector3,
+        boxes: [[Vector3; 2]; 2],
         mut is_wanted: impl FnMut(ContactTarget) -> bool,
     ) -> Option<(ContactTarget, Hit)> {
+        let [[from_low, from_high], [to_low, to_high]] = boxes;
+        let (low, high) = (from_low.inf(&to_low), from_high.sup(&to_high));
         let mut nearest: Option<(ContactTarget, Hit)> = None;
-        let mut meet = |partner: ContactTarget, entry: Option<Hit>| {
-            if let Some(entry) = entry
-                && is_wanted(partner)
-                && nearest.is_none_or(|(_, other)| entry.0 < other.0)
-            {
-                nearest = Some((partner, entry));
+        // Of geoms at one place the one with the least number counts, and platforms come before geoms.
+        let mut nearest_key = 0;
+        // A geom may come twice; the filter is asked once.
+        let mut rejected = Vec::new();
+        let mut meet = |key: u64, partner: ContactTarget, entry: Option<Hit>| {
+            let is_first = |entry: Hit| {
+                nearest.is_none_or(|(_, other): (ContactTarget, Hit)| {
+                    entry.0 < other.0 || entry.0 == other.0 && key < nearest_key
+                })
+            };
+            if let Some(entry) = entry.filter(|&entry| is_first(entry) && !rejected.contains(&key)) {
+                match is_wanted(partner) {
+                    true => (nearest, nearest_key) = (Some((partner, entry)), key),
+                    false => rejected.push(key),
+                }
             }
+            nearest.map_or(1.0, |(_, entry)| entry.0)
         };
-        for id in self.platforms_in_box(low, high, |_| true) {
-            meet(
-                ContactTarget::Platform(id),
-                self.platform(id).and_then(|view| sweep.entry_of_box(view.shape())),
-            );
+        for (key, id) in (0..).zip(self.platforms_in_box(low, high, |_| true)) {
+            let entry = self.platform(id).and_then(|view| sweep.entry_of_box(view.shape()));
+            meet(key, ContactTarget::Platform(id), entry);
         }
-        for id in self.query_box(low, high, |_| true) {
-            meet(ContactTarget::Geom(id), self.entry_of(sweep, id));
+        if is_box(low, high) {
+            let path = DepthPath {
+                start: [0, 2].map(|axis| 0.5 * from_low[axis] + 0.5 * from_high[axis]),
+                end: [0, 2].map(|axis| 0.5 * to_low[axis] + 0.5 * to_high[axis]),
+                half_extents: [0, 2].map(|axis| 0.5 * from_high[axis] - 0.5 * from_low[axis]),
+            };
+            let mut last = 1.0;
+            self.for_each_geom_along(&path, |list_key, id| {
+                if self.overlaps_box(id, low, high) {
+                    last = meet(
+                        GEOM_KEYS + u64::from(list_key),
+                        ContactTarget::Geom(id),
+                        self.entry_of(sweep, id),
+                    );
+                }
+                // Fractions of hits are rounded.
+                f64::from(last) + FRACTION_TOLERANCE
+            });
         }
-        meet(ContactTarget::Ground, sweep.entry_of_ground());
+        meet(u64::MAX, ContactTarget::Ground, sweep.entry_of_ground());
         nearest
     }
 
@@ -169,9 +202,7 @@ impl TwoHalfPhysicsSimulator {
         high: Vector3,
         mut is_wanted: impl FnMut(PlatformId) -> bool,
     ) -> Vec<PlatformId> {
-        let is_axis =
-            |axis: usize| low[axis].is_finite() && high[axis].is_finite() && low[axis] <= high[axis];
-        if !(0..3).all(is_axis) {
+        if !is_box(low, high) {
             return Vec::new();
         }
         let (low, high) = (Vector3::new(low.x, -high.y, low.z), Vector3::new(high.x, -low.y, high.z));

@@ -4,6 +4,7 @@ use farseer_core::math::vector2::transform;
 use farseer_core::{BodyId, GeomId};
 use farseer_precise::depth::shape_distance::DepthQueryFootprint;
 
+use super::queries::path_within;
 use crate::depth::upright;
 use crate::projection::to_world;
 use crate::shapes::WalkableTop;
@@ -34,7 +35,7 @@ impl TwoHalfPhysicsSimulator {
     /// Balls, capsules, sensors and geoms without collision are not. Of several at one height the ground
     /// comes first, then platforms from the last created on, then geoms in the order of their list.
     ///
-    /// Tests every platform and every listed geom, in time proportional to their number.
+    /// Tests every platform; the geoms at the place come from the hash grid of the precise set.
     ///
     /// ```
     /// use twohalf::{ContactTarget, Platform, TwoHalfPhysicsSimulator, Vector3};
@@ -65,12 +66,12 @@ impl TwoHalfPhysicsSimulator {
             }
         };
         // Most geoms are separated in depth, which is the cheapest test.
-        for &geom in self.geom_list().iter().rev() {
-            if self.reaches_depth(geom, point.z) && self.can_support(geom) {
-                self.for_each_top(geom, [point.z; 2], |top| {
-                    surface_of(&top, [point.x, point.z]).into_iter().for_each(&mut find);
-                });
-            }
+        let place = [point.x, point.z];
+        let is_there = |geom: GeomId| self.reaches_depth(geom, point.z) && self.can_support(geom);
+        for geom in self.geoms_near(path_within(place, place), is_there).into_iter().rev() {
+            self.for_each_top(geom, [point.z; 2], |top| {
+                surface_of(&top, place).into_iter().for_each(&mut find);
+            });
         }
         for (id, platform) in self.world.platforms.iter() {
             if let Some((y, normal)) = platform.shape().height_at(point.x, point.z) {

@@ -16,8 +16,20 @@ use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::report::{Event, Stopwatch};
 use crate::simulator::callbacks::Handler;
+use crate::simulator::candidates::Segment;
 use crate::simulator::{Context, PhysicsSimulator};
 use farseer_precise::index::{BodyIndex, DenseIndex, PairIndex};
+
+/// A straight path of an upright box over x and z, at any height.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthPath {
+    /// Centre of the box at the start, x and z, in length units.
+    pub start: [f32; 2],
+    /// Centre of the box at the end, x and z, in length units.
+    pub end: [f32; 2],
+    /// Half extents of the box along x and z, in length units, >= 0; 0 for a ray.
+    pub half_extents: [f32; 2],
+}
 
 /// Read access to the depth axis of a simulator. Without a depth axis all lists are empty.
 #[derive(Debug, Clone, Copy)]
@@ -107,6 +119,25 @@ impl<'a> DepthAxis<'a> {
     pub fn neighbours_of(self, body: BodyId) -> impl Iterator<Item = GeomId> + 'a {
         let found = self.precise_and_index(body).into_iter();
         found.flat_map(|(precise, index)| precise.depth_neighbours_of(index))
+    }
+
+    /// Calls `visit` with the geoms that an upright box may touch on a straight path over x and z, and perhaps others, nearly in the
+    /// order along the path; a geom may come twice. The first argument of `visit` is a number by which geoms are sorted as in their
+    /// list. It returns the fraction of the path beyond which geoms are of no interest, 0..=1. `edited`: bodies whose
+    /// depth state or shapes were changed and not set yet. Returns false without a call if the grid does not know all geoms.
+    pub fn for_each_geom_along(
+        self,
+        path: &DepthPath,
+        edited: &[BodyId],
+        mut visit: impl FnMut(u32, GeomId) -> f64,
+    ) -> bool {
+        let [start, end, half_extents] = [path.start, path.end, path.half_extents].map(Vector2::from);
+        let segment = Segment { start, end, half_extents };
+        self.precise().is_some_and(|precise| {
+            precise.for_each_along_in_depth(&segment, &self.0.objects, edited, |candidate| {
+                visit(candidate.list_key, candidate.geom)
+            })
+        })
     }
 
     /// Calls `find` for the geoms whose bounds overlap a box and that may collide with a geom of the body. `low` and `high` are

@@ -36,7 +36,7 @@
 mod axis;
 mod handler;
 
-pub use axis::{DepthAxis, DepthAxisMut};
+pub use axis::{DepthAxis, DepthAxisMut, DepthPath};
 pub use handler::DepthHandler;
 
 pub use crate::precise::depth_contact::{
