@@ -104,11 +104,13 @@ pub(crate) struct Precise {
     sleep_options: SleepOptions,
     /// Workspace: the hits of the convex pieces in this step.
     piece_hits: Vec<PieceHit>,
+    /// Whether a step runs: poses of the solver may then differ from those of the game's bodies.
+    pub(crate) is_stepping: bool,
 }
 
 reusing_clone! {
     Precise {
-        solver, loaded, edits, joint_table, sleeping_joints, ids, always_tested, changed_kinds, sleep_events, sleep_options, piece_hits
+        solver, loaded, edits, joint_table, sleeping_joints, ids, always_tested, changed_kinds, sleep_events, sleep_options, piece_hits, is_stepping
     }
 }
 
@@ -141,6 +143,7 @@ impl Precise {
             sleep_events: SleepEvents::default(),
             sleep_options: SleepOptions::default(),
             piece_hits: Vec::new(),
+            is_stepping: false,
         }
     }
     /// Returns an empty engine state for these methods; `None` for the faithful set.

@@ -46,11 +46,20 @@ impl Precise {
         // A fat AABB does not follow an edit before the next step.
         let has_edits = self.for_each_beside_grid(objects, &mut visit);
         let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
-        self.solver.grid.for_each_overlap(&bounds, |index| {
-            let candidate = candidate_of(self.solver.proxies.proxy(index));
-            let is_inside = !has_edits
-                && contains(&inner, self.solver.proxies.fat_aabb_of(index))
-                && !self.is_always_tested(candidate.list_key);
+        let solver = &self.solver;
+        let (proxies, parameters) = (&solver.proxies, &solver.parameters);
+        let query = [min.x, min.y, max.x, max.y];
+        solver.grid.for_each_overlap(&bounds, |index| {
+            let overlaps = match self.is_stepping {
+                true => contains(&inner, proxies.fat_aabb_of(index)).then_some(true),
+                false => proxies.outline_overlaps(index, &query, tolerance, &solver.bodies, parameters),
+            };
+            if overlaps == Some(false) {
+                return;
+            }
+            let candidate = candidate_of(proxies.proxy(index));
+            let is_inside =
+                overlaps == Some(true) && !has_edits && !self.is_always_tested(candidate.list_key);
             visit(Candidate { is_inside, ..candidate });
         });
         true
@@ -70,8 +79,16 @@ impl Precise {
         let mut max_fraction = 1.0;
         self.for_each_beside_grid(objects, &mut |candidate| max_fraction = visit(candidate));
         let proxies = &self.solver.proxies;
+        let (bodies, parameters) = (&self.solver.bodies, &self.solver.parameters);
+        let [half_x, half_y] = segment.half_extents;
+        let reach = (half_x * half_x + half_y * half_y).sqrt();
+        let way = [segment.end[0] - segment.start[0], segment.end[1] - segment.start[1]];
         self.solver.grid.for_each_along(&GridSegment { max_fraction, ..segment }, |index| {
-            visit(candidate_of(proxies.proxy(index)))
+            let path = [segment.start, way.map(|part| part * max_fraction.max(0.0) as f32)];
+            if self.is_stepping || proxies.may_meet_path(index, path, reach, bodies, parameters) {
+                max_fraction = visit(candidate_of(proxies.proxy(index)));
+            }
+            max_fraction
         });
         true
     }
@@ -168,7 +185,7 @@ impl Precise {
         };
         QUERY_ROUNDING_RATIO * shape.max_extent <= tolerance
             && geom.local_vertices.iter().all(is_covered)
-            && geom.box_radius.is_none_or(covers_disc)
+            && geom.box_radius.is_none_or(|radius| self.solver.depth.is_some() && covers_disc(radius))
     }
 }
 

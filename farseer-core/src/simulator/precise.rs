@@ -37,6 +37,7 @@ impl PhysicsSimulator {
         if self.try_skip_step(dt, substeps, handler) {
             return false;
         }
+        self.precise_engine().is_stepping = true;
         let steps = StepLengths { before: self.precise_engine().solver.dt, now: dt };
         let step = self.precise_engine().begin_step(dt, substeps, gravity, may_sleep);
         if let Some(precise) = &mut self.pipeline.precise {
@@ -86,6 +87,7 @@ impl PhysicsSimulator {
         self.store_bodies(handler);
         self.report_sensor_passthroughs(handler);
         self.update_sleep(&step);
+        self.precise_engine().is_stepping = false;
         stopwatch.lap(|times| &mut times.update_positions_time);
         true
     }

@@ -5,6 +5,7 @@
 //! positions, then the proxies of static bodies.
 
 mod escape;
+mod query;
 
 use crate::index::{BodyIndex, DenseIndex, IndexRange, IndexedVec, ProxyIndex};
 use crate::parameters::broad_phase::COLLISION_MAX_COORDINATE;

@@ -2,7 +2,9 @@
 
 use conformance::fixtures::depth::{DT, ball, platform, simulator, solid, with_scheme};
 use conformance::fixtures::plane::Random;
-use twohalf::{BodyId, ContactTarget, DepthProfile, DepthScheme, TwoHalfPhysicsSimulator, Vector2, Vector3};
+use twohalf::{
+    BodyId, ContactTarget, DepthProfile, DepthScheme, GeomId, TwoHalfPhysicsSimulator, Vector2, Vector3,
+};
 use twohalf_factories::{Capsule, Cylinder, spawn};
 
 fn point(random: &mut Random, reach: f32) -> Vector3 {
@@ -27,7 +29,8 @@ fn edit(simulator: &mut TwoHalfPhysicsSimulator, random: &mut Random) {
     let body = random.pick(simulator.body_list());
     let at = point(random, 400.0);
     let kind = random.below(6);
-    let geom = simulator.geoms_of(body).first().copied();
+    let is_its = |geom: &GeomId| simulator.geom(*geom).is_some_and(|geom| geom.body() == body);
+    let geom = simulator.geom_list().iter().copied().find(is_its);
     match (kind, geom) {
         (0, _) => simulator.body_mut(body).unwrap().set_position3d(at),
         (1, _) => simulator.body_mut(body).unwrap().core_mut().set_enabled(false),
