@@ -15,6 +15,19 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) enum Precise {}
 
+/// Grid of the precise set, which does not exist.
+pub(crate) enum GridQuery {}
+
+impl GridQuery {
+    pub(crate) fn for_each_near(&self, _: &Aabb, _: impl FnMut(Candidate)) -> bool {
+        match *self {}
+    }
+
+    pub(crate) fn for_each_along(&self, _: &Segment, _: impl FnMut(Candidate) -> f64) -> bool {
+        match *self {}
+    }
+}
+
 /// State of the depth axis, which does not exist.
 pub(crate) enum DepthState {}
 
@@ -93,11 +106,7 @@ impl Precise {
         match *self {}
     }
 
-    pub(crate) fn for_each_near(&self, _: &Aabb, _: &Objects, _: impl FnMut(Candidate)) -> bool {
-        match *self {}
-    }
-
-    pub(crate) fn for_each_along(&self, _: &Segment, _: &Objects, _: impl FnMut(Candidate) -> f64) -> bool {
+    pub(crate) fn grid_query(&self, _: &Objects) -> Option<GridQuery> {
         match *self {}
     }
 }

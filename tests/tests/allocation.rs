@@ -13,10 +13,10 @@ use conformance::fixtures::plane::{
     self, NARROW_PHASES, add_box, add_circle, add_floor, faithful_methods, lively_scene, simulator_with, v,
 };
 use farseer_core::{
-    BodyBuilder, BodyId, BodyInterpolation, BroadPhaseCollider, CharacterMover, Context, Controller,
-    Dispatch, EventHandler, FluidContainerRef, FluidDragController, GeomBuilder, GravityController,
-    InactivityController, IslandSolver, JointFactory, JointId, Methods, MoverInput, MoverOptions,
-    PhysicsSimulator, ScalingController, SolverChoice, SpringFactory, SpringId, WantedEvents, WaveController,
+    Aabb, BodyBuilder, BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, Dispatch,
+    EventHandler, FluidContainerRef, FluidDragController, GeomBuilder, GravityController,
+    InactivityController, IslandSolver, JointFactory, JointId, Methods, PhysicsSimulator, QueryFilter,
+    ScalingController, SolverChoice, SpringFactory, SpringId, WantedEvents, WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.
@@ -115,6 +115,27 @@ fn settled_precise_scene() -> PhysicsSimulator {
 fn an_update_of_a_settled_scene_with_the_precise_set_allocates_nothing() {
     let mut simulator = settled_precise_scene();
     assert_eq!((0..300).map(|_| calls(|| simulator.update(0.01))).sum::<usize>(), 0);
+}
+
+#[test]
+fn rays_and_boxes_of_the_precise_set_allocate_nothing_after_the_first() {
+    let simulator = settled_precise_scene();
+    let mut found = Vec::new();
+    let mut ask = || {
+        let filter = QueryFilter::default();
+        let mut answers = 0;
+        for at in 0..40 {
+            let (start, end) = (v(15.0 * at as f32 - 300.0, -300.0), v(300.0 - 15.0 * at as f32, 320.0));
+            answers += usize::from(simulator.ray_cast(start, end).is_some());
+            answers += usize::from(simulator.cast_ray(start, end, &filter).unwrap().is_some());
+            answers += usize::from(simulator.cast_ray_any(start, end, &filter).unwrap().is_some());
+            simulator.query_aabb_into(&Aabb::new(v(-300.0, 0.0), end), &mut found);
+            answers += found.len();
+        }
+        answers
+    };
+    assert!(ask() > 100);
+    assert_eq!(calls(|| _ = ask()), 0);
 }
 
 #[test]

@@ -3,7 +3,6 @@
 //! The grid holds the fat AABBs of the last step. Geoms that these AABBs do not cover, and geoms of bodies that were edited
 //! since, are always candidates.
 
-#[cfg(feature = "space")]
 use crate::body::BodyId;
 use crate::body::entry::BodyEntry;
 use crate::geom::GeomId;
@@ -11,40 +10,46 @@ use crate::geom::entry::{GeomEntry, GeomPose};
 use crate::math::Vector2;
 use crate::objects::Objects;
 use crate::precise::Precise;
-use crate::precise::ids::{AlwaysTested, geom_of};
+use crate::precise::ids::{AlwaysTested, IdTable, geom_of, piece_at};
 use crate::shape::Aabb;
 use crate::simulator::candidates::{Candidate, Segment};
+use farseer_precise::Solver;
 use farseer_precise::broad_phase::hash_grid::GridSegment;
 use farseer_precise::broad_phase::proxies::Proxy;
+use farseer_precise::index::ProxyIndex;
 use farseer_precise::parameters::broad_phase::{
     PIECE_MAX_SHORTFALL_RATIO, QUERY_MAX_COORDINATE, QUERY_ROUNDING_RATIO,
 };
 
-impl Precise {
-    /// Returns whether the grid knows all listed geoms: the proxies are as new as the list of geoms.
-    fn grid_is_current(&self, objects: &Objects) -> bool {
-        let is_outdated =
-            self.edits.needs_rebuild || self.edits.has_membership_changes || self.loaded.is_some();
-        !(is_outdated || self.solver.depth.is_some() || objects.has_new_structure || objects.has_new_members)
+/// Grid, and what it does not know: parts of [`Precise`] for the queries of the game.
+pub(crate) struct GridQuery<'a> {
+    solver: &'a Solver,
+    ids: &'a IdTable,
+    always_tested: &'a [AlwaysTested],
+    /// Bodies that were edited since the last import.
+    edited: &'a [BodyId],
+    is_stepping: bool,
+    objects: &'a Objects,
+}
+
+impl GridQuery<'_> {
+    /// Returns the first proxy of a geom; `None` without one.
+    fn first_proxy(&self, geom: GeomId) -> Option<ProxyIndex> {
+        piece_at(&self.solver.proxies, self.ids.first_proxy(geom)?, (geom, 0))
     }
 
     /// Calls `visit` with the geoms that may overlap an AABB, and perhaps others, in no particular order; a geom may come twice.
     /// Returns false without a call if the grid does not know all geoms, or the AABB is out of range. The caller then tests all
     /// geoms.
-    pub(crate) fn for_each_near(
-        &self,
-        aabb: &Aabb,
-        objects: &Objects,
-        mut visit: impl FnMut(Candidate),
-    ) -> bool {
+    pub(crate) fn for_each_near(&self, aabb: &Aabb, mut visit: impl FnMut(Candidate)) -> bool {
         let Aabb { min, max } = *aabb;
         let Some(tolerance) = tolerance_of([min.x, min.y, max.x, max.y]) else { return false };
-        if self.solver.depth.is_some() || !self.grid_is_current(objects) {
+        if self.solver.depth.is_some() {
             return false;
         }
         let inner = [min.x + tolerance, min.y + tolerance, max.x - tolerance, max.y - tolerance];
         // A fat AABB does not follow an edit before the next step.
-        let has_edits = self.for_each_beside_grid(objects, &mut visit);
+        let has_edits = self.for_each_beside_grid(&mut visit);
         let bounds = [min.x - tolerance, min.y - tolerance, max.x + tolerance, max.y + tolerance];
         let solver = &self.solver;
         let (proxies, parameters) = (&solver.proxies, &solver.parameters);
@@ -65,19 +70,14 @@ impl Precise {
         true
     }
 
-    /// Calls `visit` with the geoms that an AABB may touch on its way along a segment, and perhaps others, nearly in the order
-    /// along the segment; a geom may come twice. `visit` returns the fraction of the segment beyond which geoms are of no
+    /// Calls `visit` with the geoms that an AABB may touch on its way along a segment, and perhaps others. The order is nearly that
+    /// along the segment, and a geom may come twice. `visit` returns the fraction of the segment beyond which geoms are of no
     /// interest, 0..=1. Returns false as [`for_each_near`](Self::for_each_near) does.
-    pub(crate) fn for_each_along(
-        &self,
-        segment: &Segment,
-        objects: &Objects,
-        mut visit: impl FnMut(Candidate) -> f64,
-    ) -> bool {
-        let is_current = self.solver.depth.is_none() && self.grid_is_current(objects);
-        let Some(segment) = grid_segment(segment).filter(|_| is_current) else { return false };
+    pub(crate) fn for_each_along(&self, segment: &Segment, mut visit: impl FnMut(Candidate) -> f64) -> bool {
+        let in_plane = self.solver.depth.is_none();
+        let Some(segment) = grid_segment(segment).filter(|_| in_plane) else { return false };
         let mut max_fraction = 1.0;
-        self.for_each_beside_grid(objects, &mut |candidate| max_fraction = visit(candidate));
+        self.for_each_beside_grid(&mut |candidate| max_fraction = visit(candidate));
         let proxies = &self.solver.proxies;
         let (bodies, parameters) = (&self.solver.bodies, &self.solver.parameters);
         let [half_x, half_y] = segment.half_extents;
@@ -93,28 +93,23 @@ impl Precise {
         true
     }
 
-    /// Calls `visit` with the geoms that an upright box may touch on its way along a segment with a depth axis, and perhaps others,
-    /// nearly in the order along the segment; a geom may come twice. The grid spans x and z, so all heights are visited; `edited`
-    /// are bodies whose depth the game has changed since the last step. See [`for_each_along`](Self::for_each_along).
+    /// Does the same with a depth axis for an upright box. The grid spans x and z, so all heights are visited. `edited` are
+    /// bodies whose depth the game has changed since the last step. See [`for_each_along`](Self::for_each_along).
     #[cfg(feature = "space")]
     pub(crate) fn for_each_along_in_depth(
         &self,
         segment: &Segment,
-        objects: &Objects,
         edited: &[BodyId],
         mut visit: impl FnMut(Candidate) -> f64,
     ) -> bool {
-        let Some(segment) = grid_segment(segment).filter(|_| self.grid_is_current(objects)) else {
-            return false;
-        };
-        if self.solver.depth.is_none() {
-            return false;
-        }
+        let in_depth = self.solver.depth.is_some();
+        let Some(segment) = grid_segment(segment).filter(|_| in_depth) else { return false };
         let mut max_fraction = 1.0;
-        self.for_each_beside_grid(objects, &mut |candidate| max_fraction = visit(candidate));
+        self.for_each_beside_grid(&mut |candidate| max_fraction = visit(candidate));
         let proxies = &self.solver.proxies;
-        let geoms = edited.iter().filter_map(|&body| objects.bodies.get(body)).flat_map(|entry| &entry.geoms);
-        for proxy in geoms.filter_map(|&geom| self.proxy_of(geom, 0)) {
+        let geoms =
+            edited.iter().filter_map(|&body| self.objects.bodies.get(body)).flat_map(|entry| &entry.geoms);
+        for proxy in geoms.filter_map(|&geom| self.first_proxy(geom)) {
             max_fraction = visit(candidate_of(proxies.proxy(proxy)));
         }
         self.solver.grid.for_each_along(&GridSegment { max_fraction, ..segment }, |index| {
@@ -129,22 +124,43 @@ impl Precise {
 
     /// Calls `visit` with the geoms that fat AABBs do not cover, and with those of bodies that were edited since the last step.
     /// Returns whether there are edited bodies.
-    fn for_each_beside_grid(&self, objects: &Objects, visit: &mut impl FnMut(Candidate)) -> bool {
-        for &AlwaysTested { list_key, geom } in &self.always_tested {
+    fn for_each_beside_grid(&self, visit: &mut impl FnMut(Candidate)) -> bool {
+        for &AlwaysTested { list_key, geom } in self.always_tested {
             visit(Candidate { list_key, geom, is_inside: false });
         }
-        let edited = objects.touched_bodies.iter().chain(&self.edits.bodies);
-        let geoms =
-            edited.filter_map(|&body| objects.bodies.get(body)).flat_map(|entry: &BodyEntry| &entry.geoms);
-        for proxy in geoms.filter_map(|&geom| self.proxy_of(geom, 0)) {
+        let edited = self.objects.touched_bodies.iter().chain(self.edited);
+        let geoms = edited
+            .filter_map(|&body| self.objects.bodies.get(body))
+            .flat_map(|entry: &BodyEntry| &entry.geoms);
+        for proxy in geoms.filter_map(|&geom| self.first_proxy(geom)) {
             visit(candidate_of(self.solver.proxies.proxy(proxy)));
         }
-        !(objects.touched_bodies.is_empty() && self.edits.bodies.is_empty())
+        !(self.objects.touched_bodies.is_empty() && self.edited.is_empty())
     }
 
     /// Returns whether the geom with this list key may reach beyond its fat AABB.
     fn is_always_tested(&self, list_key: u32) -> bool {
         self.always_tested.binary_search_by_key(&list_key, |tested| tested.list_key).is_ok()
+    }
+}
+
+impl Precise {
+    /// Returns the grid for queries; `None` if the proxies are older than the list of geoms. The caller then tests all geoms.
+    pub(crate) fn grid_query<'a>(&'a self, objects: &'a Objects) -> Option<GridQuery<'a>> {
+        let Precise { solver, ids, always_tested, edits, is_stepping, .. } = self;
+        let is_outdated = edits.needs_rebuild
+            || edits.has_membership_changes
+            || self.loaded.is_some()
+            || objects.has_new_structure
+            || objects.has_new_members;
+        (!is_outdated).then_some(GridQuery {
+            solver,
+            ids,
+            always_tested,
+            edited: &edits.bodies,
+            is_stepping: *is_stepping,
+            objects,
+        })
     }
 
     /// Stores the geoms that every AABB query tests in `always_tested`.

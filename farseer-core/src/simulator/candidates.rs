@@ -75,8 +75,8 @@ impl PhysicsSimulator {
     /// one of them. All geoms come if there is no grid.
     #[inline(always)]
     pub(crate) fn for_each_near(&self, aabb: &Aabb, mut visit: impl FnMut(Candidate)) {
-        let precise = self.pipeline.precise.as_ref();
-        let is_done = precise.is_some_and(|precise| precise.for_each_near(aabb, &self.objects, &mut visit));
+        let grid = self.pipeline.precise.as_ref().and_then(|precise| precise.grid_query(&self.objects));
+        let is_done = grid.is_some_and(|grid| grid.for_each_near(aabb, &mut visit));
         if !is_done {
             self.for_each_listed(visit);
         }
@@ -86,9 +86,8 @@ impl PhysicsSimulator {
     /// `visit` returns the fraction of the path beyond which geoms are of no interest, 0..=1.
     #[inline(always)]
     pub(crate) fn for_each_along(&self, segment: &Segment, mut visit: impl FnMut(Candidate) -> f64) {
-        let precise = self.pipeline.precise.as_ref();
-        let is_done =
-            precise.is_some_and(|precise| precise.for_each_along(segment, &self.objects, &mut visit));
+        let grid = self.pipeline.precise.as_ref().and_then(|precise| precise.grid_query(&self.objects));
+        let is_done = grid.is_some_and(|grid| grid.for_each_along(segment, &mut visit));
         if !is_done {
             self.for_each_listed(|candidate| {
                 visit(candidate);

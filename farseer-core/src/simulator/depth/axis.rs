@@ -133,8 +133,9 @@ impl<'a> DepthAxis<'a> {
     ) -> bool {
         let [start, end, half_extents] = [path.start, path.end, path.half_extents].map(Vector2::from);
         let segment = Segment { start, end, half_extents };
-        self.precise().is_some_and(|precise| {
-            precise.for_each_along_in_depth(&segment, &self.0.objects, edited, |candidate| {
+        let grid = self.precise().and_then(|precise| precise.grid_query(&self.0.objects));
+        grid.is_some_and(|grid| {
+            grid.for_each_along_in_depth(&segment, edited, |candidate| {
                 visit(candidate.list_key, candidate.geom)
             })
         })

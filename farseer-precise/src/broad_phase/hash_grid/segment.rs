@@ -98,12 +98,13 @@ struct Columns {
     level: u8,
     /// Reciprocal of the cell size, in 1 / length units.
     inverse_size: f64,
-    /// Axis of the larger component of the segment: 0 for x, 1 for y.
+    /// Axis of the larger component of the segment: 0 for x, 1 for y; dimensionless.
     major: usize,
     /// Distances along x and y within which an entry of a cell may touch the segment, in length units.
     reach: [f64; 2],
-    /// First and last column in the order of the coordinate, in cells.
+    /// Index of the first column in the order of the coordinate, in cells.
     first: i32,
+    /// Index of the last column, in cells.
     last: i32,
 }
 

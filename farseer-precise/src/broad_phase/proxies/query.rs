@@ -53,8 +53,8 @@ impl Proxies {
         overlaps(inner.map(|half| half - within)).then_some(true)
     }
 
-    /// Returns whether a shape may touch a square that moves from `start` by `displacement`, length units, world axes: by the
-    /// separating axes of the segment and of the shape's AABB in the frame of its body. `reach`: distance of the farthest corner of
+    /// Returns whether a shape may touch a square that moves from `start` by `displacement`, length units, world axes. The test uses
+    /// the separating axes of the segment and of the shape's AABB in the frame of its body. `reach`: distance of the farthest corner of
     /// the square from its centre with the rounding of coordinates, length units, >= 0.
     #[inline]
     pub fn may_meet_path(
