@@ -82,9 +82,23 @@ impl Objects {
         geom: GeomId,
         read: impl FnOnce(&GeomEntry, &WorldOutline<'_>) -> T,
     ) -> Option<T> {
+        // The room for a small outline is cleared sooner.
+        match self.geoms.get(geom)?.local_vertices.len() {
+            0..=FEW_VERTICES => self.with_outline_in::<FEW_VERTICES, T>(geom, read),
+            _ => self.with_outline_in::<MAX_STACK_VERTICES, T>(geom, read),
+        }
+    }
+
+    /// [`with_outline`](Self::with_outline) with room for `N` corners.
+    #[inline]
+    fn with_outline_in<const N: usize, T>(
+        &self,
+        geom: GeomId,
+        read: impl FnOnce(&GeomEntry, &WorldOutline<'_>) -> T,
+    ) -> Option<T> {
         let entry = self.geoms.get(geom)?;
         let pending = self.bodies.get(entry.body).and_then(|body| body.pending_pose());
-        let mut vertices = [Vector2::new(0.0, 0.0); MAX_STACK_VERTICES];
+        let mut vertices = [Vector2::new(0.0, 0.0); N];
         let outline = pending.and_then(|(position, rotation)| {
             let pose = GeomPose::of_body(position, rotation, entry.offset, entry.rotation_offset);
             entry.outline_at(&pose, vertices.get_mut(..entry.local_vertices.len())?)
@@ -105,9 +119,11 @@ impl Objects {
     }
 }
 
-/// Largest number of corners of a polygon that a query brings to the world without an allocation, a count. Circles and capsules
-/// have up to about 32 corners in games; the value is chosen.
-const MAX_STACK_VERTICES: usize = 32;
+/// Number of corners of small polygons, a count: most boxes and outlines have less.
+const FEW_VERTICES: usize = 8;
+/// Largest number of corners of a polygon that a query brings to the world without an allocation, a count. A capsule with ends of
+/// 16 edges has 34 corners; the value is chosen.
+const MAX_STACK_VERTICES: usize = 64;
 
 /// Whether a query box is finite, and no `min` is greater than `max`.
 pub(crate) fn is_query_box(Aabb { min, max }: &Aabb) -> bool {

@@ -48,6 +48,8 @@ impl Proxies {
         let inner = match (shape.is_box, shape.vertex_count) {
             (true, _) => turned,
             (false, 0) => [INSCRIBED_RADIUS_RATIO * shape.radius; 2],
+            // The outline of a capsule contains the core, here along an axis of the body.
+            (false, 2) if hx == 0.0 || hy == 0.0 => turned,
             _ => [0.0; 2],
         };
         overlaps(inner.map(|half| half - within)).then_some(true)
