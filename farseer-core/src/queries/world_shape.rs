@@ -43,7 +43,7 @@ pub(super) fn round_piece(objects: &Objects, geom: GeomId) -> Option<RoundPiece>
 }
 
 /// Returns the function that brings points of a geom to the world, by the matrix of the geom.
-fn to_world(matrix: &Matrix) -> impl Fn(Point) -> Point + use<> {
+pub(super) fn to_world(matrix: &Matrix) -> impl Fn(Point) -> Point + use<> {
     let [m11, m12, m21, m22, x, y] =
         [matrix.m11, matrix.m12, matrix.m21, matrix.m22, matrix.m41, matrix.m42].map(f64::from);
     move |[px, py]: Point| [px * m11 + py * m21 + x, px * m12 + py * m22 + y]

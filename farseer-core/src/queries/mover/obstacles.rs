@@ -9,6 +9,7 @@ use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::shape::Aabb;
 use crate::simulator::PhysicsSimulator;
+use crate::simulator::candidates::Candidate;
 
 /// Maximum number of steps of a cast, a count: see `cast.rs`.
 const MAX_STEPS: usize = 60;
@@ -107,7 +108,11 @@ impl Obstacles {
         let [left, top, right, bottom] = self.covered;
         let aabb = Aabb::new(vector([left, top]), vector([right, bottom]));
         self.count = 0;
-        simulator.list_geoms_near(&aabb, &mut self.near);
+        self.near.clear();
+        simulator.for_each_near(&aabb, |Candidate { list_key, geom, .. }| self.near.push((list_key, geom)));
+        // In the order of the list of geoms, each once.
+        self.near.sort_unstable_by_key(|&(list_key, _)| list_key);
+        self.near.dedup_by_key(|&mut (list_key, _)| list_key);
         for at in 0..self.near.len() {
             let geom = self.near[at].1;
             if filter.admits(simulator, geom) && may_reach(simulator, geom, &aabb) {
@@ -124,7 +129,7 @@ impl Obstacles {
             Some(body) if body.is_kinematic() => Kind::Kinematic,
             _ => Kind::Dynamic,
         };
-        let to_world = to_world(&geom);
+        let to_world = to_world(&geom.matrix());
         let origin = to_world([0.0; 2]);
         // A one-way direction is given on the body, which the rotation offset does not turn.
         let turn = |direction: Vector2| match simulator.body(body) {
@@ -136,11 +141,11 @@ impl Obstacles {
         for piece in geom.entry.pieces().iter() {
             match self.list.get_mut(self.count) {
                 Some(obstacle) => {
-                    obstacle.shape.set_to_piece(piece, to_world);
+                    obstacle.shape.set_to_piece(piece, &to_world);
                     (obstacle.geom, obstacle.body, obstacle.kind, obstacle.open) = (id, body, kind, open);
                 }
                 None => {
-                    let shape = Convex::of_piece(piece, to_world);
+                    let shape = Convex::of_piece(piece, &to_world);
                     self.list.push(Obstacle { shape, geom: id, body, kind, open });
                 }
             }
