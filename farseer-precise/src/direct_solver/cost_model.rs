@@ -15,9 +15,9 @@ use super::island_io::DirectIsland;
 use super::island_newton::SolveStats;
 use crate::parameters::direct::{
     BUDGET_AFTER_OVERDRAFT, BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, FACTOR_BLOCK_COST,
-    FACTOR_PRODUCT_COST, FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, ITERATIVE_CONTACT_COST,
-    ITERATIVE_ISLAND_COST, ITERATIVE_JOINT_COST, JOINTED_BUDGET, MASS_RATIO_BUDGET, NEWTON_BODY_COST,
-    NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT,
+    FACTOR_PRODUCT_COST, FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, FREE_UPDATE_NEWTON_STEPS,
+    ITERATIVE_CONTACT_COST, ITERATIVE_ISLAND_COST, ITERATIVE_JOINT_COST, JOINTED_BUDGET, MASS_RATIO_BUDGET,
+    NEWTON_BODY_COST, NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT,
     UPDATE_NEWTON_STEPS, WORLD_COST_LIMIT,
 };
 use crate::solver_choice::SolverChoice;
@@ -87,12 +87,14 @@ pub(super) fn direct_update_cost(island: &DirectIsland) -> f64 {
 }
 
 /// Returns the maximum number of Newton steps in one update of `island`: so many that their modelled cost is at most
-/// [`UPDATE_COST_LIMIT`] and what the other islands leave of [`WORLD_COST_LIMIT`]. It is in the range [`UPDATE_NEWTON_STEPS`].
+/// [`UPDATE_COST_LIMIT`] and what the other islands leave of [`WORLD_COST_LIMIT`]. It is in the range [`UPDATE_NEWTON_STEPS`],
+/// without contacts up to [`FREE_UPDATE_NEWTON_STEPS`].
 pub(super) fn max_newton_steps(island: &DirectIsland) -> usize {
     let [min_steps, max_steps] = UPDATE_NEWTON_STEPS;
     let step =
         newton_step_cost(&island.system.factor, (island.contact_handles.len() + island.joint_count()) as f64);
     let limit = (UPDATE_COST_LIMIT * iterative_update_cost(island)).min(island.cost_limit);
+    let max_steps = if island.contact_handles.is_empty() { FREE_UPDATE_NEWTON_STEPS } else { max_steps };
     (limit / step).clamp(min_steps, max_steps) as usize
 }
 
