@@ -23,7 +23,11 @@ impl GridQuery {
         match *self {}
     }
 
-    pub(crate) fn for_each_along(&self, _: &Segment, _: impl FnMut(Candidate) -> f64) -> bool {
+    pub(crate) fn for_each_along(
+        &self,
+        Segment { start: _start, end: _end, half_extents: _halves }: &Segment,
+        _: impl FnMut(Candidate) -> f64,
+    ) -> bool {
         match *self {}
     }
 }

@@ -13,10 +13,11 @@ use conformance::fixtures::plane::{
     self, NARROW_PHASES, add_box, add_circle, add_floor, faithful_methods, lively_scene, simulator_with, v,
 };
 use farseer_core::{
-    Aabb, BodyBuilder, BodyId, BodyInterpolation, BroadPhaseCollider, Context, Controller, Dispatch,
-    EventHandler, FluidContainerRef, FluidDragController, GeomBuilder, GravityController,
-    InactivityController, IslandSolver, JointFactory, JointId, Methods, PhysicsSimulator, QueryFilter,
-    ScalingController, SolverChoice, SpringFactory, SpringId, WantedEvents, WaveController,
+    Aabb, BodyBuilder, BodyId, BodyInterpolation, BroadPhaseCollider, CharacterMover, Context, Controller,
+    Dispatch, EventHandler, FluidContainerRef, FluidDragController, GeomBuilder, GravityController,
+    InactivityController, IslandSolver, JointFactory, JointId, Methods, MoverInput, MoverOptions,
+    PhysicsSimulator, QueryFilter, ScalingController, SolverChoice, SpringFactory, SpringId, WantedEvents,
+    WaveController,
 };
 
 /// The system's allocator, counting the calls of every thread for itself.

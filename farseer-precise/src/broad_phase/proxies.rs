@@ -85,7 +85,7 @@ pub struct Proxy {
     /// group, flags, and a counter of changes of the ignored geoms. Flags are 1: collisions are enabled, and 2: the masks of both
     /// geoms must agree.
     pub filter: [i32; 5],
-    /// Events that the game wants of the geom, as bit flags: see [`WantedEvent`](crate::narrow_phase::touch_event::WantedEvent).
+    /// Events that the game wants of the geom, as bit flags: see [`WantedEvent`].
     pub events: u8,
     /// Surface velocity of a static body, such as a conveyor belt: x and y in length units/s, rotation in radians/s, z in
     /// length units/s.
