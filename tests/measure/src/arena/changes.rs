@@ -23,7 +23,7 @@ pub struct ChangeFigures {
     pub us: f64,
 }
 
-/// Adds a body to a world of static tiles and removes it, [`BODIES`] times; then the same with a static body.
+/// Adds a body to a world of static tiles and removes it, `BODIES` times; then the same with a static body.
 ///
 /// # Errors
 /// An engine refuses a body or a step.

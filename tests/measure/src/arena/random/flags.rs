@@ -11,7 +11,7 @@ use std::fmt::Write;
 /// Names of all flags.
 ///
 /// - slow: a step takes more than the faster peer's mean time; dear: more than 1.5 times.
-/// - stall: the longest step is longer than twice the longest one of both peers, and than [`STALL`].
+/// - stall: the longest step is longer than twice the longest one of both peers, and than `STALL`.
 /// - failed: the state is not finite, the engine panics or takes too long.
 /// - explodes: a body exceeds the speed limit of the scene.
 /// - energy: the scene gains energy.
