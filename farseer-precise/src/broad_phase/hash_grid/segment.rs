@@ -106,6 +106,62 @@ struct Columns {
     first: i32,
     /// Index of the last column, in cells.
     last: i32,
+    /// Indices of the first and the last row that any column reaches, in cells.
+    rows: [i32; 2],
+}
+
+/// Fractions of a segment at which the AABBs of the cells of its first column begin and end, and their change from column to column,
+/// all dimensionless.
+struct ColumnFractions {
+    enter: f64,
+    leave: f64,
+    step: f64,
+}
+
+impl Columns {
+    fn fractions(&self, walk: &Walk) -> ColumnFractions {
+        let Columns { inverse_size, major, reach, .. } = *self;
+        let (size, is_forward) = (1.0 / inverse_size, walk.delta[major] >= 0.0);
+        let inverse_delta = if walk.delta[major] == 0.0 { 0.0 } else { 1.0 / walk.delta[major] };
+        let column = if is_forward { self.first } else { self.last };
+        let outward = if is_forward { reach[major] } else { -reach[major] };
+        let near = f64::from(column + i32::from(!is_forward)) * size - outward;
+        let far = f64::from(column + i32::from(is_forward)) * size + outward;
+        let fraction = |coordinate: f64| (coordinate - walk.start[major]) * inverse_delta;
+        let leave = if inverse_delta == 0.0 { f64::INFINITY } else { fraction(far) };
+        ColumnFractions { enter: fraction(near), leave, step: size * inverse_delta.abs() }
+    }
+
+    /// Returns the indices of the first and the last row that the segment reaches in a column, in cells; `None` if the segment ends
+    /// before. Columns are numbered from 0 in the order along the segment.
+    #[inline(always)]
+    fn rows_at(&self, number: i64, fractions: &ColumnFractions, walk: &Walk) -> Option<[i32; 2]> {
+        let minor = 1 - self.major;
+        let passed = number as f64 * fractions.step;
+        let enter = (fractions.enter + passed).max(0.0);
+        if enter > walk.max_fraction {
+            return None;
+        }
+        let leave = (fractions.leave + passed).clamp(enter, walk.max_fraction);
+        let (from, to) = (walk.at(minor, enter), walk.at(minor, leave));
+        let low = ((from.min(to) - self.reach[minor]) * self.inverse_size).floor() as i32;
+        let high = ((from.max(to) + self.reach[minor]) * self.inverse_size).floor() as i32;
+        Some([low.max(self.rows[0]), high.min(self.rows[1])])
+    }
+
+    /// Returns the cell of a row in a column: see [`Columns::rows_at`].
+    #[inline(always)]
+    fn cell(&self, number: i64, row: i32, walk: &Walk) -> GridCell {
+        let is_forward = walk.delta[self.major] >= 0.0;
+        let along = if is_forward { self.first + number as i32 } else { self.last - number as i32 };
+        let (x, y) = if self.major == 0 { (along, row) } else { (row, along) };
+        GridCell { level: self.level, x, y }
+    }
+
+    /// Number of columns.
+    fn count(&self) -> i64 {
+        i64::from(self.last) - i64::from(self.first) + 1
+    }
 }
 
 impl HashGrid {
@@ -146,47 +202,26 @@ impl HashGrid {
             let most = f64::from(GRID_MAX_CELL_INDEX);
             (low > -most && high < most).then_some([low.floor() as i32, high.floor() as i32])
         };
-        let ([first, last], _) = (cell(major)?, cell(1 - major)?);
+        let ([first, last], rows) = (cell(major)?, cell(1 - major)?);
         let is_last = i32::from(level) == GRID_LEVELS - 1;
-        let count = i64::from(last) - i64::from(first);
-        (!is_last && 2 * count <= self.entries.len() as i64 + 16).then_some(Columns {
-            level,
-            inverse_size,
-            major,
-            reach,
-            first,
-            last,
-        })
+        let count = |[low, high]: [i32; 2]| (f64::from(high) - f64::from(low) + 1.0).max(0.0);
+        // A column reaches the rows by which the segment rises across it and its reach, and those of the reach to both sides.
+        let slope =
+            if walk.delta[major] == 0.0 { 0.0 } else { (walk.delta[1 - major] / walk.delta[major]).abs() };
+        let [reach_along, reach_across] = [major, 1 - major].map(|axis| 2.0 * reach[axis] * inverse_size);
+        let rows_of_column = (slope * (1.0 + reach_along) + reach_across + 2.0).min(count(rows));
+        let max_cells = count([first, last]) * rows_of_column;
+        let columns = Columns { level, inverse_size, major, reach, first, last, rows };
+        (!is_last && max_cells <= self.entries.len() as f64 + 16.0).then_some(columns)
     }
 
     /// Visits the entries in columns of cells, in the order along the segment.
     fn walk_columns(&self, columns: &Columns, walk: &mut Walk, visit: &mut impl FnMut(ProxyIndex) -> f64) {
-        let Columns { level, inverse_size, major, reach, first, last } = *columns;
-        let minor = 1 - major;
-        let (size, is_forward) = (1.0 / inverse_size, walk.delta[major] >= 0.0);
-        let inverse_delta = if walk.delta[major] == 0.0 { 0.0 } else { 1.0 / walk.delta[major] };
-        // Fractions at which the reach of the first column begins and ends, and their change per column.
-        let column = if is_forward { first } else { last };
-        let outward = if is_forward { reach[major] } else { -reach[major] };
-        let near = f64::from(column + i32::from(!is_forward)) * size - outward;
-        let far = f64::from(column + i32::from(is_forward)) * size + outward;
-        let fraction = |coordinate: f64| (coordinate - walk.start[major]) * inverse_delta;
-        let (enter, leave, step) = (fraction(near), fraction(far), size * inverse_delta.abs());
-        for number in 0..=i64::from(last) - i64::from(first) {
-            let passed = number as f64 * step;
-            let enter = (enter + passed).max(0.0);
-            if enter > walk.max_fraction {
-                return;
-            }
-            let leave =
-                if inverse_delta == 0.0 { 1.0 } else { (leave + passed).clamp(enter, walk.max_fraction) };
-            let (from, to) = (walk.at(minor, enter), walk.at(minor, leave));
-            let low = ((from.min(to) - reach[minor]) * inverse_size).floor() as i32;
-            let high = ((from.max(to) + reach[minor]) * inverse_size).floor() as i32;
-            let along = if is_forward { first + number as i32 } else { last - number as i32 };
-            for across in low..=high {
-                let (x, y) = if major == 0 { (along, across) } else { (across, along) };
-                self.walk_cell(GridCell { level, x, y }, walk, visit);
+        let fractions = columns.fractions(walk);
+        for number in 0..columns.count() {
+            let Some([low, high]) = columns.rows_at(number, &fractions, walk) else { return };
+            for row in low..=high {
+                self.walk_cell(columns.cell(number, row, walk), walk, visit);
             }
         }
     }
@@ -212,5 +247,59 @@ impl HashGrid {
                 walk.shorten(visit(at));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{GridSegment, HashGrid, ProxyIndex, Walk};
+
+    /// Returns a grid of `count` squares with a side of 1 length unit at random places of a square world.
+    fn grid_of_squares(count: u32, world: f32, next: &mut impl FnMut() -> f32) -> HashGrid {
+        let mut grid = HashGrid::default();
+        grid.reset(count as usize);
+        for index in 0..count {
+            let [x, y] = [next(), next()].map(|place| world * place);
+            grid.insert_or_move(ProxyIndex(index), &[x, y, x + 1.0, y + 1.0], false);
+        }
+        grid
+    }
+
+    /// A walk visits at most 16 cells more than there are entries, whatever the segment and its AABB.
+    #[test]
+    fn walked_cells_are_at_most_as_many_as_entries() {
+        let mut state = 7_u32;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / 16_777_216.0
+        };
+        let mut walks = 0;
+        for trial in 0..4000 {
+            let world = [10.0, 100.0, 1e4, 1e6][trial % 4];
+            let grid = grid_of_squares(40, world, &mut next);
+            let mut place = || (next() * 1.4 - 0.2) * world;
+            let (start, mut end) = ([place(), place()], [place(), place()]);
+            if trial % 5 == 0 {
+                end[trial % 2] = start[trial % 2];
+            }
+            let half_extents = [0.0, 0.3, 0.01 * world, world][trial / 4 % 4];
+            let segment = GridSegment {
+                start,
+                end,
+                half_extents: [half_extents, next() * half_extents],
+                max_fraction: 1.0,
+            };
+            let walk = Walk::new(&segment);
+            let level = grid.used_levels.trailing_zeros() as u8;
+            let Some(columns) = grid.columns(level, &walk) else { continue };
+            let fractions = columns.fractions(&walk);
+            let cells: i64 = (0..columns.count())
+                .map_while(|number| columns.rows_at(number, &fractions, &walk))
+                .map(|[low, high]| i64::from(high - low + 1).max(0))
+                .sum();
+            assert!(cells <= 40 + 16, "{cells} cells in trial {trial}");
+            walks += 1;
+        }
+        assert!(walks > 400, "only {walks} segments walked cells");
     }
 }
