@@ -8,6 +8,10 @@ use crate::springs::{SpringId, SpringOutcome, StepLengths};
 impl PhysicsSimulator {
     /// Updates springs in list order. Springs whose error is beyond their breakpoint break, and act once more.
     pub(super) fn update_springs(&mut self, step: Option<StepLengths>, handler: &mut Handler<'_>) {
+        if self.pipeline.precise.is_some() && !self.spring_list().is_empty() {
+            // Handlers of contacts and controllers may have edited joints, by which springs become rows or forces.
+            self.import_edits();
+        }
         if let Some(precise) = &mut self.pipeline.precise {
             precise.begin_springs(&self.objects);
         }

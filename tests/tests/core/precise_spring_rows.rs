@@ -3,8 +3,9 @@
 use conformance::fixtures::plane::{add_level_floor, add_part, energy, precise, run, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
-    AngleSpring, BodyFactory, BodyId, Event, FixedAngleSpring, FixedLinearSpring, GeomFactory, GeomPlacement,
-    IslandSolver, JointFactory, LinearSpring, PhysicsSimulator, SolverChoice, SpringFactory, SpringId,
+    AngleSpring, BodyFactory, BodyId, Contact, Context, Event, EventHandler, FixedAngleSpring,
+    FixedLinearSpring, GeomFactory, GeomId, GeomPlacement, IslandSolver, JointFactory, JointId, LinearSpring,
+    PhysicsSimulator, SolverChoice, SpringFactory, SpringId,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -371,4 +372,49 @@ fn springs_that_are_rows_go_on_with_the_same_bits_after_a_restore_in_any_step() 
         restored.update(DT);
         assert!(simulator.snapshot() == restored.snapshot(), "step {step}");
     }
+}
+
+/// Disables a joint when geoms begin to touch.
+struct Unhinges(Option<JointId>);
+
+impl EventHandler for Unhinges {
+    fn on_collision(
+        &mut self,
+        context: &mut Context<'_>,
+        _: GeomId,
+        _: GeomId,
+        _: &mut Vec<Contact>,
+    ) -> bool {
+        if let Some(joint) = self.0.take() {
+            context[joint].set_enabled(false);
+        }
+        true
+    }
+}
+
+#[test]
+fn a_spring_is_a_force_in_the_update_in_which_a_handler_disables_the_joint_of_its_body() {
+    let mut simulator = precise(GRAVITY);
+    add_level_floor(&mut simulator);
+    add_part(&mut simulator, v(300.0, -60.0), [20.0; 2], 1.0);
+    let hung = add_part(&mut simulator, v(0.0, -300.0), [20.0; 2], 1.0);
+    let joint = JointFactory::create_fixed_revolute_joint_in(&mut simulator, hung, v(40.0, -300.0)).unwrap();
+    SpringFactory::create_fixed_linear_spring_in(
+        &mut simulator,
+        hung,
+        v(0.0, 10.0),
+        v(-60.0, -350.0),
+        200.0,
+        1.0,
+    )
+    .unwrap();
+    let mut handler = Unhinges(Some(joint));
+    for step in 0..60 {
+        let mut restored = precise(0.0);
+        restored.restore(&simulator.snapshot()).unwrap();
+        restored.update_with(DT, &mut Unhinges(handler.0));
+        simulator.update_with(DT, &mut handler);
+        assert!(simulator.snapshot() == restored.snapshot(), "step {step}");
+    }
+    assert!(handler.0.is_none(), "the falling box never touched the floor");
 }
