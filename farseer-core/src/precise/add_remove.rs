@@ -102,6 +102,8 @@ impl Precise {
     /// the simulator's lists may return to their places.
     fn remove_members(&mut self, diff: &MembershipDiff, objects: &Objects) {
         let MembershipDiff { removed_bodies, removed_proxies, .. } = diff;
+        let sleeping = removed_bodies.iter().filter(|&&body| self.solver.sleep.is_asleep(body));
+        self.sleep_events.note_woken(sleeping.filter_map(|&body| self.ids.bodies[body]));
         // A removed body wakes nothing later.
         removed_bodies.iter().for_each(|&number| self.solver.sleep.remove_body(number));
         let pairs = removed_proxies.iter().flat_map(|&proxy| self.solver.pairs.pairs_of(proxy));

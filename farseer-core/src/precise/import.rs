@@ -273,6 +273,7 @@ impl Precise {
         self.edits.new_members.clear();
         // Indices of proxies change here, also if a handler has caused the rebuild in the middle of an update.
         self.solver.rolling_contacts.clear();
+        self.sleep_events.note_rebuild();
         self.invalidate_joints();
         self.rebuild_bodies(objects);
         self.rebuild_proxies(objects);

@@ -153,7 +153,9 @@ impl Precise {
 
     /// Adds the events of bodies that have woken or fallen asleep since the last step.
     pub(crate) fn report_sleep_events(&mut self, objects: &Objects, events: &mut Vec<Event>) {
-        self.sleep_events.report(&self.solver.sleep, &self.ids, objects, events);
+        let Precise { sleep_events, ids, solver, .. } = self;
+        let is_asleep = |body| ids.body_index(body).is_some_and(|index| solver.sleep.is_asleep(index));
+        sleep_events.report(is_asleep, objects, events);
     }
 
     /// Stops the bodies that are to sleep after this step.

@@ -1,84 +1,80 @@
 //! Adapter: events of bodies that fall asleep and wake.
 
-use super::ids::IdTable;
 use crate::body::BodyId;
 use crate::objects::Objects;
 use crate::report::Event;
 use crate::storage::order::sort_by_number;
-use farseer_precise::island::sleep::SleepState;
 use farseer_precise::reusing_clone;
 
-/// Sleeping bodies with [events](crate::Body::has_sleep_events), and the events of this step.
+/// Sleeping bodies as the last report left them, and the bodies that have woken or fallen asleep since. The cost of a report is
+/// linear in the latter; after a rebuild of the lists, in all sleeping bodies.
 #[derive(Debug, Default)]
 pub(crate) struct SleepEvents {
-    /// Bodies with events that sleep, in the order in which they fell asleep.
-    sleeping: Vec<BodyId>,
-    /// Bodies with events that fell asleep in this step, in the order of the simulator's list.
+    /// Ids of all bodies that slept at the last report, by their slots.
+    asleep: Vec<Option<BodyId>>,
+    /// Bodies that have woken or left the lists since the last report; those that were awake then may be among them.
+    woken: Vec<BodyId>,
+    /// Bodies that fell asleep in this step, in the order of the simulator's list.
     fallen_asleep: Vec<BodyId>,
-    /// Number of all bodies that fell asleep in this step.
-    fallen_count: usize,
-    /// Number of all sleeping bodies after the last step.
-    asleep_count: usize,
+    /// Whether the lists were rebuilt since the last report: any body may have woken.
+    has_rebuild: bool,
 }
 
-reusing_clone! { SleepEvents { sleeping, fallen_asleep, fallen_count, asleep_count } }
+reusing_clone! { SleepEvents { asleep, woken, fallen_asleep, has_rebuild } }
 
 impl SleepEvents {
-    /// Notes the bodies that fall asleep in this step: those in `falling_asleep`.
-    pub(super) fn note_falling_asleep(&mut self, sleep: &SleepState, ids: &IdTable, objects: &Objects) {
-        self.fallen_count = sleep.falling_asleep.len();
-        let fallen = sleep.falling_asleep.iter().filter_map(|&body| ids.bodies[body]);
-        self.fallen_asleep.extend(fallen.filter(|&id| has_events(id, objects)));
+    /// Notes bodies that fall asleep in this step.
+    pub(super) fn note_fallen_asleep(&mut self, bodies: impl Iterator<Item = BodyId>) {
+        self.fallen_asleep.extend(bodies);
     }
 
-    /// Adds the events of bodies that have woken or fallen asleep since the last step.
+    /// Notes bodies that wake, or sleep and leave the lists.
+    pub(super) fn note_woken(&mut self, bodies: impl Iterator<Item = BodyId>) {
+        self.woken.extend(bodies);
+    }
+
+    /// Notes that the lists are rebuilt, after which other bodies may sleep than before.
+    pub(super) fn note_rebuild(&mut self) {
+        self.has_rebuild = true;
+    }
+
+    /// Adds the events of bodies that have woken or fallen asleep since the last report. `is_asleep` returns whether a body sleeps
+    /// now.
     pub(super) fn report(
-        &mut self,
-        sleep: &SleepState,
-        ids: &IdTable,
-        objects: &Objects,
-        events: &mut Vec<Event>,
-    ) {
-        let fallen_count = std::mem::take(&mut self.fallen_count);
-        // Each body that wakes or goes lowers the number of those that sleep.
-        let has_woken = self.asleep_count + fallen_count != sleep.count;
-        self.asleep_count = sleep.count;
-        if has_woken {
-            let is_asleep = |body| ids.body_index(body).is_some_and(|index| sleep.is_asleep(index));
-            self.report_woken(is_asleep, objects, events);
-        }
-        events.extend(self.fallen_asleep.iter().map(|&body| Event::BodySlept { body }));
-        self.sleeping.append(&mut self.fallen_asleep);
-    }
-
-    fn report_woken(
         &mut self,
         is_asleep: impl Fn(BodyId) -> bool,
         objects: &Objects,
         events: &mut Vec<Event>,
     ) {
-        let SleepEvents { sleeping, fallen_asleep, .. } = self;
-        let mut woken = Vec::new();
-        sleeping.retain(|&body| {
-            // A body may wake and fall asleep again within a step.
-            let sleeps = is_asleep(body) && !fallen_asleep.contains(&body);
-            woken.extend((!sleeps).then_some(body));
-            sleeps
-        });
-        let is_listed =
-            |&body: &BodyId| objects.bodies.lifecycle_state(body).is_some_and(|life| life.is_listed);
-        woken.retain(is_listed);
-        sort_by_number(&mut woken, |&body| objects.bodies.list_key(body).into());
-        events.extend(woken.into_iter().map(|body| Event::BodyWoke { body }));
+        let SleepEvents { asleep, woken, fallen_asleep, has_rebuild } = self;
+        if std::mem::take(has_rebuild) {
+            woken.extend(asleep.iter().flatten().filter(|&&body| !is_asleep(body)));
+        }
+        woken.retain(|&body| asleep.get_mut(body.slot()).is_some_and(|place| place.take() == Some(body)));
+        let has_event = |&body: &BodyId| {
+            let is_listed = objects.bodies.lifecycle_state(body).is_some_and(|life| life.is_listed);
+            is_listed && objects.bodies.get(body).is_some_and(|entry| entry.body.has_sleep_events())
+        };
+        woken.retain(has_event);
+        sort_by_number(woken, |&body| objects.bodies.list_key(body).into());
+        events.extend(woken.drain(..).map(|body| Event::BodyWoke { body }));
+        events.extend(fallen_asleep.iter().copied().filter(has_event).map(|body| Event::BodySlept { body }));
+        for body in fallen_asleep.drain(..) {
+            list(asleep, body);
+        }
     }
 
-    /// Lists the sleeping bodies with events, after a snapshot was loaded. `asleep`: all bodies that slept after the last update.
-    pub(super) fn list_sleeping(&mut self, asleep: &[BodyId], objects: &Objects) {
-        self.sleeping = asleep.iter().copied().filter(|&id| has_events(id, objects)).collect();
-        self.asleep_count = asleep.len();
+    /// Lists the sleeping bodies after a snapshot was loaded: all that slept after the last update.
+    pub(super) fn list_sleeping(&mut self, sleeping: &[BodyId]) {
+        self.asleep.clear();
+        sleeping.iter().for_each(|&body| list(&mut self.asleep, body));
     }
 }
 
-fn has_events(id: BodyId, objects: &Objects) -> bool {
-    objects.bodies.get(id).is_some_and(|entry| entry.body.has_sleep_events())
+/// Adds a body to those that sleep.
+fn list(asleep: &mut Vec<Option<BodyId>>, body: BodyId) {
+    if body.slot() >= asleep.len() {
+        asleep.resize(body.slot() + 1, None);
+    }
+    asleep[body.slot()] = Some(body);
 }

@@ -63,7 +63,8 @@ impl Precise {
     /// Puts the bodies in `falling_asleep` to sleep, with their pairs and joints.
     fn sleep_bodies(&mut self, objects: &mut Objects) {
         self.solver.sleep.sleep_bodies(&mut self.solver.bodies, self.solver.dt);
-        self.sleep_events.note_falling_asleep(&self.solver.sleep, &self.ids, objects);
+        let falling_asleep = self.solver.sleep.falling_asleep.iter();
+        self.sleep_events.note_fallen_asleep(falling_asleep.filter_map(|&body| self.ids.bodies[body]));
         stop_objects(&self.solver.sleep.falling_asleep, &self.ids, self.solver.depth.as_deref_mut(), objects);
         self.sleep_pairs();
         self.sleep_joints(objects);
@@ -215,7 +216,8 @@ impl Precise {
 
     /// Makes the bodies in `wake_requests` awake, with the bodies that fell asleep with them and all pairs.
     fn process_wake_requests(&mut self) {
-        wake_requested(&mut self.solver.narrow_phase());
+        let woken = wake_requested(&mut self.solver.narrow_phase());
+        self.sleep_events.note_woken(woken.into_iter().filter_map(|body| self.ids.bodies[body]));
         // A handler's decision on a contact holds for one step.
         self.solver.has_handler_changes = true;
     }

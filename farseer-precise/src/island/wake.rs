@@ -65,14 +65,16 @@ pub fn sleep_pairs(narrow_phase: &mut NarrowPhase<'_>) {
     }
 }
 
-/// Wakes the bodies in `wake_requests`, each with all bodies that fell asleep with it, and their pairs.
-pub fn wake_requested(narrow_phase: &mut NarrowPhase<'_>) {
+/// Wakes the bodies in `wake_requests`, each with all bodies that fell asleep with it, and their pairs. Returns the indices of the
+/// woken bodies.
+pub fn wake_requested(narrow_phase: &mut NarrowPhase<'_>) -> Vec<BodyIndex> {
     let sleep = &mut *narrow_phase.sleep;
     let mut requests = std::mem::take(&mut sleep.wake_requests);
     let mut woken = Vec::new();
     requests.drain(..).for_each(|body| sleep.wake_ring(body, |body| woken.push(body)));
     sleep.wake_requests = requests;
     wake_pairs(narrow_phase, &woken);
+    woken
 }
 
 /// Moves the pairs of woken bodies back to the awake pairs, and returns their contact constraints to the colours of the

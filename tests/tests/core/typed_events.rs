@@ -71,6 +71,23 @@ fn a_box_touches_once_sleeps_once_wakes_once_and_parts_once() {
 }
 
 #[test]
+fn a_sleeper_whose_events_are_switched_on_reports_that_it_wakes_in_a_restored_game_too() {
+    let mut simulator = precise(300.0);
+    add_floor(&mut simulator);
+    let silent = BodyBuilder::dynamic().position([0.0, -20.0]).sleep_events(false);
+    let body = simulator.add_body(silent, [square()]).unwrap().0;
+    assert!(!events_of(&mut simulator, 150).contains(&Event::BodySlept { body }));
+    assert!(simulator.is_asleep(body));
+    simulator[body].set_sleep_events(true);
+    let mut restored = precise(0.0);
+    restored.restore(&simulator.snapshot()).unwrap();
+    for simulator in [&mut simulator, &mut restored] {
+        simulator.wake(body);
+        assert_eq!(events_of(simulator, 2), [Event::BodyWoke { body }]);
+    }
+}
+
+#[test]
 fn a_touch_ends_however_it_ends() {
     type End = fn(&mut PhysicsSimulator, BodyId, GeomId);
     let ends: [End; 6] = [

@@ -106,7 +106,7 @@ impl Precise {
         self.rebuild(objects, &saved, EditPolicy::Defer);
         swap_states(&mut others, objects, false);
         let asleep: Vec<BodyId> = saved.sleeping_bodies.iter().map(|sleeping| sleeping.body).collect();
-        self.sleep_events.list_sleeping(&asleep, objects);
+        self.sleep_events.list_sleeping(&asleep);
         self.edits.bodies.extend(others.into_iter().map(|(id, _)| id));
         // The engine above sends all data of the depth axis again.
         if self.has_depth() || has_moved || self.save() != saved {
