@@ -36,6 +36,13 @@ pub(super) fn was_moved(bodies: &BodySet, index: BodyIndex, body: &Body) -> bool
     position.x != pose[0] || position.y != pose[1] || body.rotation() != bodies.rotations[index]
 }
 
+/// Returns whether the bits of a body's pose differ from those in `bodies`: it was moved, or the sign of a zero has changed.
+pub(super) fn has_other_pose_bits(bodies: &BodySet, index: BodyIndex, body: &Body) -> bool {
+    let ([x, y, ..], position) = (bodies.poses[index], body.position());
+    [x, y, bodies.rotations[index]].map(f32::to_bits)
+        != [position.x, position.y, body.rotation()].map(f32::to_bits)
+}
+
 /// Returns the properties with which a body is listed. `is_movable`: whether the body is dynamic or kinematic; the mass of a
 /// static body is infinite.
 pub(super) fn listed_body(body: &Body, is_movable: bool) -> ListedBody {

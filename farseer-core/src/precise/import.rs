@@ -7,7 +7,8 @@
 
 use super::Precise;
 use super::body_import::{
-    gyration_radius, inverse_mass_inertia_of, listed_body, pose_of, velocity_of, was_moved,
+    gyration_radius, has_other_pose_bits, inverse_mass_inertia_of, listed_body, pose_of, velocity_of,
+    was_moved,
 };
 use super::geom_import::{
     ProxyImport, RecentShapes, one_way_direction, surface_coefficients, surface_velocity,
@@ -72,8 +73,10 @@ impl Precise {
             self.solver.sleep.request_wake(index);
         }
         self.solver.bodies.set_velocity(index, velocity_of(body));
-        if has_moved {
+        if has_other_pose_bits(&self.solver.bodies, index, body) {
             self.solver.bodies.set_pose(index, pose_of(body));
+        }
+        if has_moved {
             self.solver.bodies.clear_delta_pose(index);
         }
         if let Some(space) = &mut self.solver.depth {

@@ -227,3 +227,24 @@ fn an_invalid_length_unit_is_refused() {
     }
     assert_eq!(simulator.methods(), Methods::default());
 }
+
+#[test]
+fn a_pose_edited_from_zero_to_negative_zero_is_restored_with_its_sign() {
+    for place in [v(-0.0, 0.0), v(0.0, -0.0)] {
+        let mut plain = simulator(0.0);
+        plain.set_methods(Methods::PRECISE).unwrap();
+        let body = add_box(&mut plain, (20.0, 20.0), v(0.0, 0.0)).0;
+        add_floor(&mut plain, (200.0, 20.0), v(0.0, 20.0));
+        plain.update(DT);
+        plain[body].set_position(place);
+        plain[body].set_rotation(-0.0);
+        for update in 0..3 {
+            let mut restored = simulator(1.0);
+            restored.restore(&plain.snapshot()).unwrap();
+            assert!(restored.snapshot() == plain.snapshot(), "before update {update}");
+            plain.update(DT);
+            restored.update(DT);
+            assert!(restored.snapshot() == plain.snapshot(), "after update {update}");
+        }
+    }
+}

@@ -53,9 +53,10 @@ fn with_body_type(mut body: Body, kind: BodyType) -> Body {
     body
 }
 
-/// Returns whether a body is at a pose in the world frame: x, y (length units), rotation (radians), z (not compared).
+/// Returns whether a body is at a pose in the world frame, bit for bit: x, y (length units), rotation (radians), z (not compared).
 fn is_at(body: &Body, [x, y, rotation, _]: [f32; 4]) -> bool {
-    body.position() == Vector2::new(x, y) && body.rotation() == rotation
+    let position = body.position();
+    [position.x, position.y, body.rotation()].map(f32::to_bits) == [x, y, rotation].map(f32::to_bits)
 }
 
 /// Returns the body at a pose in the world frame: x, y (length units), rotation (radians), z (not used).
