@@ -487,6 +487,9 @@
 //! containers, and the events of the last update are not included. A [`Path`] and the game's own ids are saved beside it, by
 //! `serde`.
 //!
+//! [`Recording`] keeps the states, inputs and [hashes](PhysicsSimulator::state_hash) of a whole run in one file. It returns the
+//! state after any update, and says in which update a replay or another recording parts from it.
+//!
 //! Ids made after the snapshot may name other objects once it is restored: forget them,
 //! [clear](BodyInterpolation::clear) the poses of [`BodyInterpolation`] and [forget](MousePicker::forget) the body of a
 //! [`MousePicker`]. The picker's spring is in the snapshot: release it before, or save the picker beside.
@@ -610,8 +613,8 @@ pub use springs::{
 pub use storage::rejected_arguments::{ArgumentNames, RejectedArguments};
 pub use utilities::{
     BodyInterpolation, CollisionHandler, ControllerHandler, Dispatch, Dispatched, EventLog, FixedStepClock,
-    FixedStepRunner, FluidHandler, InterpolatedPose, MapId, MousePicker, ObjectHandler, SecondaryMap,
-    SeparationHandler, Subscription, snapshot,
+    FixedStepRunner, FluidHandler, InterpolatedPose, MapId, MousePicker, ObjectHandler, Recording,
+    SecondaryMap, SeparationHandler, Subscription, snapshot,
 };
 
 /// The example of the README is run with those of the documentation.

@@ -8,8 +8,10 @@ mod event_log;
 mod fixed_step_clock;
 mod fixed_step_runner;
 mod mouse_picker;
+mod recording;
 mod secondary_map;
 pub mod snapshot;
+mod state_hash;
 
 pub use body_interpolation::{BodyInterpolation, InterpolatedPose};
 pub use dispatch::{
@@ -20,4 +22,5 @@ pub use event_log::EventLog;
 pub use fixed_step_clock::FixedStepClock;
 pub use fixed_step_runner::FixedStepRunner;
 pub use mouse_picker::MousePicker;
+pub use recording::Recording;
 pub use secondary_map::{MapId, SecondaryMap};

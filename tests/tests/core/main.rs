@@ -86,6 +86,7 @@ mod precise_spring_rows;
 mod precise_standing;
 mod precise_switches;
 mod precise_terrain;
+mod recording;
 mod rejected_input;
 mod side_table;
 mod snapshots;
