@@ -373,8 +373,8 @@ impl IslandSystem {
     ///
     /// Reason: a row with two bounds is active within a band of velocities that is as wide as its compliance. Newton steps jump from
     /// bound to bound over a narrow band, up to the limit of steps. Measured on 65 falls of a figure of ten bodies with limits and
-    /// brakes of 0 to 300 N m. Its joints gape by 1 cm in 60 instead of 457 cases; the iterative solver gets 212 instead of 2,863
-    /// updates.
+    /// brakes of 0 to 300 N m, with twice the present budget of jointed islands. Its joints gape by 1 cm in 60 instead of 457 cases;
+    /// the iterative solver gets 212 instead of 2,863 updates.
     fn set_compliance(&mut self, compliance: f64) {
         if self.compliance == compliance {
             return;
