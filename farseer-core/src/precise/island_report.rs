@@ -65,13 +65,13 @@ impl Precise {
     /// island.
     pub(crate) fn islands(&self, objects: &Objects) -> Vec<Island> {
         let solver = &self.solver;
-        let mut awake = self.awake_islands(objects);
+        let (mut awake, first_of_rings) = (self.awake_islands(objects), solver.sleep.first_of_rings());
         let mut all: Vec<(bool, BodyIndex, BodyIndex)> = solver
             .bodies
             .movable()
             .filter(|&number| solver.bodies.is_dynamic(number))
             .map(|number| match solver.sleep.is_asleep(number) {
-                true => (true, solver.sleep.first_of_ring(number), number),
+                true => (true, first_of_rings[number], number),
                 false => (false, awake.find(number), number),
             })
             .collect();

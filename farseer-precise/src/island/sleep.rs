@@ -339,14 +339,23 @@ impl SleepState {
         }
     }
 
-    /// Returns the smallest index among a sleeping body and the bodies that fell asleep together with it.
-    pub fn first_of_ring(&self, body: BodyIndex) -> BodyIndex {
-        let (mut first, mut member) = (body, self.next_in_ring[body]);
-        while member != body {
-            first = first.min(member);
-            member = self.next_in_ring[member];
+    /// Returns for each sleeping body the smallest index among it and the bodies that fell asleep together with it, and for all
+    /// other bodies their own index.
+    pub fn first_of_rings(&self) -> IndexedVec<BodyIndex, BodyIndex> {
+        let mut firsts: IndexedVec<BodyIndex, BodyIndex> =
+            (0..self.next_in_ring.len()).map(BodyIndex::new).collect();
+        for body in (0..self.next_in_ring.len()).map(BodyIndex::new) {
+            // Smaller members of the ring have marked it already.
+            if !self.is_asleep(body) || firsts[body] != body {
+                continue;
+            }
+            let mut member = self.next_in_ring[body];
+            while member != body {
+                firsts[member] = body;
+                member = self.next_in_ring[member];
+            }
         }
-        first
+        firsts
     }
 }
 

@@ -103,10 +103,11 @@ impl Precise {
         let mut places = IndexedVec::<BodyIndex, _>::of_copies(SavedSleeperIndex::default(), count);
         let mut are_fresh = IndexedVec::<BodyIndex, _>::of_copies(false, count);
         solver.sleep.newly_asleep.iter().for_each(|&body| are_fresh[body] = true);
+        let first_of_rings = solver.sleep.first_of_rings();
         for number in solver.bodies.movable().filter(|&number| solver.sleep.is_asleep(number)) {
             let Some(body) = self.saved_body_id(number) else { continue };
             places[number] = SavedSleeperIndex::new(sleepers.len());
-            let first = places[solver.sleep.first_of_ring(number)];
+            let first = places[first_of_rings[number]];
             sleepers.push(SavedSleepingBody {
                 body,
                 first,
