@@ -179,6 +179,37 @@ pub(super) fn for_each_up<N: TreeNode>(links: &mut Links<N>, mut visit: impl FnM
     }
 }
 
+/// Calls `prepare` with each node, and `visit` with each node that has a parent and with that parent, children before parents.
+///
+/// A node is prepared just before the first visit that reads or changes it, so that one pass over the list does the work of two.
+#[inline(always)]
+pub(super) fn for_each_up_prepared<N: TreeNode>(
+    links: &mut Links<N>,
+    mut prepare: impl FnMut(&mut N),
+    mut visit: impl FnMut(&mut N, &mut N),
+) {
+    let links = links.slice_mut(..);
+    let mut unprepared = links.len();
+    for at in (0..links.len()).rev() {
+        let (before, rest) = links.split_at_mut(at);
+        let Some(link) = rest.first_mut() else { continue };
+        if unprepared > at {
+            prepare(link);
+            unprepared = at;
+        }
+        let parent = link.parent().position();
+        while unprepared > parent
+            && let Some(next) = before.get_mut(unprepared - 1)
+        {
+            prepare(next);
+            unprepared -= 1;
+        }
+        if let Some(parent) = before.get_mut(parent) {
+            visit(link, parent);
+        }
+    }
+}
+
 /// Calls `visit` with each node and its parent, parents before children. The parent of a root is `None`.
 #[inline(always)]
 pub(super) fn for_each_down<N: TreeNode>(
