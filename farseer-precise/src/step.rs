@@ -117,7 +117,9 @@ impl Solver {
         self.joints.step_free_articulations(&self.bodies, step);
         if self.constraints.is_empty() && self.joints.are_all_contact_free() && self.springs.are_all_solved()
         {
-            integrate_free_flight(&mut self.bodies, &self.sleep.awake_body_runs, step);
+            if self.has_bodies_in_flight() {
+                integrate_free_flight(&mut self.bodies, &self.sleep.awake_body_runs, step);
+            }
             self.joints.equalize_z_displacement(&mut self.bodies, step.dt);
         } else {
             let mut solver = self.iterative_solver();
@@ -132,6 +134,13 @@ impl Solver {
             let unit = self.parameters.length_unit;
             finish_hinges(space, &mut self.bodies, &mut self.sleep, constraints, unit, step);
         }
+    }
+
+    /// Returns whether an awake body may belong to no free articulation. Such an articulation moves its bodies through the
+    /// whole step in the plane.
+    fn has_bodies_in_flight(&self) -> bool {
+        let awake = self.bodies.movable_count.saturating_sub(self.sleep.count);
+        self.depth.is_some() || self.joints.free_body_count() != awake
     }
 
     /// Solver selection: computes islands and selects a solver for each island, if the selection is due. Otherwise it lists the
