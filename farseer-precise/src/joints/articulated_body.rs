@@ -191,21 +191,17 @@ pub(super) fn for_each_up_prepared<N: TreeNode>(
     let links = links.slice_mut(..);
     let mut unprepared = links.len();
     for at in (0..links.len()).rev() {
-        let (before, rest) = links.split_at_mut(at);
-        let Some(link) = rest.first_mut() else { continue };
-        if unprepared > at {
-            prepare(link);
-            unprepared = at;
-        }
-        let parent = link.parent().position();
+        let parent = links[at].parent().position();
+        // The only call of `prepare`, so that the compiler inlines it.
         while unprepared > parent
-            && let Some(next) = before.get_mut(unprepared - 1)
+            && let Some(next) = links.get_mut(unprepared - 1)
         {
             prepare(next);
             unprepared -= 1;
         }
+        let (before, rest) = links.split_at_mut(at);
         if let Some(parent) = before.get_mut(parent) {
-            visit(link, parent);
+            visit(&mut rest[0], parent);
         }
     }
 }
