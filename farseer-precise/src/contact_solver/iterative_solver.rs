@@ -69,6 +69,7 @@ impl IterativeSolver<'_> {
             inverse_h: 1.0 / step.h,
             max_bias_speed: self.parameters.recovery_speed,
             records_active_points: may_bounce,
+            has_contacts: !self.constraints.is_empty(),
         };
         self.warm_start_hinges();
         if !is_planar {
@@ -142,6 +143,7 @@ impl IterativeSolver<'_> {
         }
         self.solve_hinge_stops(step.h);
         match self.depth {
+            None if !substep.has_contacts => {}
             None => solve_contacts_with_bias(
                 self.constraints,
                 &mut self.bodies.states,
@@ -151,7 +153,7 @@ impl IterativeSolver<'_> {
             ),
             Some(_) => self.solve_with_bias_3d(step, substep),
         }
-        if has_joints && self.joints.has_large_iterative_error() {
+        if has_joints && substep.has_contacts && self.joints.has_large_iterative_error() {
             self.hold_deep_contacts(step, substep);
         }
         self.solve_hinge_stops(step.h);
@@ -200,6 +202,7 @@ impl IterativeSolver<'_> {
             self.joints.relax(self.bodies, step.h);
         }
         match self.depth {
+            None if !substep.has_contacts => {}
             None => relax_contacts(self.constraints, &mut self.bodies.states, substep),
             Some(_) => self.relax_3d(substep),
         }
