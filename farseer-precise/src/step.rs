@@ -117,7 +117,9 @@ impl Solver {
         self.joints.step_free_articulations(&self.bodies, step);
         if self.constraints.is_empty() && self.joints.are_all_contact_free() && self.springs.are_all_solved()
         {
-            if self.has_bodies_in_flight() {
+            // Free articulations move their bodies through the whole step in the plane.
+            let awake = self.bodies.movable_count.saturating_sub(self.sleep.count);
+            if self.depth.is_some() || self.joints.free_body_count() != awake {
                 integrate_free_flight(&mut self.bodies, &self.sleep.awake_body_runs, step);
             }
             self.joints.equalize_z_displacement(&mut self.bodies, step.dt);
@@ -134,13 +136,6 @@ impl Solver {
             let unit = self.parameters.length_unit;
             finish_hinges(space, &mut self.bodies, &mut self.sleep, constraints, unit, step);
         }
-    }
-
-    /// Returns whether an awake body may belong to no free articulation. Such an articulation moves its bodies through the
-    /// whole step in the plane.
-    fn has_bodies_in_flight(&self) -> bool {
-        let awake = self.bodies.movable_count.saturating_sub(self.sleep.count);
-        self.depth.is_some() || self.joints.free_body_count() != awake
     }
 
     /// Solver selection: computes islands and selects a solver for each island, if the selection is due. Otherwise it lists the

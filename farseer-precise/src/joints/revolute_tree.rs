@@ -235,7 +235,7 @@ fn begin_step(
 }
 
 /// Runs all substeps of a step. Returns the energy at the start of the step, or `None` if the articulation gets no energy
-/// balance. Then the last substep also stores the results in `constraints` and `bodies`.
+/// balance. Without a balance the last substep also stores the results in `constraints` and `bodies`.
 fn run_substeps(
     links: &mut Links<RevoluteLink>,
     (constraints, bodies): (&mut JointList, &mut BodySet),
@@ -266,25 +266,37 @@ fn run_substeps(
         solve_substep(links, bodies, limits, |link, _| link.apply_forces(0.5, predicts_spin), |_, _| {});
         Some(start)
     };
-    for substep in 1..substeps {
-        let share = if substep == 1 && !is_kick_drift { 0.5 } else { 1.0 };
-        for_each_down(links, |link, parent| {
-            link.record_joint_spin_change(predicts_spin, share);
-            link.integrate_position(parent, h);
-        });
-        let is_stored = is_kick_drift && substep + 1 == substeps;
-        let end = |link: &RevoluteLink, bodies: &mut BodySet| {
-            if is_stored {
-                link.store_kick_drift(constraints, bodies, (h, dt));
-            }
-        };
-        solve_substep(links, bodies, limits, |link, _| link.apply_forces(1.0, predicts_spin), end);
-    }
+    run_further_substeps(links, (constraints, bodies), plan, limits, dt);
     if !is_kick_drift {
         for_each_down(links, |link, parent| link.integrate_position(parent, h));
         project_velocities(links);
     }
     start
+}
+
+/// Runs all substeps but the first of a step of `dt` seconds. `limits` are those of each substep.
+fn run_further_substeps(
+    links: &mut Links<RevoluteLink>,
+    (constraints, bodies): (&mut JointList, &mut BodySet),
+    plan: &SubstepPlan,
+    limits: SubstepLimits,
+    dt: f64,
+) {
+    let SubstepPlan { substeps, is_kick_drift, predicts_spin, .. } = *plan;
+    for substep in 1..substeps {
+        let share = if substep == 1 && !is_kick_drift { 0.5 } else { 1.0 };
+        for_each_down(links, |link, parent| {
+            link.record_joint_spin_change(predicts_spin, share);
+            link.integrate_position(parent, limits.h);
+        });
+        let is_stored = is_kick_drift && substep + 1 == substeps;
+        let end = |link: &RevoluteLink, bodies: &mut BodySet| {
+            if is_stored {
+                link.store_kick_drift(constraints, bodies, (limits.h, dt));
+            }
+        };
+        solve_substep(links, bodies, limits, |link, _| link.apply_forces(1.0, predicts_spin), end);
+    }
 }
 
 /// Applies the second half of the last force kick (velocity change by applied forces), and projects the velocities on the
