@@ -13,7 +13,6 @@ use crate::math::plane::{
 use crate::math::scalar;
 use crate::parameters::contacts::{PIVOT_MAX_PENETRATION, PIVOT_PLANE_TOLERANCE};
 use crate::scaled_parameters::StepContext;
-use crate::shape::ShapeRef;
 
 impl RollingSolver<'_> {
     /// Finds the polygons that pivot in closed form in this step, and sets `pivot` of one contact of each. The contacts of such
@@ -78,29 +77,8 @@ impl RollingSolver<'_> {
             return None;
         }
         let after = pivoting.advance(ends, [x, y, spin], step.dt, step.h)?;
-        let points = self.ends_before_and_after(outline, &pivoting, ends, &after);
+        let points = ends_before_and_after(&pivoting, ends, &after);
         self.are_supported(at_b, &plane, &points).then_some(after)
-    }
-
-    /// Returns both ends of the edge that faces the plane, before and after the step. `ends`: vertices of that edge before the
-    /// step. The points are relative to the origin of the body before the step, in world axes, length units.
-    fn ends_before_and_after(
-        &self,
-        outline: ShapeRef<'_>,
-        pivoting: &PivotingPolygon<'_>,
-        ends: [u32; 2],
-        after: &PivotState,
-    ) -> [Vector; 4] {
-        let (sine, cosine) = scalar::sin_cos(after.delta_rotation);
-        let turned = rotate([cosine, sine], pivoting.rotation);
-        let last_ends = incident_edge(outline, rotate_inverse(turned, pivoting.normal));
-        let vertex = |q: Rot, end: u32| rotate(q, outline.vertices[end as usize]);
-        [
-            vertex(pivoting.rotation, ends[0]),
-            vertex(pivoting.rotation, ends[1]),
-            sum(after.delta_position, vertex(turned, last_ends[0])),
-            sum(after.delta_position, vertex(turned, last_ends[1])),
-        ]
     }
 
     /// Returns the least friction coefficient (dimensionless) of the contacts of body `b`. `None` if the closed form does not
@@ -225,4 +203,16 @@ impl RollingSolver<'_> {
         }
         self.pairs.recheck_constrained(at_b);
     }
+}
+
+/// Returns both ends of the edge that faces the plane, before and after the step. `ends`: vertices of that edge before the step.
+/// The points are relative to the origin of the body before the step, in world axes, length units.
+fn ends_before_and_after(pivoting: &PivotingPolygon<'_>, ends: [u32; 2], after: &PivotState) -> [Vector; 4] {
+    let (sine, cosine) = scalar::sin_cos(after.delta_rotation);
+    let turned = rotate([cosine, sine], pivoting.rotation);
+    let last_ends = incident_edge(pivoting.outline, rotate_inverse(turned, pivoting.normal));
+    let vertex = |q: Rot, end: u32| rotate(q, pivoting.outline.vertices[end as usize]);
+    let [first, second] = ends.map(|end| vertex(pivoting.rotation, end));
+    let [third, fourth] = last_ends.map(|end| sum(after.delta_position, vertex(turned, end)));
+    [first, second, third, fourth]
 }
