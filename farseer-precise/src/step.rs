@@ -117,7 +117,11 @@ impl Solver {
         self.joints.step_free_articulations(&self.bodies, step);
         if self.constraints.is_empty() && self.joints.are_all_contact_free() && self.springs.are_all_solved()
         {
-            integrate_free_flight(&mut self.bodies, &self.sleep.awake_body_runs, step);
+            // Free articulations move their bodies through the whole step in the plane.
+            let awake = self.bodies.movable_count.saturating_sub(self.sleep.count);
+            if self.depth.is_some() || self.joints.free_body_count() != awake {
+                integrate_free_flight(&mut self.bodies, &self.sleep.awake_body_runs, step);
+            }
             self.joints.equalize_z_displacement(&mut self.bodies, step.dt);
         } else {
             let mut solver = self.iterative_solver();

@@ -164,6 +164,14 @@ impl ConstraintGraph {
         self.used_colors() == 0
     }
 
+    /// Returns the number of planar contact constraints of the iterative solver.
+    pub(crate) fn planar_count(&self) -> usize {
+        self.two_points.constraint_count()
+            + self.one_point.constraint_count()
+            + self.two_points_static.constraint_count()
+            + self.one_point_static.constraint_count()
+    }
+
     /// Returns whether there is no contact constraint, neither of the iterative solver nor a parked one.
     pub fn has_none(&self) -> bool {
         self.is_empty() && self.sleeping.is_empty() && self.direct.is_empty()

@@ -56,16 +56,24 @@ pub(crate) struct IterativeSolver<'a> {
 impl IterativeSolver<'_> {
     /// Runs the iterative solver: substeps, then the midpoint correction of the displacements, then restitution.
     pub(crate) fn solve(&mut self, step: &StepContext) {
+        self.joints.begin_iterative(self.springs, self.bodies, step);
+        let is_planar = self.depth.is_none();
+        if is_planar {
+            self.prepare_rolling(step);
+            if self.has_only_pivots() {
+                return self.integrate_without_contacts(step);
+            }
+        }
         let may_bounce = self.accumulate_warm_start(step);
         let contact_substep = ContactSubstep {
             inverse_h: 1.0 / step.h,
             max_bias_speed: self.parameters.recovery_speed,
             records_active_points: may_bounce,
+            has_contacts: !self.constraints.is_empty(),
         };
         self.warm_start_hinges();
-        if !self.rolling_contacts.is_empty() {
-            let (mut rolling_solver, rolling) = self.rolling_solver();
-            rolling_solver.prepare(rolling, step);
+        if !is_planar {
+            self.prepare_rolling(step);
         }
         let has_joints = self.joints.act_in_substeps();
         for substep in 0..step.substeps {
@@ -78,6 +86,41 @@ impl IterativeSolver<'_> {
         if may_bounce {
             self.apply_restitution(step);
         }
+    }
+
+    /// Finds the rolling contacts of this step, and among them the polygons that pivot in closed form.
+    fn prepare_rolling(&mut self, step: &StepContext) {
+        if !self.rolling_contacts.is_empty() {
+            let (mut rolling_solver, rolling) = self.rolling_solver();
+            rolling_solver.prepare(rolling, step);
+        }
+    }
+
+    /// Returns whether polygons that pivot in closed form have all contacts of the iterative solver, and joints have no part in
+    /// it. Substeps of contacts would have no effect then, since the closed form replaces their results.
+    fn has_only_pivots(&mut self) -> bool {
+        if self.rolling_contacts.is_empty() || self.has_restitution || self.joints.act_in_substeps() {
+            return false;
+        }
+        let constraint_count = self.constraints.planar_count();
+        let (rolling_solver, rolling) = self.rolling_solver();
+        rolling_solver.count_pivot_constraints(rolling) == constraint_count
+    }
+
+    /// Moves all bodies through the substeps of a step without contacts and joints in the iterative solver.
+    fn integrate_without_contacts(&mut self, step: &StepContext) {
+        self.clear_warm_start();
+        for substep in 0..step.substeps {
+            apply_warm_start(self.bodies, self.awake_body_runs, substep == 0);
+            integrate_positions(self.bodies, self.awake_body_runs, step.h, substep == 0);
+        }
+        self.correct_displacements(step);
+    }
+
+    /// Sets the sums of the warm start of all awake bodies to 0.
+    fn clear_warm_start(&mut self) {
+        let warm_start = &mut self.bodies.warm_start;
+        self.awake_body_runs.iter().for_each(|run| warm_start.slice_mut(run.clone()).fill([0.0; 4]));
     }
 
     /// Start of a substep: applies the warm start of all bodies, and moves the points of rolling contacts. `is_first`: whether the
@@ -100,6 +143,7 @@ impl IterativeSolver<'_> {
         }
         self.solve_hinge_stops(step.h);
         match self.depth {
+            None if !substep.has_contacts => {}
             None => solve_contacts_with_bias(
                 self.constraints,
                 &mut self.bodies.states,
@@ -109,7 +153,7 @@ impl IterativeSolver<'_> {
             ),
             Some(_) => self.solve_with_bias_3d(step, substep),
         }
-        if has_joints && self.joints.has_large_iterative_error() {
+        if has_joints && substep.has_contacts && self.joints.has_large_iterative_error() {
             self.hold_deep_contacts(step, substep);
         }
         self.solve_hinge_stops(step.h);
@@ -158,6 +202,7 @@ impl IterativeSolver<'_> {
             self.joints.relax(self.bodies, step.h);
         }
         match self.depth {
+            None if !substep.has_contacts => {}
             None => relax_contacts(self.constraints, &mut self.bodies.states, substep),
             Some(_) => self.relax_3d(substep),
         }
@@ -219,9 +264,8 @@ impl IterativeSolver<'_> {
     /// each body. Load adaptation of the contacts runs in this loop, too, and constraints with restitution store their approach
     /// velocities. Returns whether an approach speed exceeds the restitution threshold.
     fn accumulate_warm_start(&mut self, step: &StepContext) -> bool {
-        self.joints.begin_iterative(self.springs, self.bodies, step);
+        self.clear_warm_start();
         let (warm_start, states) = (&mut self.bodies.warm_start, &self.bodies.states);
-        self.awake_body_runs.iter().for_each(|run| warm_start.slice_mut(run.clone()).fill([0.0; 4]));
         let may_bounce = if self.depth.is_some() {
             self.accumulate_warm_start_3d(step)
         } else {

@@ -5,12 +5,10 @@
 //! warm start. After the substeps the pose and velocity from `PivotingPolygon` replace the pose and velocity of the body.
 
 use crate::contact_solver::pivoting::{PivotState, PivotingPolygon};
-use crate::contact_solver::rolling::{
-    RollingContact, RollingSolver, StaticPlane, incident_edge, is_over_face,
-};
+use crate::contact_solver::rolling::{FaceExtent, RollingContact, RollingSolver, StaticPlane, incident_edge};
 use crate::index::{BodyIndex, PairIndex, ProxyIndex};
 use crate::math::plane::{
-    Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
+    Rot, Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar;
 use crate::parameters::contacts::{PIVOT_MAX_PENETRATION, PIVOT_PLANE_TOLERANCE};
@@ -75,11 +73,12 @@ impl RollingSolver<'_> {
             ends.map(|end| dot(rotate(pivoting.rotation, outline.vertices[end as usize]), plane.normal));
         let depth = scalar::min(lowest[0], lowest[1]) - plane.offset;
         let is_on_plane = depth.abs() <= PIVOT_MAX_PENETRATION * self.parameters.speculative_distance;
-        if !(is_on_plane && self.is_edge_supported(at_b, &plane, 0.0, [0.0; 2])) {
+        if !is_on_plane {
             return None;
         }
         let after = pivoting.advance(ends, [x, y, spin], step.dt, step.h)?;
-        self.is_edge_supported(at_b, &plane, after.delta_rotation, after.delta_position).then_some(after)
+        let points = ends_before_and_after(&pivoting, ends, &after);
+        self.are_supported(at_b, &plane, &points).then_some(after)
     }
 
     /// Returns the least friction coefficient (dimensionless) of the contacts of body `b`. `None` if the closed form does not
@@ -128,43 +127,49 @@ impl RollingSolver<'_> {
         above + outline.shape.radius + outline.max_projection(direction)
     }
 
-    /// Returns whether static faces in the plane are under both ends of the polygon's edge that faces the plane. The body is
-    /// first rotated by `turned` radians and moved by `path` (x, y in length units).
-    fn is_edge_supported(&self, at_b: ProxyIndex, plane: &StaticPlane, turned: f32, path: Vector) -> bool {
-        let pose = self.bodies.poses[self.proxies.body_of(at_b)];
-        let (sine, cosine) = scalar::sin_cos(turned);
-        let q = rotate([cosine, sine], rotation(pose));
-        let outline = self.proxies.shape_of(at_b);
-        incident_edge(outline, rotate_inverse(q, plane.normal)).iter().all(|&end| {
-            let point = sum(path, rotate(q, outline.vertices[end as usize]));
-            self.pairs.pairs_of(at_b).any(|pair| self.supports_point(pair, at_b, plane, point))
-        })
+    /// Returns whether static faces in the plane are under all `points`. These are relative to the origin of body B, in world
+    /// axes, length units.
+    fn are_supported(&self, at_b: ProxyIndex, plane: &StaticPlane, points: &[Vector; 4]) -> bool {
+        let mut is_supported = [false; 4];
+        for pair in self.pairs.pairs_of(at_b).filter(|&pair| self.has_level_face(pair, at_b, plane)) {
+            if self.pairs.state(pair).is_on_ground {
+                return true;
+            }
+            let [at_a, _] = self.pairs.proxies_of(pair);
+            let (face, b) = (self.proxies.shape_of(at_a), self.proxies.body_of(at_b));
+            let pose_a = self.bodies.poses[self.proxies.body_of(at_a)];
+            let apart = difference(translation(self.bodies.poses[b]), translation(pose_a));
+            let q = rotation(pose_a);
+            let direction = rotate_inverse(q, plane.normal);
+            let has_face = face.normals.iter().any(|&normal| {
+                cross(normal, direction).abs() <= PIVOT_PLANE_TOLERANCE && dot(normal, direction) > 0.0
+            });
+            if has_face {
+                let extent = FaceExtent::of(face, direction);
+                for (is_supported, &point) in is_supported.iter_mut().zip(points) {
+                    *is_supported |= extent.contains(rotate_inverse(q, sum(apart, point)));
+                }
+            }
+        }
+        is_supported == [true; 4]
     }
 
-    /// Returns whether the static face of the pair lies in `plane` and under `point`. The point is relative to the origin of
-    /// body B, in world axes, length units.
-    fn supports_point(&self, pair: PairIndex, at_b: ProxyIndex, plane: &StaticPlane, point: Vector) -> bool {
-        let (state, [at_a, other]) = (self.pairs.state(pair), self.pairs.proxies_of(pair));
+    /// Returns whether the pair is of the polygon `at_b` and of a static shape whose highest points lie in `plane`.
+    fn has_level_face(&self, pair: PairIndex, at_b: ProxyIndex, plane: &StaticPlane) -> bool {
+        let (state, [_, other]) = (self.pairs.state(pair), self.pairs.proxies_of(pair));
         let is_met = state.constraint.is_some() || self.is_planar;
         let is_static_contact = state.kind.is_static && state.has_response();
         let is_level = || {
             self.height_above_plane(pair, plane).abs() <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit
         };
-        if !(other == at_b && is_met && is_static_contact && is_level()) {
-            return false;
-        }
-        if state.is_on_ground {
-            return true;
-        }
-        let (face, b) = (self.proxies.shape_of(at_a), self.proxies.body_of(at_b));
-        let pose_a = self.bodies.poses[self.proxies.body_of(at_a)];
-        let apart = difference(translation(self.bodies.poses[b]), translation(pose_a));
-        let q = rotation(pose_a);
-        let direction = rotate_inverse(q, plane.normal);
-        let has_face = face.normals.iter().any(|&normal| {
-            cross(normal, direction).abs() <= PIVOT_PLANE_TOLERANCE && dot(normal, direction) > 0.0
-        });
-        has_face && is_over_face(face, q, plane.normal, sum(apart, point))
+        other == at_b && is_met && is_static_contact && is_level()
+    }
+
+    /// Returns the number of contact constraints of the polygons in `rolling` that pivot in closed form.
+    pub(crate) fn count_pivot_constraints(&self, rolling: &[RollingContact]) -> usize {
+        let polygons = rolling.iter().filter(|roll| roll.pivot.is_some()).map(|roll| roll.proxies[1]);
+        let pairs = polygons.flat_map(|polygon| self.pairs.pairs_of(polygon));
+        pairs.filter(|&pair| self.pairs.state(pair).constraint.is_some()).count()
     }
 
     /// Overwrites the velocity of a pivoting body, and the impulses of its contact constraints, after the last substep. The
@@ -184,7 +189,9 @@ impl RollingSolver<'_> {
             let reaction_impulse = if is_pivot_contact { impulse } else { [0.0; 2] };
             let [normal_impulse, tangent_impulse] =
                 [dot(reaction_impulse, constraint.normal), -cross(constraint.normal, reaction_impulse)];
+            let moved = dot(after.delta_position, constraint.normal);
             for (at, point) in constraint.points.iter_mut().enumerate() {
+                point.separation += moved + after.delta_rotation * point.normal_arm_b;
                 point.normal_impulse = if at == 0 { normal_impulse } else { 0.0 };
                 point.rest_impulse = point.normal_impulse;
                 constraint.depth.totals[at] = point.normal_impulse * step.substeps as f32;
@@ -196,4 +203,16 @@ impl RollingSolver<'_> {
         }
         self.pairs.recheck_constrained(at_b);
     }
+}
+
+/// Returns both ends of the edge that faces the plane, before and after the step. `ends`: vertices of that edge before the step.
+/// The points are relative to the origin of the body before the step, in world axes, length units.
+fn ends_before_and_after(pivoting: &PivotingPolygon<'_>, ends: [u32; 2], after: &PivotState) -> [Vector; 4] {
+    let (sine, cosine) = scalar::sin_cos(after.delta_rotation);
+    let turned = rotate([cosine, sine], pivoting.rotation);
+    let last_ends = incident_edge(pivoting.outline, rotate_inverse(turned, pivoting.normal));
+    let vertex = |q: Rot, end: u32| rotate(q, pivoting.outline.vertices[end as usize]);
+    let [first, second] = ends.map(|end| vertex(pivoting.rotation, end));
+    let [third, fourth] = last_ends.map(|end| sum(after.delta_position, vertex(turned, end)));
+    [first, second, third, fourth]
 }

@@ -355,11 +355,29 @@ pub(crate) fn incident_edge(outline: ShapeRef<'_>, direction: Vector) -> [u32; 2
 /// Returns whether `point` projects onto the face of `face` whose normal is `normal`. Point and normal are in world axes, the
 /// point relative to the origin of the face's body, length units. `q`: cosine and sine of that body's rotation.
 pub(crate) fn is_over_face(face: ShapeRef<'_>, q: Rot, normal: Vector, point: Vector) -> bool {
-    let (normal, point) = (rotate_inverse(q, normal), rotate_inverse(q, point));
-    let ends = incident_edge(face, scaled(normal, -1.0)).map(|end| face.vertices[end as usize]);
-    let along = difference(ends[1], ends[0]);
-    let at = dot(difference(point, ends[0]), along);
-    at >= 0.0 && at <= dot(along, along)
+    FaceExtent::of(face, rotate_inverse(q, normal)).contains(rotate_inverse(q, point))
+}
+
+/// A face of a convex shape, in the frame of the shape's body.
+pub(crate) struct FaceExtent {
+    /// First end of the face. Unit: length units.
+    start: Vector,
+    /// Vector from the first end to the second. Unit: length units.
+    along: Vector,
+}
+
+impl FaceExtent {
+    /// Returns the face of `face` whose normal is most in the direction of `normal`.
+    pub(crate) fn of(face: ShapeRef<'_>, normal: Vector) -> Self {
+        let ends = incident_edge(face, scaled(normal, -1.0)).map(|end| face.vertices[end as usize]);
+        FaceExtent { start: ends[0], along: difference(ends[1], ends[0]) }
+    }
+
+    /// Returns whether `point` projects onto the face.
+    pub(crate) fn contains(&self, point: Vector) -> bool {
+        let at = dot(difference(point, self.start), self.along);
+        at >= 0.0 && at <= dot(self.along, self.along)
+    }
 }
 
 /// Returns the arm of the friction row about the polygon's centre of mass, length units: cross product r x t of the vector r to

@@ -40,6 +40,8 @@ pub(crate) struct ContactSubstep {
     /// Whether each solve sets [`was_active`](ContactConstraintSimd::was_active) of the points that have a normal impulse then:
     /// after the step the impulse of a point that has separated the bodies may be 0 again. [`apply_restitution`] reads it.
     pub(crate) records_active_points: bool,
+    /// Whether the iterative solver has contact constraints in this step.
+    pub(crate) has_contacts: bool,
 }
 
 /// Solves all normal rows as soft constraints. Points with positive separation s are rigid rows u >= -s / h instead: they may

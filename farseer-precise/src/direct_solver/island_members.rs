@@ -43,7 +43,7 @@ impl DirectSolver {
     /// solvers are selected anew, otherwise each island keeps its solver. Starts the pauses of islands that the direct solver
     /// gives up, and starts or ends the friction checks of the others.
     pub(crate) fn choose_members(&mut self, selects: bool, sleep: &SleepState, last_movable: BodyIndex) {
-        let DirectSolver { census, keyed_bodies, history, timer, .. } = self;
+        let DirectSolver { census, keyed_bodies, history, has_no_friction_checks, timer, .. } = self;
         keyed_bodies.clear();
         for body in sleep.awake_bodies(last_movable) {
             let root = census.root_of(body);
@@ -67,6 +67,7 @@ impl DirectSolver {
                 history.friction_checks = 0;
             } else if history.friction_checks == 0 {
                 history.begin_friction_checks();
+                *has_no_friction_checks = false;
             }
         }
     }

@@ -61,6 +61,8 @@ use island_stats::{IslandCensus, IslandIndex};
 pub struct DirectSolver {
     /// Island history of each body, by body index: solver, costs, pauses and friction checks of its island in past updates.
     pub history: Histories,
+    /// Whether no entry of `history` has a friction check, so that none is counted.
+    has_no_friction_checks: bool,
     /// Timer of solver selection: decides in which update solvers are selected anew for all islands.
     pub timer: ReselectionTimer,
     /// Whether `islands` lists the present contacts and joints. If not, they are listed before the next solve.
@@ -89,7 +91,7 @@ pub struct DirectSolver {
 }
 
 reusing_clone! {
-    DirectSolver { history, timer, is_listed, islands, scratch, count, step_lengths, census, keyed_bodies, keyed_pairs, edges, jointed_bodies, sort_keys }
+    DirectSolver { history, has_no_friction_checks, timer, is_listed, islands, scratch, count, step_lengths, census, keyed_bodies, keyed_pairs, edges, jointed_bodies, sort_keys }
 }
 
 impl DirectSolver {
@@ -127,7 +129,14 @@ impl DirectSolver {
         let history = &mut self.history[body];
         if !(has_depth || history.is_direct || history.formed_by_motion) {
             history.begin_friction_checks();
+            self.has_no_friction_checks = false;
         }
+    }
+
+    /// Sets the island history of a body, as a snapshot has it.
+    pub fn set_history(&mut self, body: BodyIndex, history: IslandHistory) {
+        self.history[body] = history;
+        self.has_no_friction_checks = false;
     }
 
     /// Stores `signature`, the hash of all joints and springs in this update. A changed hash makes solver selection due at
@@ -179,14 +188,19 @@ impl DirectSolver {
 
     /// Counts one update of the friction checks of all awake bodies. Returns whether one of them is due.
     pub(crate) fn count_friction_checks(&mut self, sleep: &SleepState) -> bool {
-        let mut is_due = false;
+        if self.has_no_friction_checks {
+            return false;
+        }
+        let (mut is_due, mut has_checks) = (false, sleep.count > 0);
         for run in sleep.awake_body_runs.iter().cloned() {
             for (body, history) in run.clone().zip(self.history.slice_mut(run)) {
                 if history.has_friction_check() && sleep.is_awake(BodyIndex::new(body)) {
                     is_due |= history.is_friction_check_due();
+                    has_checks = true;
                 }
             }
         }
+        self.has_no_friction_checks = !has_checks;
         is_due
     }
 

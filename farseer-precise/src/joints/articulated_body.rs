@@ -179,6 +179,33 @@ pub(super) fn for_each_up<N: TreeNode>(links: &mut Links<N>, mut visit: impl FnM
     }
 }
 
+/// Calls `prepare` with each node, and `visit` with each node that has a parent and with that parent, children before parents.
+///
+/// A node is prepared just before the first visit that reads or changes it, so that one pass over the list does the work of two.
+#[inline(always)]
+pub(super) fn for_each_up_prepared<N: TreeNode>(
+    links: &mut Links<N>,
+    mut prepare: impl FnMut(&mut N),
+    mut visit: impl FnMut(&mut N, &mut N),
+) {
+    let links = links.slice_mut(..);
+    let mut unprepared = links.len();
+    for at in (0..links.len()).rev() {
+        let parent = links[at].parent().position();
+        // The only call of `prepare`, so that the compiler inlines it.
+        while unprepared > parent
+            && let Some(next) = links.get_mut(unprepared - 1)
+        {
+            prepare(next);
+            unprepared -= 1;
+        }
+        let (before, rest) = links.split_at_mut(at);
+        if let Some(parent) = before.get_mut(parent) {
+            visit(&mut rest[0], parent);
+        }
+    }
+}
+
 /// Calls `visit` with each node and its parent, parents before children. The parent of a root is `None`.
 #[inline(always)]
 pub(super) fn for_each_down<N: TreeNode>(

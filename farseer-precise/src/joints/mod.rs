@@ -106,6 +106,12 @@ impl JointSystem {
         self.articulation_list.iter().map(|articulation| &articulation.bodies[..])
     }
 
+    /// Returns the number of dynamic bodies in the plane that free articulations move in this step.
+    pub(crate) fn free_body_count(&self) -> usize {
+        let free = self.articulation_list.iter().filter(|articulation| articulation.is_free());
+        free.map(|articulation| articulation.bodies.len()).sum()
+    }
+
     /// Returns the joints in the plane as candidates for the direct solver.
     pub(crate) fn candidates(&self) -> impl Iterator<Item = JointCandidate> + '_ {
         self.articulation_list.iter().flat_map(move |articulation| {

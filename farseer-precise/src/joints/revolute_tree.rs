@@ -13,7 +13,7 @@ use crate::parameters::joints::{
 
 use super::super::bodies::BodySet;
 use super::super::scaled_parameters::StepContext;
-use super::articulated_body::{LinkIndex, Links, TreeNode, for_each_down, for_each_up};
+use super::articulated_body::{LinkIndex, Links, TreeNode, for_each_down, for_each_up_prepared};
 use super::articulated_inertia::{ArticulatedInertia, ArticulatedMomentum};
 use super::energy_balance::{BalancedLink, InitialEnergy, LinkEndState, max_rounding_error};
 use super::indices::JointIndex;
@@ -181,7 +181,7 @@ pub(super) fn step_revolute_tree(
     let dt = f64::from(step.dt);
     let mut plan = begin_step((links, size), constraints, bodies, step);
     loop {
-        let start = run_substeps(links, bodies, step, &plan, length_unit);
+        let start = run_substeps(links, (constraints, bodies), step, &plan, length_unit);
         let balance = plan.energy_balance(links, start, dt);
         let Some(refined) = balance.and_then(|balance| plan.refined(&balance)) else {
             balance.inspect(|balance| balance.project_energy(links));
@@ -190,19 +190,14 @@ pub(super) fn step_revolute_tree(
         begin_step((links, size), constraints, bodies, step);
         plan = refined;
     }
-    let SubstepPlan { substeps, is_kick_drift, .. } = plan;
-    let h = dt / f64::from(substeps);
-    // In reverse order, because the last links are still in the cache.
-    for link in links.iter_mut().rev() {
-        let (velocity, delta_pose, total) = if is_kick_drift {
-            let velocity = link.origin_velocity();
-            (velocity, link.delta_pose_after(velocity, h), add_scaled(link.total_impulse, link.impulse, 1.0))
-        } else {
-            (link.velocity, link.delta_pose, link.total_impulse)
-        };
-        link.store(constraints, bodies, (velocity, delta_pose, total.map(|impulse| impulse / dt)));
+    if !plan.is_kick_drift {
+        // In reverse order, because the last links are still in the cache.
+        for link in links.iter_mut().rev() {
+            let force = link.total_impulse.map(|impulse| impulse / dt);
+            link.store(constraints, bodies, (link.velocity, link.delta_pose, force));
+        }
     }
-    substeps
+    plan.substeps
 }
 
 /// Sets the links to the state at the start of a step, and returns the plan of the articulation's substeps.
@@ -240,38 +235,38 @@ fn begin_step(
 }
 
 /// Runs all substeps of a step. Returns the energy at the start of the step, or `None` if the articulation gets no energy
-/// balance.
+/// balance. Without a balance the last substep also stores the results in `constraints` and `bodies`.
 fn run_substeps(
     links: &mut Links<RevoluteLink>,
-    bodies: &BodySet,
+    (constraints, bodies): (&mut JointList, &mut BodySet),
     step: &StepContext,
     plan: &SubstepPlan,
     length_unit: f64,
 ) -> Option<InitialEnergy> {
     let SubstepPlan { substeps, is_kick_drift, max_prediction_error, predicts_spin, .. } = *plan;
-    let h = f64::from(step.dt) / f64::from(substeps);
-    let max_spin_error = max_prediction_error / h;
+    let dt = f64::from(step.dt);
+    let h = dt / f64::from(substeps);
+    let limits = SubstepLimits { h, length_unit, max_spin_error: max_prediction_error / h };
     let times = (step.dt, substeps as f32, step.substeps as f32);
     let start = if is_kick_drift {
-        solve_substep(links, (h, length_unit), max_spin_error, |link| {
+        let begin = |link: &mut RevoluteLink, bodies: &mut BodySet| {
             link.scale_to_substep(bodies, times, false);
             link.apply_forces(1.0, false);
-        });
+        };
+        let end = |link: &RevoluteLink, bodies: &mut BodySet| {
+            if substeps == 1 {
+                link.store_kick_drift(constraints, bodies, (h, dt));
+            }
+        };
+        solve_substep(links, bodies, limits, begin, end);
         None
     } else {
         links.iter_mut().for_each(|link| link.scale_to_substep(bodies, times, true));
         let start = InitialEnergy::of(links);
-        solve_substep(links, (h, length_unit), max_spin_error, |link| link.apply_forces(0.5, predicts_spin));
+        solve_substep(links, bodies, limits, |link, _| link.apply_forces(0.5, predicts_spin), |_, _| {});
         Some(start)
     };
-    for substep in 1..substeps {
-        let share = if substep == 1 && !is_kick_drift { 0.5 } else { 1.0 };
-        for_each_down(links, |link, parent| {
-            link.record_joint_spin_change(predicts_spin, share);
-            link.integrate_position(parent, h);
-        });
-        solve_substep(links, (h, length_unit), max_spin_error, |link| link.apply_forces(1.0, predicts_spin));
-    }
+    run_further_substeps(links, (constraints, bodies), plan, limits, dt);
     if !is_kick_drift {
         for_each_down(links, |link, parent| link.integrate_position(parent, h));
         project_velocities(links);
@@ -279,41 +274,84 @@ fn run_substeps(
     start
 }
 
+/// Runs all substeps but the first of a step of `dt` seconds. `limits` are those of each substep.
+fn run_further_substeps(
+    links: &mut Links<RevoluteLink>,
+    (constraints, bodies): (&mut JointList, &mut BodySet),
+    plan: &SubstepPlan,
+    limits: SubstepLimits,
+    dt: f64,
+) {
+    let SubstepPlan { substeps, is_kick_drift, predicts_spin, .. } = *plan;
+    for substep in 1..substeps {
+        let share = if substep == 1 && !is_kick_drift { 0.5 } else { 1.0 };
+        for_each_down(links, |link, parent| {
+            link.record_joint_spin_change(predicts_spin, share);
+            link.integrate_position(parent, limits.h);
+        });
+        let is_stored = is_kick_drift && substep + 1 == substeps;
+        let end = |link: &RevoluteLink, bodies: &mut BodySet| {
+            if is_stored {
+                link.store_kick_drift(constraints, bodies, (limits.h, dt));
+            }
+        };
+        solve_substep(links, bodies, limits, |link, _| link.apply_forces(1.0, predicts_spin), end);
+    }
+}
+
 /// Applies the second half of the last force kick (velocity change by applied forces), and projects the velocities on the
 /// joints (RATTLE).
 fn project_velocities(links: &mut Links<RevoluteLink>) {
-    for link in links.iter_mut() {
+    let begin = |link: &mut RevoluteLink| {
         link.apply_forces(0.5, false);
         (link.target_velocity, link.added_stiffness, link.momentum_stiffness) = ([0.0; 2], 0.0, 0.0);
         link.init_own();
-    }
-    for_each_up(links, RevoluteLink::propagate_up);
-    for_each_down(links, |link, parent| match parent {
-        Some(parent) => link.propagate_down(parent),
-        None => link.solve_root(),
+    };
+    for_each_up_prepared(links, begin, RevoluteLink::propagate_up);
+    for_each_down(links, |link, parent| {
+        match parent {
+            Some(parent) => link.propagate_down(parent),
+            None => link.solve_root(),
+        }
+        link.apply_solution();
     });
-    links.iter_mut().for_each(RevoluteLink::apply_solution);
 }
 
-/// Solves a substep of `h` seconds for the velocities with which the joints hold at the end of the substep. `begin` is called
-/// with each link before the solve.
+/// Length and tolerances of a substep.
+#[derive(Clone, Copy)]
+struct SubstepLimits {
+    /// Length of the substep. Unit: seconds, > 0.
+    h: f64,
+    /// Length unit of the simulator. Unit: the user's units of length, > 0.
+    length_unit: f64,
+    /// Largest accepted deviation of an angular velocity from its prediction. Unit: radians/s, >= 0.
+    max_spin_error: f64,
+}
+
+/// Solves a substep for the velocities with which the joints hold at the end of the substep. `begin` is called with each link
+/// before the solve, and `end` with each link after each solve; both get `bodies`.
 ///
 /// The solve is repeated once if a body's rotation deviates from the prediction. It is repeated up to
-/// [`STIFFNESS_JUMP_RETRIES`] times while the [stiffness jumps](RevoluteLink::stiffness_jumped). `max_spin_error` is the
-/// largest accepted deviation of an angular velocity, in radians/s.
+/// [`STIFFNESS_JUMP_RETRIES`] times while the [stiffness jumps](RevoluteLink::stiffness_jumped).
 fn solve_substep(
     links: &mut Links<RevoluteLink>,
-    (h, length_unit): (f64, f64),
-    max_spin_error: f64,
-    begin: impl Fn(&mut RevoluteLink),
+    bodies: &mut BodySet,
+    SubstepLimits { h, length_unit, max_spin_error }: SubstepLimits,
+    begin: impl Fn(&mut RevoluteLink, &mut BodySet),
+    mut end: impl FnMut(&RevoluteLink, &mut BodySet),
 ) {
-    for link in links.iter_mut() {
-        begin(link);
-        link.prepare_substep(h);
-    }
     let correction = (-1.0 / h, JOINT_CORRECTION_SPEED * h * length_unit);
+    let mut has_jump = false;
     for iteration in 0..=STIFFNESS_JUMP_RETRIES {
-        for_each_up(links, |link, parent| {
+        let prepare = |link: &mut RevoluteLink| {
+            if iteration == 0 {
+                begin(link, bodies);
+            } else {
+                link.adopt_solution(has_jump);
+            }
+            link.prepare_substep(h);
+        };
+        for_each_up_prepared(links, prepare, |link, parent| {
             link.set_target_velocity(parent, correction);
             link.propagate_up(parent);
         });
@@ -321,18 +359,12 @@ fn solve_substep(
         for_each_down(links, |link, parent| {
             may_have_jump |= link.solve(parent, h);
             is_mispredicted |= (link.joint_velocity[2] - link.predicted_spin).abs() > max_spin_error;
+            end(link, bodies);
         });
         // The stiffness of a parent is complete after its last child.
-        let has_jump = may_have_jump && links.iter().any(RevoluteLink::stiffness_jumped);
-        if iteration == STIFFNESS_JUMP_RETRIES || !(has_jump || (iteration == 0 && is_mispredicted)) {
+        has_jump = may_have_jump && links.iter().any(RevoluteLink::stiffness_jumped);
+        if !(has_jump || (iteration == 0 && is_mispredicted)) {
             break;
-        }
-        for link in links.iter_mut() {
-            if has_jump {
-                link.set_added_stiffness(link.added_stiffness.max(link.excess_stiffness()));
-            }
-            link.predicted_spin = link.joint_velocity[2];
-            link.prepare_substep(h);
         }
     }
 }

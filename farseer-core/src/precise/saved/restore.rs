@@ -156,7 +156,7 @@ impl Precise {
         self.solver.direct_solver.timer = saved.reselection_timer;
         for &(body, history) in &saved.solver_history {
             match self.body_index(body).filter(|&number| self.solver.bodies.is_dynamic(number)) {
-                Some(number) => self.solver.direct_solver.history[number] = history,
+                Some(number) => self.solver.direct_solver.set_history(number, history),
                 None => self.solver.direct_solver.timer.is_due |= history.is_direct,
             }
         }

@@ -313,6 +313,31 @@ impl RevoluteLink {
         }
     }
 
+    /// Stores the results of the last substep with kick-drift: its velocity and impulse are not in the sums of the step yet.
+    /// `h` and `dt` are the substep and the step in seconds.
+    #[inline(always)]
+    pub(super) fn store_kick_drift(
+        &self,
+        constraints: &mut JointList,
+        bodies: &mut BodySet,
+        (h, dt): (f64, f64),
+    ) {
+        let velocity = self.origin_velocity();
+        let total = add_scaled(self.total_impulse, self.impulse, 1.0);
+        let force = total.map(|impulse| impulse / dt);
+        self.store(constraints, bodies, (velocity, self.delta_pose_after(velocity, h), force));
+    }
+
+    /// Begins another solve of the substep with the solution of the last one: predicts its angular velocity, and raises the
+    /// added stiffness to the geometric stiffness that it has found if `has_jump` is set.
+    #[inline(always)]
+    pub(super) fn adopt_solution(&mut self, has_jump: bool) {
+        if has_jump {
+            self.set_added_stiffness(self.added_stiffness.max(self.excess_stiffness()));
+        }
+        self.predicted_spin = self.joint_velocity[2];
+    }
+
     /// Sets the added stiffness to `stiffness`, and computes the amount of it that carries momentum. Unit: mass units * length
     /// units^2, >= 0.
     #[inline(always)]
