@@ -230,7 +230,16 @@ impl PhysicsSimulator {
     fn add_precise_pairs(&mut self, found: usize, handler: &mut Handler<'_>) {
         let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
         let is_in_space = self.precise_engine().has_depth();
+        // The geoms and bodies of a pair are read only where their proxies do not tell enough: they are large.
+        let are_proxies_current =
+            !has_unimported_edits(&self.objects) && self.precise_engine().has_no_edits();
+        let trusts_proxies = handler.get().is_none() && are_proxies_current;
         for at in 0..found {
+            if trusts_proxies && self.precise_engine().is_plain_candidate(at) {
+                debug_assert!(self.may_be_new_pair(at), "the proxies show what geoms and bodies allow");
+                self.precise_engine().add_candidate_pair(at);
+                continue;
+            }
             let (a, b) = self.precise_engine().candidate_geoms(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
@@ -249,6 +258,14 @@ impl PhysicsSimulator {
                 self.precise_engine().add_candidate_pair(at);
             }
         }
+    }
+
+    /// Whether the filters of geoms and bodies accept a candidate pair in 2D, an index into the new pairs. For debug assertions.
+    fn may_be_new_pair(&mut self, at: usize) -> bool {
+        let (a, b) = self.precise_engine().candidate_geoms(at);
+        let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
+        let geoms = self.objects.geoms.get(a).zip(self.objects.geoms.get(b));
+        geoms.is_some_and(|(a, b)| filter.may_touch(a, b))
     }
 
     /// Whether two touching geoms may still touch: callbacks dispose and edit.
@@ -409,6 +426,13 @@ impl PhysicsSimulator {
             }
         }
     }
+}
+
+/// Returns whether bodies or geoms were edited, added or removed since the precise engine imported edits last.
+fn has_unimported_edits(objects: &Objects) -> bool {
+    objects.has_new_members
+        || objects.has_new_structure
+        || !(objects.touched_bodies.is_empty() && objects.touched_geoms.is_empty())
 }
 
 #[cfg(test)]
