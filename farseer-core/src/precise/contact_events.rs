@@ -75,6 +75,14 @@ impl Precise {
         let TouchEvent { owners, kind, .. } = *events.first()?;
         let [one, other] = owners.map(GeomId::from_bits);
         let geoms = (one, other);
+        let are_single = || self.single_proxy(one).is_some() && self.single_proxy(other).is_some();
+        if let [TouchEvent { begins: false, .. }] = events
+            && are_single()
+        {
+            // The only pair of both has ceased to touch; it need not be found.
+            debug_assert!(!self.pairs_between(geoms).any(|pair| self.solver.pairs.is_touching(pair)));
+            return Some(TouchChange { geoms, begins: false, kind });
+        }
         let touching_now =
             self.pairs_between(geoms).filter(|&pair| self.solver.pairs.is_touching(pair)).count();
         let begun = events.iter().filter(|change| change.begins).count();

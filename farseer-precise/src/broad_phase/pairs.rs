@@ -259,6 +259,12 @@ impl Pairs {
         self.triggers[pair].proxies
     }
 
+    /// Returns the indices of the proxies A and B of a pair from the links that a loop over the list of a proxy has read.
+    #[inline(always)]
+    pub(crate) fn linked_proxies_of(&self, pair: PairIndex) -> [ProxyIndex; 2] {
+        self.links[pair].proxies
+    }
+
     /// Returns the data that decide whether a pair is due for an update.
     #[inline(always)]
     pub fn trigger(&self, pair: PairIndex) -> &RecheckTrigger {
@@ -390,8 +396,7 @@ impl Pairs {
 
     /// Returns body index and body type of A and of B of a pair.
     pub fn bodies_of(&self, proxies: &Proxies, pair: PairIndex) -> [(BodyIndex, BodyType); 2] {
-        // A loop over the list of a proxy has read these links.
-        self.links[pair].proxies.map(|proxy| (proxies.body_of(proxy), proxies.body_type_of(proxy)))
+        self.linked_proxies_of(pair).map(|proxy| (proxies.body_of(proxy), proxies.body_type_of(proxy)))
     }
 
     /// Returns kind and handle of the contact constraint of a pair; `None` if the pair has none.

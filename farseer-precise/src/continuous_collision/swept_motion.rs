@@ -2,7 +2,7 @@
 
 use crate::bodies::BodySet;
 use crate::broad_phase::fat_aabbs::aabb_contains;
-use crate::broad_phase::hash_grid::HashGrid;
+use crate::broad_phase::hash_grid::{HashGrid, overlap};
 use crate::broad_phase::pair_finder::order_pair;
 use crate::broad_phase::pairs::{OneWayState, Pairs};
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
@@ -203,9 +203,22 @@ impl<'a> SweptMotion<'a> {
         if self.depth.is_some() {
             return self.time_of_impact(proxies, TOI_PENETRATION_RATIO);
         }
+        if !self.may_meet_in_step(proxies) {
+            return None;
+        }
         self.time_of_impact_2d(proxies, TOI_PENETRATION_RATIO, |part, two| {
             self.flush_filter(part).separation_and_closing(pair, two)
         })
+    }
+
+    /// Returns whether the swept AABBs of two proxies overlap. They exceed the shapes by the speculative distance, so that rounding
+    /// excludes no impact.
+    fn may_meet_in_step(&self, proxies: [ProxyIndex; 2]) -> bool {
+        let [a, b] = proxies.map(|proxy| {
+            let displacement = self.displacement(self.proxies.body_of(proxy));
+            self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters)
+        });
+        overlap(&a, &b)
     }
 
     /// Returns the time of impact of two proxies as a fraction of the step; `None` without an impact.
