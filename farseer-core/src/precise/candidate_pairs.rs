@@ -17,26 +17,6 @@ impl Precise {
         self.geoms_of_proxies(self.solver.new_pairs[at])
     }
 
-    /// Returns whether the objects of the game have no edit that the proxies do not show yet.
-    pub(crate) fn has_no_edits(&self) -> bool {
-        let edits = &self.edits;
-        edits.bodies.is_empty()
-            && edits.geoms.is_empty()
-            && !edits.needs_rebuild
-            && !edits.has_membership_changes
-            && self.solver.depth.is_none()
-    }
-
-    /// Returns whether the candidate pair `at`, an index into `new_pairs`, may collide by its proxies alone: the geoms have no list of
-    /// ignored ones. The search of pairs has tested all other filters. Only valid while [`has_no_edits`](Self::has_no_edits).
-    pub(crate) fn is_plain_candidate(&self, at: usize) -> bool {
-        let is_plain = |proxy: ProxyIndex| {
-            let proxy = self.solver.proxies.proxy(proxy);
-            !proxy.is_world && !proxy.ignores_some
-        };
-        self.solver.new_pairs[at].into_iter().all(is_plain)
-    }
-
     /// Adds the candidate pair `at`, an index into `new_pairs`, to the pairs. Sensor pairs without a body that can move go to
     /// the sleeping pairs.
     pub(crate) fn add_candidate_pair(&mut self, at: usize) {

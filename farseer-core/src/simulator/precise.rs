@@ -231,11 +231,11 @@ impl PhysicsSimulator {
         let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
         let is_in_space = self.precise_engine().has_depth();
         // The geoms and bodies of a pair are read only where their proxies do not tell enough: they are large.
-        let are_proxies_current =
-            !has_unimported_edits(&self.objects) && self.precise_engine().has_no_edits();
-        let trusts_proxies = handler.get().is_none() && are_proxies_current;
+        let has_edits = has_unimported_edits(&self.objects) || !self.precise_engine().edits.is_empty();
+        let trusts_proxies = handler.get().is_none() && !is_in_space && !has_edits;
         for at in 0..found {
-            if trusts_proxies && self.precise_engine().is_plain_candidate(at) {
+            let solver = &self.precise_engine().solver;
+            if trusts_proxies && solver.proxies.have_plain_filters(solver.new_pairs[at]) {
                 debug_assert!(self.may_be_new_pair(at), "the proxies show what geoms and bodies allow");
                 self.precise_engine().add_candidate_pair(at);
                 continue;
@@ -293,8 +293,8 @@ impl PhysicsSimulator {
         self.report.counters.pairs_touching = self.precise_engine().touching_count();
         self.report_typed_touches(&changes);
         if handler.get().is_none() {
-            for &TouchChange { geoms: (a, b), .. } in changes.iter().filter(|change| change.begins) {
-                let contacts = self.precise_engine().contacts_between((a, b));
+            for &TouchChange { geoms: (a, b), contacts, .. } in changes.iter().filter(|change| change.begins)
+            {
                 for (this, other) in [(a, b), (b, a)] {
                     self.report.push(Event::Collision { this, other, contacts, vetoed: false });
                 }

@@ -165,20 +165,27 @@ impl Proxy {
     }
 }
 
-/// Fields of a proxy that loops over pairs read, apart from the others: sixteen bytes, where a [`Proxy`] takes several cache lines.
+/// Fields of a proxy that loops over proxies and pairs read, apart from the others: 24 bytes, where a [`Proxy`] takes several
+/// cache lines.
 #[derive(Debug, Clone, Copy)]
 struct ProxySummary {
     body: BodyIndex,
     creation_number: u32,
     piece: u32,
+    /// Radius of the shape, length units, >= 0.
+    radius: f32,
+    /// Largest distance of the shape's surface from the origin of its body, length units, >= 0.
+    max_extent: f32,
     body_type: BodyType,
 }
 
 impl ProxySummary {
     /// Returns the summary of a proxy.
     fn of(proxy: &Proxy) -> Self {
-        let Proxy { body, creation_number, piece, body_type, .. } = *proxy;
-        ProxySummary { body, creation_number, piece, body_type }
+        let Proxy {
+            body, creation_number, piece, body_type, shape: Shape { radius, max_extent, .. }, ..
+        } = *proxy;
+        ProxySummary { body, creation_number, piece, radius, max_extent, body_type }
     }
 }
 
@@ -274,6 +281,13 @@ impl Proxies {
         &mut self.all[proxy]
     }
 
+    /// Returns whether the search of pairs has tested all filters of a candidate pair: both proxies belong to geoms that ignore no
+    /// other geom.
+    pub fn have_plain_filters(&self, pair: [ProxyIndex; 2]) -> bool {
+        let is_plain = |proxy: &Proxy| !proxy.is_world && !proxy.ignores_some;
+        pair.into_iter().all(|proxy| is_plain(&self.all[proxy]))
+    }
+
     /// Returns a proxy; `None` if no position has this index.
     #[inline]
     pub fn get(&self, proxy: ProxyIndex) -> Option<&Proxy> {
@@ -290,6 +304,12 @@ impl Proxies {
     #[inline(always)]
     pub fn body_of(&self, proxy: ProxyIndex) -> BodyIndex {
         self.summaries[proxy].body
+    }
+
+    /// Returns the largest distance of the surface of a proxy from the origin of its body, length units, >= 0.
+    #[inline(always)]
+    pub(crate) fn max_extent_of(&self, proxy: ProxyIndex) -> f32 {
+        self.summaries[proxy].max_extent
     }
 
     /// Returns the type of the body of a proxy.
@@ -526,13 +546,13 @@ impl Proxies {
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> PackedAabb {
-        let Proxy { body, shape, .. } = &self.all[proxy];
-        let pose = bodies.poses[*body];
+        let (ProxySummary { body, radius, .. }, [cx, cy, hx, hy]) =
+            (self.summaries[proxy], self.local_aabbs[proxy]);
+        let pose = bodies.poses[body];
         let q = rotation(pose);
-        let centre = rotate(q, shape.centre);
+        let centre = rotate(q, [cx, cy]);
         let (c, s) = (q[0].abs(), q[1].abs());
-        let [hx, hy] = shape.half_extents;
-        let enlargement = shape.radius + parameters.speculative_distance;
+        let enlargement = radius + parameters.speculative_distance;
         let (x, y) = (pose[0] + centre[0], pose[1] + centre[1]);
         let (ex, ey) = (c * hx + s * hy + enlargement, s * hx + c * hy + enlargement);
         [x - ex, y - ey, x + ex, y + ey]
@@ -555,7 +575,7 @@ impl Proxies {
         if !tight.iter().all(|bound| bound.abs() < COLLISION_MAX_COORDINATE) {
             return EMPTY_AABB;
         }
-        let Some(state) = bodies.states.at(self.all[proxy].body) else { return tight };
+        let Some(state) = bodies.states.at(self.body_of(proxy)) else { return tight };
         let prediction = [0, 1].map(|axis| aabb_margin.prediction(state.velocity[axis] * dt));
         let margin = aabb_margin.margin;
         let below =
