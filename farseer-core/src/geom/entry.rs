@@ -426,6 +426,7 @@ impl GeomEntry {
     }
 
     /// Whether collisions with some other geom are ignored.
+    #[cfg(feature = "precise")]
     pub(crate) fn ignores_some(&self) -> bool {
         self.ignored.iter().any(|&(_, ignored)| ignored)
     }
