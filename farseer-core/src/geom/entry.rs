@@ -425,6 +425,12 @@ impl GeomEntry {
         self.ignored.iter().any(|&(other, ignored)| other == number && ignored)
     }
 
+    /// Whether collisions with some other geom are ignored.
+    #[cfg(feature = "precise")]
+    pub(crate) fn ignores_some(&self) -> bool {
+        self.ignored.iter().any(|&(_, ignored)| ignored)
+    }
+
     pub(crate) fn set_ignored(&mut self, number: u32, ignored: bool) {
         self.ignore_changes = self.ignore_changes.wrapping_add(1);
         match self.ignored.iter_mut().find(|(other, _)| *other == number) {

@@ -23,6 +23,8 @@ pub(crate) struct TouchChange {
     pub(crate) geoms: (GeomId, GeomId),
     /// Whether the touch begins; false if it ends.
     pub(crate) begins: bool,
+    /// Number of contact points between the two geoms.
+    pub(crate) contacts: u32,
     /// Kind of the typed event.
     pub(crate) kind: TouchKind,
 }
@@ -75,12 +77,22 @@ impl Precise {
         let TouchEvent { owners, kind, .. } = *events.first()?;
         let [one, other] = owners.map(GeomId::from_bits);
         let geoms = (one, other);
-        let touching_now =
-            self.pairs_between(geoms).filter(|&pair| self.solver.pairs.is_touching(pair)).count();
+        let are_single = || self.single_proxy(one).is_some() && self.single_proxy(other).is_some();
+        if let [TouchEvent { begins: false, .. }] = events
+            && are_single()
+        {
+            // The only pair of both has ceased to touch; it need not be found.
+            debug_assert!(!self.pairs_between(geoms).any(|pair| self.solver.pairs.is_touching(pair)));
+            return Some(TouchChange { geoms, begins: false, contacts: 0, kind });
+        }
+        let pairs = &self.solver.pairs;
+        let touching = self.pairs_between(geoms).filter(|&pair| pairs.is_touching(pair));
+        let (touching_now, contacts) = touching
+            .fold((0, 0), |(count, contacts), pair| (count + 1, contacts + pairs.manifold(pair).count));
         let begun = events.iter().filter(|change| change.begins).count();
         let touching_before = (touching_now + events.len() - begun).saturating_sub(begun);
         let begins = touching_now > 0;
-        ((touching_before > 0) != begins).then_some(TouchChange { geoms, begins, kind })
+        ((touching_before > 0) != begins).then_some(TouchChange { geoms, begins, contacts, kind })
     }
 
     /// Returns the indices of the pairs between the convex pieces of two geoms.

@@ -134,6 +134,7 @@ impl<'a> ProxyImport<'a> {
             responds: geom.geom.collision_response_enabled(),
             is_reported: geom.geom.collision_callbacks_enabled(),
             filter: geom_filter(geom),
+            ignores_some: geom.ignores_some(),
             events: geom.geom.wanted_events().0,
             surface_velocity,
             one_way: one_way_direction(geom, self.depth.is_some()),

@@ -35,6 +35,11 @@ impl PendingEdits {
         PendingEdits { needs_rebuild: true, ..PendingEdits::default() }
     }
 
+    /// Returns whether no edit waits for the next import, apart from requests to wake.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.bodies.is_empty() && self.geoms.is_empty() && !self.needs_rebuild && !self.has_membership_changes
+    }
+
     /// Requests a rebuild of all lists by the next import, because a change is none that the lists can follow one by one.
     pub(crate) fn mark_stale(&mut self) {
         self.needs_rebuild = true;

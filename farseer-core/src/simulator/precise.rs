@@ -230,7 +230,16 @@ impl PhysicsSimulator {
     fn add_precise_pairs(&mut self, found: usize, handler: &mut Handler<'_>) {
         let asks_about_new = handler.wants(|handler| handler.handles_broad_phase());
         let is_in_space = self.precise_engine().has_depth();
+        // The geoms and bodies of a pair are read only where their proxies do not tell enough: they are large.
+        let has_edits = has_unimported_edits(&self.objects) || !self.precise_engine().edits.is_empty();
+        let trusts_proxies = handler.get().is_none() && !is_in_space && !has_edits;
         for at in 0..found {
+            let solver = &self.precise_engine().solver;
+            if trusts_proxies && solver.proxies.have_plain_filters(solver.new_pairs[at]) {
+                debug_assert!(self.may_be_new_pair(at), "the proxies show what geoms and bodies allow");
+                self.precise_engine().add_candidate_pair(at);
+                continue;
+            }
             let (a, b) = self.precise_engine().candidate_geoms(at);
             let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
@@ -249,6 +258,14 @@ impl PhysicsSimulator {
                 self.precise_engine().add_candidate_pair(at);
             }
         }
+    }
+
+    /// Whether the filters of geoms and bodies accept a candidate pair in 2D, an index into the new pairs. For debug assertions.
+    fn may_be_new_pair(&mut self, at: usize) -> bool {
+        let (a, b) = self.precise_engine().candidate_geoms(at);
+        let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
+        let geoms = self.objects.geoms.get(a).zip(self.objects.geoms.get(b));
+        geoms.is_some_and(|(a, b)| filter.may_touch(a, b))
     }
 
     /// Whether two touching geoms may still touch: callbacks dispose and edit.
@@ -276,8 +293,8 @@ impl PhysicsSimulator {
         self.report.counters.pairs_touching = self.precise_engine().touching_count();
         self.report_typed_touches(&changes);
         if handler.get().is_none() {
-            for &TouchChange { geoms: (a, b), .. } in changes.iter().filter(|change| change.begins) {
-                let contacts = self.precise_engine().contacts_between((a, b));
+            for &TouchChange { geoms: (a, b), contacts, .. } in changes.iter().filter(|change| change.begins)
+            {
                 for (this, other) in [(a, b), (b, a)] {
                     self.report.push(Event::Collision { this, other, contacts, vetoed: false });
                 }
@@ -409,6 +426,13 @@ impl PhysicsSimulator {
             }
         }
     }
+}
+
+/// Returns whether bodies or geoms were edited, added or removed since the precise engine imported edits last.
+fn has_unimported_edits(objects: &Objects) -> bool {
+    objects.has_new_members
+        || objects.has_new_structure
+        || !(objects.touched_bodies.is_empty() && objects.touched_geoms.is_empty())
 }
 
 #[cfg(test)]

@@ -44,7 +44,7 @@ impl Proxies {
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> PackedAabb {
-        let turning = self.proxy(proxy).shape.max_extent * turned.abs().min(2.0);
+        let turning = self.max_extent_of(proxy) * turned.abs().min(2.0);
         let [x, y, to_x, to_y] = self.tight_aabb(proxy, bodies, parameters);
         let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
         let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
@@ -85,7 +85,7 @@ impl FatAabbs<'_> {
         }
         for at in 0..self.proxies.refitted().len() {
             let proxy = self.proxies.refitted()[at];
-            let extent = self.proxies.proxy(proxy).shape.max_extent;
+            let extent = self.proxies.max_extent_of(proxy);
             let margin = match pairs.pairs_of(proxy).next() {
                 None => self.parameters.margin_without_pairs(extent),
                 Some(_) => self.parameters.margin_for_extent(extent),
@@ -97,7 +97,7 @@ impl FatAabbs<'_> {
     /// Computes and stores the fat AABB of a proxy, and moves the proxy in the hash grid. The margin is always the one for
     /// proxies that are in pairs ([`Parameters::margin_for_extent`]).
     pub(crate) fn enlarge(&mut self, proxy: ProxyIndex) {
-        let extent = self.proxies.proxy(proxy).shape.max_extent;
+        let extent = self.proxies.max_extent_of(proxy);
         self.enlarge_by(proxy, self.parameters.margin_for_extent(extent));
     }
 

@@ -53,12 +53,12 @@ pub(crate) struct PairFinder<'a> {
 
 impl PairFinder<'_> {
     /// Finds the new pairs of these proxies with the hash grid and stores them in `found`, sorted by creation numbers. Returns
-    /// their number. `refitted` holds indices of proxies with a new fat AABB; `known` is a workspace with an entry for each
+    /// their number. `refitted` holds indices of proxies with a new fat AABB; `seen` is a workspace with an entry for each
     /// proxy, all false.
     pub(crate) fn find(
         &self,
         refitted: &[ProxyIndex],
-        known: &mut IndexedVec<ProxyIndex, bool>,
+        seen: &mut IndexedVec<ProxyIndex, bool>,
         found: &mut Vec<[ProxyIndex; 2]>,
     ) -> usize {
         let PairFinder { proxies, pairs, grid, depth } = *self;
@@ -67,12 +67,10 @@ impl PairFinder<'_> {
             return 0;
         }
         for &proxy in refitted {
-            pairs.partners(proxy).for_each(|partner| known[partner] = true);
-            let bounds = *proxies.fat_aabb_of(proxy);
+            let (first, bounds) = (found.len(), *proxies.fat_aabb_of(proxy));
             let mut find = |other: ProxyIndex| {
-                let [one, partner] = [proxy, other].map(|proxy| proxies.proxy(proxy));
-                if !known[other] && one.may_meet(partner) {
-                    found.extend(order_pair(proxies, depth, [proxy, other]));
+                if !std::mem::replace(&mut seen[other], true) {
+                    found.push([proxy, other]);
                 }
             };
             match &depth {
@@ -86,11 +84,36 @@ impl PairFinder<'_> {
                     space.ground_beneath(proxy, &bounds).into_iter().for_each(find);
                 }
             }
-            pairs.partners(proxy).for_each(|partner| known[partner] = false);
+            pairs.partners(proxy).for_each(|partner| seen[partner] = false);
+            self.retain_new(first, seen, found);
         }
         sort_by_number(found, |&pair| proxies.creation_numbers(pair));
         found.dedup();
         found.len()
+    }
+
+    /// Keeps those among the entries of `found` from `first` on that may become pairs, in the order A, B. Their second proxy is
+    /// still `seen`; that of a pair that exists is not. Clears `seen`.
+    fn retain_new(
+        &self,
+        first: usize,
+        seen: &mut IndexedVec<ProxyIndex, bool>,
+        found: &mut Vec<[ProxyIndex; 2]>,
+    ) {
+        let PairFinder { proxies, depth, .. } = *self;
+        let mut end = first;
+        for at in first..found.len() {
+            let [proxy, other] = found[at];
+            let is_new = std::mem::take(&mut seen[other]);
+            if is_new
+                && proxies.proxy(proxy).may_meet(proxies.proxy(other))
+                && let Some(pair) = order_pair(proxies, depth, [proxy, other])
+            {
+                found[end] = pair;
+                end += 1;
+            }
+        }
+        found.truncate(end);
     }
 }
 

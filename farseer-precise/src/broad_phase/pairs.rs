@@ -201,11 +201,13 @@ pub struct Pairs {
     pub reported_count: usize,
     /// Number of pairs of a sensor and a static or kinematic body.
     pub(crate) static_sensor_count: usize,
+    /// Number of pairs without collision response: at least one of their geoms is a sensor.
+    sensor_count: usize,
     /// First link  of each proxy's list of pairs, or [`PairLink::NONE`].
     heads: IndexedVec<ProxyIndex, PairLink>,
 }
 
-reusing_clone! { Pairs { triggers, all, manifolds, links, awake_count, touching_count, touching_ground_count, reported_count, static_sensor_count, heads } }
+reusing_clone! { Pairs { triggers, all, manifolds, links, awake_count, touching_count, touching_ground_count, reported_count, static_sensor_count, sensor_count, heads } }
 
 impl Pairs {
     /// Removes all pairs and makes an empty list of pairs for each of `proxies` proxies.
@@ -214,7 +216,7 @@ impl Pairs {
         self.all.clear();
         self.manifolds.clear();
         self.links.clear();
-        self.awake_count = 0;
+        (self.awake_count, self.sensor_count) = (0, 0);
         (self.touching_count, self.touching_ground_count, self.reported_count, self.static_sensor_count) =
             (0, 0, 0, 0);
         self.heads.clear();
@@ -255,6 +257,12 @@ impl Pairs {
     #[inline(always)]
     pub fn proxies_of(&self, pair: PairIndex) -> [ProxyIndex; 2] {
         self.triggers[pair].proxies
+    }
+
+    /// Returns the indices of the proxies A and B of a pair from the links that a loop over the list of a proxy has read.
+    #[inline(always)]
+    pub(crate) fn linked_proxies_of(&self, pair: PairIndex) -> [ProxyIndex; 2] {
+        self.links[pair].proxies
     }
 
     /// Returns the data that decide whether a pair is due for an update.
@@ -388,10 +396,7 @@ impl Pairs {
 
     /// Returns body index and body type of A and of B of a pair.
     pub fn bodies_of(&self, proxies: &Proxies, pair: PairIndex) -> [(BodyIndex, BodyType); 2] {
-        self.triggers[pair].proxies.map(|proxy| {
-            let proxy = proxies.proxy(proxy);
-            (proxy.body, proxy.body_type)
-        })
+        self.linked_proxies_of(pair).map(|proxy| (proxies.body_of(proxy), proxies.body_type_of(proxy)))
     }
 
     /// Returns kind and handle of the contact constraint of a pair; `None` if the pair has none.
@@ -479,6 +484,7 @@ impl Pairs {
         is_reported: bool,
     ) -> PairIndex {
         let at = self.all.next_index();
+        self.sensor_count += usize::from(!responds);
         self.triggers.push(RecheckTrigger { proxies, motion_at_check: 0, motion_tolerance: 0 });
         self.manifolds.push(CachedManifold::default());
         self.links.push(PairLinks { proxies, next: [PairLink::NONE; 2], previous: [PairLink::NONE; 2] });
@@ -515,6 +521,12 @@ impl Pairs {
         }
     }
 
+    /// Returns whether there is a pair without collision response: one of its geoms is a sensor.
+    #[inline]
+    pub(crate) fn has_sensors(&self) -> bool {
+        self.sensor_count > 0
+    }
+
     /// Sets whether a pair is one of a sensor and a static or kinematic body, and updates the count of such pairs.
     pub(crate) fn set_static_sensor(&mut self, pair: PairIndex, is_static_sensor: bool) {
         let was_static_sensor = std::mem::replace(&mut self.all[pair].is_static_sensor, is_static_sensor);
@@ -532,9 +544,17 @@ impl Pairs {
 
     /// Returns the indices of the proxies with which a proxy has a pair.
     pub(crate) fn partners(&self, proxy: ProxyIndex) -> impl Iterator<Item = ProxyIndex> + '_ {
+        self.pairs_and_partners(proxy).map(|(_, partner)| partner)
+    }
+
+    /// Returns the pairs of a proxy, each with the index of the other proxy.
+    pub(crate) fn pairs_and_partners(
+        &self,
+        proxy: ProxyIndex,
+    ) -> impl Iterator<Item = (PairIndex, ProxyIndex)> + '_ {
         self.pairs_of(proxy).map(move |pair| {
             let [a, b] = self.links[pair].proxies;
-            if a == proxy { b } else { a }
+            (pair, if a == proxy { b } else { a })
         })
     }
 
@@ -556,16 +576,39 @@ impl Pairs {
         }
     }
 
-    /// Removes the last pair, which must have no contact constraint.
-    pub(crate) fn pop(&mut self) {
-        let last = self.last();
-        self.set_static_sensor(last, false);
-        self.unlink(last);
+    /// Removes a pair, which must have no contact constraint and not touch. The last awake pair takes the place of an awake one,
+    /// and the last pair takes the place of that or of a sleeping one. Returns the new indices of the pairs that have moved.
+    pub(crate) fn remove(&mut self, pair: PairIndex) -> [Option<PairIndex>; 2] {
+        self.set_static_sensor(pair, false);
+        self.sensor_count -= usize::from(!self.all[pair].responds);
+        self.unlink(pair);
+        let (mut gap, mut moved) = (pair, [None; 2]);
+        if self.is_awake(pair) {
+            let last_awake = self.shorten_awake();
+            moved[0] = self.fill(gap, last_awake);
+            gap = last_awake;
+        }
+        moved[1] = self.fill(gap, self.last());
         self.triggers.pop();
         self.manifolds.pop();
         self.links.pop();
         self.all.pop();
-        self.awake_count = self.awake_count.min(last.position());
+        moved
+    }
+
+    /// Moves the pair at `from` to the free index `gap`, and to the heads of the lists of its proxies. Returns `gap`, or `None` if
+    /// both indices are the same and nothing moves.
+    fn fill(&mut self, gap: PairIndex, from: PairIndex) -> Option<PairIndex> {
+        if gap == from {
+            return None;
+        }
+        self.unlink(from);
+        self.triggers[gap] = self.triggers[from];
+        self.manifolds[gap] = self.manifolds[from];
+        self.links[gap] = self.links[from];
+        self.all[gap] = self.all[from];
+        (0..2).for_each(|side| self.link(gap, side));
+        Some(gap)
     }
 
     /// Exchanges the list positions of two pairs. Contact constraints that store the indices are not changed here.

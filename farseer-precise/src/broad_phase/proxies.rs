@@ -85,6 +85,8 @@ pub struct Proxy {
     /// group, flags, and a counter of changes of the ignored geoms. Flags are 1: collisions are enabled, and 2: the masks of both
     /// geoms must agree.
     pub filter: [i32; 5],
+    /// Whether the geom ignores collisions with some other geom. The adapter knows which ones.
+    pub ignores_some: bool,
     /// Events that the game wants of the geom, as bit flags: see [`WantedEvent`].
     pub events: u8,
     /// Surface velocity of a static body, such as a conveyor belt: x and y in length units/s, rotation in radians/s, z in
@@ -113,6 +115,7 @@ impl Proxy {
             responds: false,
             is_reported: false,
             filter: [0; 5],
+            ignores_some: false,
             events: 0,
             surface_velocity: [0.0; 4],
             one_way: None,
@@ -162,12 +165,38 @@ impl Proxy {
     }
 }
 
+/// Fields of a proxy that loops over proxies and pairs read, apart from the others: 24 bytes, where a [`Proxy`] takes several
+/// cache lines.
+#[derive(Debug, Clone, Copy)]
+struct ProxySummary {
+    body: BodyIndex,
+    creation_number: u32,
+    piece: u32,
+    /// Radius of the shape, length units, >= 0.
+    radius: f32,
+    /// Largest distance of the shape's surface from the origin of its body, length units, >= 0.
+    max_extent: f32,
+    body_type: BodyType,
+}
+
+impl ProxySummary {
+    /// Returns the summary of a proxy.
+    fn of(proxy: &Proxy) -> Self {
+        let Proxy {
+            body, creation_number, piece, body_type, shape: Shape { radius, max_extent, .. }, ..
+        } = *proxy;
+        ProxySummary { body, creation_number, piece, radius, max_extent, body_type }
+    }
+}
+
 /// All proxies: first those of non-static bodies, in the order of the list of geoms. Spare positions follow, up to a multiple
 /// of four; then come the proxies of static bodies. A removed proxy leaves a free position until the lists are rebuilt.
 #[derive(Debug, Default)]
 pub struct Proxies {
     /// The proxies, and empty ones at free and spare positions.
     all: IndexedVec<ProxyIndex, Proxy>,
+    /// Copies of some fields of `all`, by the same indices.
+    summaries: IndexedVec<ProxyIndex, ProxySummary>,
     /// Index of the first spare position, which follows the proxies of non-static bodies. Spare positions end at `first_fixed`.
     pub movable_end: ProxyIndex,
     /// Index of the first proxy of a static body.
@@ -198,7 +227,7 @@ pub struct Proxies {
 
 reusing_clone! {
     Proxies {
-        all, movable_end, first_fixed, live_count, one_way_count, hit_count, vertices, local_aabbs, box_bodies, fat_aabbs, travel, refitted, heads, next
+        all, summaries, movable_end, first_fixed, live_count, one_way_count, hit_count, vertices, local_aabbs, box_bodies, fat_aabbs, travel, refitted, heads, next
     }
 }
 
@@ -206,7 +235,7 @@ impl Proxies {
     /// Returns creation numbers and piece indices of the proxies [A, B] packed into one integer, by which pairs are
     /// sorted by number.
     pub(crate) fn creation_numbers(&self, proxies: [ProxyIndex; 2]) -> u128 {
-        let [a, b] = proxies.map(|proxy| &self.all[proxy]);
+        let [a, b] = proxies.map(|proxy| &self.summaries[proxy]);
         packed_key([a.creation_number, a.piece, b.creation_number, b.piece])
     }
 
@@ -246,10 +275,17 @@ impl Proxies {
         &self.all[proxy]
     }
 
-    /// Returns the properties of a proxy, to change. Body, shape and one-way direction stay.
+    /// Returns the properties of a proxy, to change. Body, body type, numbers, shape and one-way direction stay.
     #[inline(always)]
     pub fn proxy_mut(&mut self, proxy: ProxyIndex) -> &mut Proxy {
         &mut self.all[proxy]
+    }
+
+    /// Returns whether the search of pairs has tested all filters of a candidate pair: both proxies belong to geoms that ignore no
+    /// other geom.
+    pub fn have_plain_filters(&self, pair: [ProxyIndex; 2]) -> bool {
+        let is_plain = |proxy: &Proxy| !proxy.is_world && !proxy.ignores_some;
+        pair.into_iter().all(|proxy| is_plain(&self.all[proxy]))
     }
 
     /// Returns a proxy; `None` if no position has this index.
@@ -267,7 +303,19 @@ impl Proxies {
     /// Returns the index of the body of a proxy.
     #[inline(always)]
     pub fn body_of(&self, proxy: ProxyIndex) -> BodyIndex {
-        self.all[proxy].body
+        self.summaries[proxy].body
+    }
+
+    /// Returns the largest distance of the surface of a proxy from the origin of its body, length units, >= 0.
+    #[inline(always)]
+    pub(crate) fn max_extent_of(&self, proxy: ProxyIndex) -> f32 {
+        self.summaries[proxy].max_extent
+    }
+
+    /// Returns the type of the body of a proxy.
+    #[inline(always)]
+    pub(crate) fn body_type_of(&self, proxy: ProxyIndex) -> BodyType {
+        self.summaries[proxy].body_type
     }
 
     /// Returns the fat AABB of a proxy: [min x, min y, max x, max y] in length units, world axes.
@@ -363,6 +411,7 @@ impl Proxies {
     /// Removes all proxies.
     pub fn clear(&mut self) {
         self.all.clear();
+        self.summaries.clear();
         (self.live_count, self.one_way_count, self.hit_count) = (0, 0, 0);
         self.vertices.clear();
         self.local_aabbs.clear();
@@ -377,6 +426,7 @@ impl Proxies {
         // Up to 3 further positions make the number of positions a multiple of 4.
         let capacity = count + spare_capacity(count) + 3;
         self.all.reserve(capacity);
+        self.summaries.reserve(capacity);
         self.local_aabbs.reserve(capacity);
         self.box_bodies.reserve(capacity);
         self.fat_aabbs.reserve(capacity);
@@ -399,6 +449,7 @@ impl Proxies {
     pub fn push(&mut self, proxy: Proxy) {
         let Shape { centre: [x, y], half_extents: [hx, hy], .. } = proxy.shape;
         self.all.push(proxy);
+        self.summaries.push(ProxySummary::of(&proxy));
         self.local_aabbs.push([x, y, hx, hy]);
         self.box_bodies.push(proxy.box_body());
         self.fat_aabbs.push(UNBOUNDED_AABB);
@@ -419,6 +470,7 @@ impl Proxies {
         } else if at < self.first_fixed {
             let Shape { centre: [x, y], half_extents: [hx, hy], .. } = proxy.shape;
             (self.all[at], self.local_aabbs[at], self.travel[at]) = (proxy, [x, y, hx, hy], 0);
+            self.summaries[at] = ProxySummary::of(&proxy);
             self.box_bodies[at] = proxy.box_body();
             (self.movable_end, self.live_count) = (self.movable_end.max(at.next()), self.live_count + 1);
             self.one_way_count += usize::from(proxy.one_way.is_some());
@@ -453,6 +505,7 @@ impl Proxies {
         self.one_way_count -= usize::from(self.all[at].one_way.is_some());
         self.hit_count -= usize::from(self.all[at].wants_hits());
         (self.all[at], self.local_aabbs[at], self.fat_aabbs[at]) = (Proxy::empty(), [0.0; 4], UNBOUNDED_AABB);
+        self.summaries[at] = ProxySummary::of(&self.all[at]);
         self.box_bodies[at] = None;
         self.live_count -= 1;
     }
@@ -493,13 +546,13 @@ impl Proxies {
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> PackedAabb {
-        let Proxy { body, shape, .. } = &self.all[proxy];
-        let pose = bodies.poses[*body];
+        let (ProxySummary { body, radius, .. }, [cx, cy, hx, hy]) =
+            (self.summaries[proxy], self.local_aabbs[proxy]);
+        let pose = bodies.poses[body];
         let q = rotation(pose);
-        let centre = rotate(q, shape.centre);
+        let centre = rotate(q, [cx, cy]);
         let (c, s) = (q[0].abs(), q[1].abs());
-        let [hx, hy] = shape.half_extents;
-        let enlargement = shape.radius + parameters.speculative_distance;
+        let enlargement = radius + parameters.speculative_distance;
         let (x, y) = (pose[0] + centre[0], pose[1] + centre[1]);
         let (ex, ey) = (c * hx + s * hy + enlargement, s * hx + c * hy + enlargement);
         [x - ex, y - ey, x + ex, y + ey]
@@ -522,7 +575,7 @@ impl Proxies {
         if !tight.iter().all(|bound| bound.abs() < COLLISION_MAX_COORDINATE) {
             return EMPTY_AABB;
         }
-        let Some(state) = bodies.states.at(self.all[proxy].body) else { return tight };
+        let Some(state) = bodies.states.at(self.body_of(proxy)) else { return tight };
         let prediction = [0, 1].map(|axis| aabb_margin.prediction(state.velocity[axis] * dt));
         let margin = aabb_margin.margin;
         let below =

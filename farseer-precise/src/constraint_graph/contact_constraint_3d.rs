@@ -7,10 +7,10 @@
 //! A sphere of radius R rotates about all axes. As body B it has r = -R n, and a friction impulse f t + g (n x t) has the
 //! angular impulse -R (f (n x t) - g t). As body A it has r = R n and the opposite impulse, hence the same angular impulse.
 
-use crate::index::PairIndex;
+use crate::index::{BodyIndex, PairIndex};
 use wide::f32x4;
 
-use super::contact_constraint::{ContactConstraint, ContactConstraintZ};
+use super::contact_constraint::{ContactConstraint, ContactConstraintZ, ContactPoint};
 use super::contact_constraint_simd::{
     ContactConstraintSimd, ContactPointSimd, SimdContacts, SimdSlot, get_lane, set_lane,
 };
@@ -140,6 +140,14 @@ impl<const P: usize> SimdSlot for ContactConstraint3Simd<P> {
             totals: self.step_impulses.map(|total| get_lane(&total, at)),
         };
         ContactConstraint { depth: space, ..self.planar.extract(at) }
+    }
+
+    fn bodies_of(&self, at: usize) -> [BodyIndex; 2] {
+        self.planar.bodies_of(at)
+    }
+
+    fn points_of(&self, at: usize) -> [ContactPoint; 2] {
+        self.planar.points_of(at)
     }
 
     fn insert(&mut self, at: usize, lane: &ContactConstraint) {

@@ -120,6 +120,10 @@ impl<const P: usize> Default for ContactConstraintSimd<P> {
 pub trait SimdSlot: Copy + Default {
     /// Returns the constraint in `lane`, 0..=3, in scalar form.
     fn extract(&self, lane: usize) -> ContactConstraint;
+    /// Returns the bodies A and B of the constraint in `lane`, 0..=3.
+    fn bodies_of(&self, lane: usize) -> [BodyIndex; 2];
+    /// Returns the points of the constraint in `lane`, 0..=3, in scalar form.
+    fn points_of(&self, lane: usize) -> [ContactPoint; 2];
     /// Overwrites the constraint in `lane`, 0..=3.
     fn insert(&mut self, lane: usize, constraint: &ContactConstraint);
     /// Returns the pair indices of the four constraints, mutably.
@@ -230,6 +234,15 @@ impl<const P: usize> SimdSlot for ContactConstraintSimd<P> {
             points: extract_points(&self.points, lane),
             depth: ContactConstraintZ::default(),
         }
+    }
+
+    fn bodies_of(&self, lane: usize) -> [BodyIndex; 2] {
+        [self.a[lane], self.b[lane]]
+    }
+
+    #[inline]
+    fn points_of(&self, lane: usize) -> [ContactPoint; 2] {
+        extract_points(&self.points, lane)
     }
 
     fn insert(&mut self, lane: usize, constraint: &ContactConstraint) {

@@ -20,7 +20,7 @@ pub mod contact_constraint_simd;
 pub mod impulse_scaling;
 pub mod saved_constraint;
 
-use crate::index::{IndexedVec, PairIndex};
+use crate::index::{BodyIndex, IndexedVec, PairIndex};
 use crate::reusing_clone;
 use color::OVERFLOW_COLOR;
 pub use color::{COLOR_COUNT, Color, SlotIndex};
@@ -364,6 +364,34 @@ impl ConstraintGraph {
         of_kind!((&) self, kind, colours => {
             let (row, lane) = colours.row(handle);
             row.extract(lane)
+        })
+    }
+
+    /// Returns the bodies A and B of a constraint, parked or in a colour: index 0 for a static body.
+    pub(crate) fn bodies_of(&self, kind: ConstraintKind, handle: ConstraintHandle) -> [BodyIndex; 2] {
+        if let Some(list) = self.parked_list(handle) {
+            let ContactConstraint { a, b, .. } = list[handle.slot].constraint;
+            return [a, b];
+        }
+        of_kind!((&) self, kind, colours => {
+            let (row, lane) = colours.row(handle);
+            row.bodies_of(lane)
+        })
+    }
+
+    /// Returns the graph colour of a constraint; for a parked one the colour that it returns to.
+    pub(crate) fn color_of(&self, handle: ConstraintHandle) -> Color {
+        self.parked_list(handle).map_or(handle.color, |list| list[handle.slot].color)
+    }
+
+    /// Returns copies of the two points of a constraint, parked or in a colour. A kind with one point has zeros in the second.
+    pub(crate) fn points_of(&self, kind: ConstraintKind, handle: ConstraintHandle) -> [ContactPoint; 2] {
+        if let Some(list) = self.parked_list(handle) {
+            return list[handle.slot].constraint.points;
+        }
+        of_kind!((&) self, kind, colours => {
+            let (row, lane) = colours.row(handle);
+            row.points_of(lane)
         })
     }
 

@@ -100,6 +100,9 @@ pub(crate) fn toi_of_carried(motion: SweptMotion<'_>, flight: &FastBody) -> Opti
 
 /// Finds the first time of impact of each fast body, and its pair.
 fn find_first_impacts(motion: SweptMotion<'_>, fast: &mut [FastBody]) {
+    if motion.depth.is_none() && motion.stopper_levels() == 0 {
+        return;
+    }
     for flight in fast {
         let first = motion.first_toi(flight.body, |_| true);
         (flight.toi, flight.pair) = first.map_or((1.0, None), |(time, pair)| (time, Some(pair)));
@@ -142,6 +145,9 @@ fn record_sensor_passthroughs(
     passthroughs: &mut Vec<[ProxyIndex; 2]>,
 ) {
     let SweptMotion { proxies, pairs, .. } = motion;
+    if !pairs.has_sensors() {
+        return;
+    }
     let number = |proxy: ProxyIndex| proxies.proxy(proxy).creation_number;
     for &FastBody { body, toi: time, .. } in fast {
         for pair in proxies.proxies_of(body).flat_map(|proxy| pairs.pairs_of(proxy)) {

@@ -2,7 +2,7 @@
 
 use crate::bodies::BodySet;
 use crate::broad_phase::fat_aabbs::aabb_contains;
-use crate::broad_phase::hash_grid::HashGrid;
+use crate::broad_phase::hash_grid::{HashGrid, overlap};
 use crate::broad_phase::pair_finder::order_pair;
 use crate::broad_phase::pairs::{OneWayState, Pairs};
 use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
@@ -55,7 +55,7 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns the mask of the grid's levels that may contain obstacles of fast bodies: all levels if a body sleeps or is a
     /// bullet, since dynamic bodies then are obstacles, too.
-    fn stopper_levels(&self) -> u64 {
+    pub(crate) fn stopper_levels(&self) -> u64 {
         let are_dynamic_obstacles = self.sleep.count > 0 || self.bodies.are_bullets.contains(&true);
         if are_dynamic_obstacles { !0 } else { self.grid.stopper_levels() }
     }
@@ -96,15 +96,23 @@ impl<'a> SweptMotion<'a> {
         if aabb_contains(self.proxies.fat_aabb_of(proxy), &swept) {
             return;
         }
-        self.pairs.partners(proxy).for_each(|partner| is_known[partner] = true);
+        let mut are_marked = false;
         self.grid.for_each_overlap_in_levels(levels, &swept, |other| {
-            if is_known[other] || !self.is_ccd_candidate(proxy, other) {
+            if !self.is_ccd_candidate(proxy, other) {
+                return;
+            }
+            if !std::mem::replace(&mut are_marked, true) {
+                self.pairs.partners(proxy).for_each(|partner| is_known[partner] = true);
+            }
+            if is_known[other] {
                 return;
             }
             let pair = order_pair(self.proxies, self.depth, [proxy, other]);
             pairs.extend(pair.filter(|&pair| self.time_of_impact(pair, 0.0).is_some()));
         });
-        self.pairs.partners(proxy).for_each(|partner| is_known[partner] = false);
+        if are_marked {
+            self.pairs.partners(proxy).for_each(|partner| is_known[partner] = false);
+        }
     }
 
     /// Returns whether `other` may stop the fast body of `proxy`, or is a sensor that reports it. Both are indices of proxies.
@@ -144,12 +152,16 @@ impl<'a> SweptMotion<'a> {
 
     /// Returns whether continuous collision stops `body` at the other body of the pair.
     fn is_ccd_pair(&self, pair: PairIndex, body: BodyIndex) -> bool {
-        let state = self.pairs.state(pair);
         let [(a, body_type), (b, _)] = self.pairs.bodies_of(self.proxies, pair);
         let other = if a == body { b } else { a };
         // A body that moves towards a bullet would pass it where the bullet stops.
-        let is_bullet = [body, other].iter().any(|&side| self.bodies.are_bullets.at(side) == Some(&true));
+        let is_bullet = || [body, other].iter().any(|&side| self.bodies.are_bullets.at(side) == Some(&true));
         let is_immovable = body_type != BodyType::Dynamic || self.sleep.is_asleep(other);
+        // Most pairs end here, before their states are read.
+        if !is_immovable && !is_bullet() {
+            return false;
+        }
+        let state = self.pairs.state(pair);
         // With a depth axis, the solver keeps bodies apart that are already in contact.
         let is_in_contact = self.depth.is_some() && self.pairs.manifold(pair).count > 0;
         let passes_in_depth = || {
@@ -168,12 +180,7 @@ impl<'a> SweptMotion<'a> {
             OneWayState::Passes => true,
             OneWayState::Apart => !self.pair_motion().will_land(pair),
         };
-        state.responds
-            && !state.is_vetoed
-            && (is_immovable || is_bullet)
-            && !is_in_contact
-            && !passes_in_depth()
-            && !is_open()
+        state.responds && !state.is_vetoed && !is_in_contact && !passes_in_depth() && !is_open()
     }
 
     /// Returns the motion of all bodies in this step, for the decisions of one-way geoms. The poses are still those at the
@@ -196,9 +203,22 @@ impl<'a> SweptMotion<'a> {
         if self.depth.is_some() {
             return self.time_of_impact(proxies, TOI_PENETRATION_RATIO);
         }
+        if !self.may_meet_in_step(proxies) {
+            return None;
+        }
         self.time_of_impact_2d(proxies, TOI_PENETRATION_RATIO, |part, two| {
             self.flush_filter(part).separation_and_closing(pair, two)
         })
+    }
+
+    /// Returns whether the swept AABBs of two proxies overlap. They exceed the shapes by the speculative distance, so that rounding
+    /// excludes no impact.
+    fn may_meet_in_step(&self, proxies: [ProxyIndex; 2]) -> bool {
+        let [a, b] = proxies.map(|proxy| {
+            let displacement = self.displacement(self.proxies.body_of(proxy));
+            self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters)
+        });
+        overlap(&a, &b)
     }
 
     /// Returns the time of impact of two proxies as a fraction of the step; `None` without an impact.

@@ -227,6 +227,7 @@ impl DepthState {
                 restitution,
                 responds: filter.responds,
                 filter: filter.of_proxy(),
+                ignores_some: false,
                 surface_velocity: [*vx, *vy, 0.0, *vz],
                 ..world_proxy(world_box_numbers(world_box), body_index)
             });

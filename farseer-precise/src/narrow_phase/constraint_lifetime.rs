@@ -33,8 +33,8 @@ impl NarrowPhase<'_> {
     pub(crate) fn remove_constraint(&mut self, pair: PairIndex) {
         let kind = self.pairs.state(pair).kind;
         let Some(handle) = self.pairs.state_mut(pair).constraint.take() else { return };
-        let ContactConstraint { a, b, .. } = self.constraints.get(kind, handle);
-        let color = self.constraints.parked(handle).map_or(handle.color, |parked| parked.color);
+        let [a, b] = self.constraints.bodies_of(kind, handle);
+        let color = self.constraints.color_of(handle);
         self.palette.set_color(kind, [a, b], color, false);
         self.direct.note_constraint_change([a, b], self.depth.is_some());
         self.constraints.remove(kind, handle);
@@ -65,7 +65,7 @@ impl NarrowPhase<'_> {
     /// with a constraint are asked to wake.
     pub(crate) fn remove_pair(&mut self, pair: PairIndex) {
         if !self.pairs.is_awake(pair) && self.pairs.has_constraint(pair) {
-            let bodies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy).body);
+            let bodies = self.pairs.proxies_of(pair).map(|proxy| self.proxies.body_of(proxy));
             bodies.into_iter().for_each(|body| self.sleep.request_wake(body));
         }
         self.end_touch_event(pair);
@@ -83,9 +83,8 @@ impl NarrowPhase<'_> {
     pub fn delete_pair(&mut self, pair: PairIndex) {
         self.remove_constraint(pair);
         self.pairs.set_touching(pair, false);
-        let new_index = if self.pairs.is_awake(pair) { self.sleep_pair(pair) } else { pair };
-        self.swap_pairs(new_index, self.pairs.last());
-        self.pairs.pop();
+        let moved = self.pairs.remove(pair);
+        moved.into_iter().flatten().for_each(|pair| self.store_pair_index(pair));
     }
 
     /// Exchanges the list positions of two pairs, and corrects the pair indices that their contact constraints store.
@@ -94,10 +93,13 @@ impl NarrowPhase<'_> {
             return;
         }
         self.pairs.swap(one, other);
-        for pair in [one, other] {
-            if let Some(handle) = self.pairs.state(pair).constraint {
-                self.constraints.set_pair(self.pairs.state(pair).kind, handle, pair);
-            }
+        [one, other].into_iter().for_each(|pair| self.store_pair_index(pair));
+    }
+
+    /// Stores the index of a pair that has moved in its contact constraint.
+    fn store_pair_index(&mut self, pair: PairIndex) {
+        if let Some((kind, handle)) = self.pairs.constraint(pair) {
+            self.constraints.set_pair(kind, handle, pair);
         }
     }
 

@@ -118,10 +118,14 @@ impl<'a> FlushFilter<'a> {
         a: &'a Proxy,
     ) -> impl Iterator<Item = &'a Proxy> + '_ {
         self.pairs.pairs_of(at_b).filter_map(move |pair| {
-            let [other, _] = self.pairs.proxies_of(pair);
+            let [other, _] = self.pairs.linked_proxies_of(pair);
+            // Most partners are dynamic, and end here before more of the pair is read.
+            if other == at_a || self.proxies.body_type_of(other).takes_impulses() {
+                return None;
+            }
             let (state, c) = (self.pairs.state(pair), self.proxies.proxy(other));
             let is_closed = matches!(state.one_way_state, OneWayState::Closed | OneWayState::Landed);
-            let is_other_piece = other != at_a && other != at_b && c.owner != a.owner && has_faces(c);
+            let is_other_piece = other != at_b && c.owner != a.owner && has_faces(c);
             // The narrow phase runs before the handlers of this update decide.
             let is_vetoed = state.is_vetoed || state.was_vetoed;
             (is_other_piece && state.responds && !is_vetoed && is_closed).then_some(c)

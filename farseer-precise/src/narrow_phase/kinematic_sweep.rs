@@ -10,6 +10,7 @@
 
 use super::stage::{NarrowPhase, ProxyPair};
 use crate::broad_phase::fat_aabbs::is_fast_kinematic;
+use crate::broad_phase::hash_grid::overlap;
 use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
@@ -67,10 +68,14 @@ impl<'a> NarrowPhase<'a> {
     /// Adds the contact of a kinematic body A with a dynamic body B that A will hit within the step. Pairs that have a contact
     /// already are skipped.
     fn add_swept_contact(&mut self, pair: PairIndex) {
-        let state = self.pairs.state(pair);
-        let is_new = self.pairs.manifold(pair).count == 0 && state.has_response();
+        let is_candidate = self.pairs.state(pair).has_response()
+            && self.proxies.body_type_of(self.pairs.proxies_of(pair)[1]) == BodyType::Dynamic
+            && self.pairs.manifold(pair).count == 0;
+        if !is_candidate {
+            return;
+        }
         let two = self.proxy_pair(pair);
-        if !is_new || two.b.body_type != BodyType::Dynamic || self.is_carried_equally(pair, two) {
+        if !self.may_meet_in_step(pair, two) || self.is_carried_equally(pair, two) {
             return;
         }
         let Some(SweptContact { poses: then, mut manifold, approach }) = self.find_swept_contact(pair, two)
@@ -87,16 +92,30 @@ impl<'a> NarrowPhase<'a> {
         self.update_touch_state(pair, then);
     }
 
+    /// Returns whether the swept AABBs of A and B overlap; always true in three axes. They exceed the shapes by the speculative
+    /// distance, so that rounding excludes no impact.
+    fn may_meet_in_step(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
+        if self.depth.is_some() {
+            return true;
+        }
+        let displacements = [two.a, two.b].map(|proxy| self.predicted_displacement(proxy));
+        let [at_a, at_b] = self.pairs.proxies_of(pair);
+        let [a, b] = [(at_a, displacements[0]), (at_b, displacements[1])].map(|(proxy, displacement)| {
+            self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters)
+        });
+        overlap(&a, &b)
+    }
+
     /// Returns whether B already touches another kinematic body that moves like A. B then slides or rolls on both as on static
     /// bodies, and the narrow phase itself distinguishes a seam from a wall.
     fn is_carried_equally(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
         let [_, at_b] = self.pairs.proxies_of(pair);
         self.pairs.pairs_of(at_b).any(|other| {
-            let carrier = self.proxies.proxy(self.pairs.proxies_of(other)[0]);
+            let carrier = self.pairs.proxies_of(other)[0];
             other != pair
+                && self.proxies.body_type_of(carrier) == BodyType::Kinematic
                 && self.pairs.manifold(other).count > 0
-                && carrier.body_type == BodyType::Kinematic
-                && self.move_together(two.a, carrier)
+                && self.move_together(two.a, self.proxies.proxy(carrier))
         })
     }
 

@@ -15,9 +15,10 @@ impl NarrowPhase<'_> {
         let mut separated = std::mem::take(self.dirty_pairs);
         let NarrowPhase { proxies, pairs, depth, .. } = self;
         for &proxy in refitted {
-            let is_separated =
-                |&pair: &PairIndex| !fat_aabbs_overlap(proxies, *depth, pairs.proxies_of(pair));
-            separated.extend(pairs.pairs_of(proxy).filter(is_separated));
+            let is_separated = |&(_, partner): &(PairIndex, ProxyIndex)| {
+                !fat_aabbs_overlap(proxies, *depth, [proxy, partner])
+            };
+            separated.extend(pairs.pairs_and_partners(proxy).filter(is_separated).map(|(pair, _)| pair));
         }
         // Removal from the last pair on keeps the indices of the others valid.
         separated.sort_unstable();

@@ -45,13 +45,12 @@ impl NarrowPhase<'_> {
     /// Appends the dynamic body and penetration of a pair whose contact with a static or kinematic body ends to
     /// `ended_static_contacts`.
     pub(crate) fn record_separation(&mut self, pair: PairIndex) {
+        if self.depth.is_none() {
+            return;
+        }
         let Pair { kind, constraint: handle, .. } = *self.pairs.state(pair);
         let two = self.proxy_pair(pair);
-        if self.depth.is_none()
-            || handle.is_none()
-            || !kind.has_two_points
-            || two.a.body_type.takes_impulses()
-        {
+        if handle.is_none() || !kind.has_two_points || two.a.body_type.takes_impulses() {
             return;
         }
         self.ended_static_contacts.push((two.b.body, self.pair_penetration(pair).min(f32::MAX)));

@@ -41,7 +41,7 @@ impl NarrowPhase<'_> {
         let angular_velocity_y =
             if self.rotates_about_y(two.a) { self.bodies.states[two.a.body].velocity[2] } else { 0.0 };
         match state.constraint {
-            Some(handle) => self.constraints.get(state.kind, handle).points[..count]
+            Some(handle) => self.constraints.points_of(state.kind, handle)[..count]
                 .iter()
                 .zip(&cached.anchors)
                 .any(|(point, anchors)| {

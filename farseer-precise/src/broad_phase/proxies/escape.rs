@@ -22,7 +22,7 @@ impl Proxies {
         let scale = f32x4::splat(parameters.travel_scale());
         let speculative_distance = f32x4::splat(parameters.speculative_distance);
         let Proxies {
-            all,
+            summaries,
             local_aabbs: boxes,
             fat_aabbs: bounds,
             travel: motion,
@@ -31,7 +31,7 @@ impl Proxies {
             ..
         } = self;
         for four in runs.iter().flat_map(|run| run.clone().step_by(4)) {
-            let of = all.slice(four..four + 4);
+            let of = summaries.slice(four..four + 4);
             let places: [BodyIndex; 4] = std::array::from_fn(|lane| of[lane].body);
             let [x, y, c, s] = gather(&bodies.poses, &places);
             let [dx, dy, turned, dz] = gather(&bodies.delta_pose, &places);
@@ -41,8 +41,8 @@ impl Proxies {
                 continue;
             };
             let [cx, cy, hx, hy] = columns(boxes);
-            let radius = f32x4::new(std::array::from_fn(|lane| of[lane].shape.radius));
-            let reach = f32x4::new(std::array::from_fn(|lane| of[lane].shape.max_extent));
+            let radius = f32x4::new(std::array::from_fn(|lane| of[lane].radius));
+            let reach = f32x4::new(std::array::from_fn(|lane| of[lane].max_extent));
             let (x, y) = (x + (c * cx - s * cy), y + (s * cx + c * cy));
             let (ac, as_) = (c.abs(), s.abs());
             let (ex, ey) = (

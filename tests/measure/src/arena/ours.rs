@@ -179,6 +179,9 @@ impl Engine for Ours {
         given.shapes.iter().try_for_each(|shape| self.add_shape(body, shape))?;
         self.bodies.push(body);
         self.dynamic_bodies += usize::from(is_dynamic);
+        if given.is_asleep {
+            self.simulator.sleep(body);
+        }
         Ok(())
     }
 
