@@ -188,12 +188,14 @@ impl ConstraintRows {
     /// units/s, length units/s, radians/s. Unit of a linear row: length units/s; of an angular row: radians/s.
     #[inline(always)]
     pub(super) fn relative_velocities_of(&self, of: impl Fn(MemberIndex) -> Vec3) -> Vec3 {
-        let [a, b] = self.bodies.map(|member| if member == FIXED { [0.0; 3] } else { of(member) });
-        self.jacobian.relative_velocities(a, b)
+        let of_side = |member| if member == FIXED { [0.0; 3] } else { of(member) };
+        let [a, b] = self.bodies;
+        self.jacobian.relative_velocities(of_side(a), of_side(b))
     }
 
     /// Returns the relative velocities of rows 0 to 2 from `members`, the velocities of all members of the island: length
     /// units/s, length units/s, radians/s. Unit of a linear row: length units/s; of an angular row: radians/s.
+    #[inline(always)]
     pub(super) fn relative_velocities_in(&self, members: &MemberVectors) -> Vec3 {
         self.relative_velocities_of(|member| members[member])
     }

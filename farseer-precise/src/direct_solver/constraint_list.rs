@@ -4,7 +4,7 @@
 //! of the augmented Lagrangian along that line; [`island_newton`](super::island_newton) adds the terms of the masses.
 
 use super::constraint::{Constraint, FIXED, Jacobian};
-use super::island_body::{MemberIndex, MemberVectors, add, max_or_nan};
+use super::island_body::{MemberIndex, MemberVectors, add, max_magnitude};
 use super::mat3::Vec3;
 
 /// Adds the `impulses` of the rows of one constraint, as impulses on its two bodies, to `impulse_sums`. There is one sum per
@@ -68,7 +68,7 @@ pub(super) fn evaluate_all_full_step<C: Constraint>(
         let (impulses, active) = rows.project_impulses(rows.velocity_error);
         is_same &= active == rows.active_rows && rows.keeps_bounds(impulses, active);
         rows.impulses = impulses;
-        greatest = rows.error_change.iter().fold(greatest, |max, change| max_or_nan(change.abs(), max));
+        greatest = rows.error_change.iter().fold(greatest, |max, change| max_magnitude(change.abs(), max));
         slope -= (0..3)
             .map(|row| rows.error_change[row] * (impulses[row] - rows.initial_impulses[row]))
             .sum::<f64>();

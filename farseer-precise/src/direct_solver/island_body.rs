@@ -88,6 +88,13 @@ pub(super) fn max_or_nan(one: f64, other: f64) -> f64 {
     if one <= other || other.is_nan() { other } else { one }
 }
 
+/// Returns the greater of two magnitudes, numbers whose sign bit is clear, or NaN if one of them is NaN. The result is that of
+/// [`max_or_nan`]: the bits of such numbers have the order of the numbers, and NaN comes after infinity.
+#[inline(always)]
+pub(super) fn max_magnitude(one: f64, other: f64) -> f64 {
+    f64::from_bits(one.to_bits().max(other.to_bits()))
+}
+
 /// Returns a number if it is positive, else 0. `f64::max` leaves the sign of a zero to the processor, and snapshots store it.
 #[inline(always)]
 pub(super) fn positive_part(number: f64) -> f64 {

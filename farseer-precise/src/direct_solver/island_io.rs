@@ -5,7 +5,7 @@ use super::constraint::{BodyIndices, FIXED, Jacobian};
 use super::contact::{
     ContactRows, FRICTION, allowed_approach_speed, is_penetration_corrected, step_impulses,
 };
-use super::island_body::{MemberVectors, Members, finite_or_zero, max_or_nan};
+use super::island_body::{MemberVectors, Members, finite_or_zero, max_magnitude, max_or_nan};
 use super::island_newton::IslandSystem;
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
@@ -210,7 +210,7 @@ impl<'a> RowReader<'a> {
             let (separation, is_there, presses) = (f64::from(separation), mass > 0.0, impulse > 0.0);
             let error = velocity + allowed_approach_speed(separation, self.penetration_slop, self.inverse_dt);
             let is_off = is_there & (presses | (error < 0.0));
-            residual = max_or_nan(if is_off { error.abs() } else { 0.0 }, residual);
+            residual = max_magnitude(if is_off { error.abs() } else { 0.0 }, residual);
             separations[at] = separation + self.dt * velocity;
             let is_deep =
                 is_there & is_penetration_corrected(presses, separations[at], self.penetration_slop);

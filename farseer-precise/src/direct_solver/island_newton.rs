@@ -37,11 +37,11 @@ use super::joint::JointRows;
 use super::lateral_friction::LateralFriction;
 use super::mat3::Vec3;
 use crate::parameters::direct::{
-    ACYCLIC_COMPLIANCE, COMPLIANCE_FACTOR, FIRST_COMPLIANCE, FRESH_SOLUTION_NEWTON_STEPS,
-    FRICTION_LIMIT_CONVERGED, FRICTION_LIMIT_RELAXATION, FRICTION_LIMIT_ROUNDS, FRICTION_RESIDUAL_WEIGHT,
-    FULL_NEWTON_STEPS, JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE, NEWTON_STEP_TOLERANCE, RESTING_COMPLIANCE,
-    ROUND_NEWTON_STEPS, ROUND_PROGRESS, SOLUTION_NEWTON_STEPS, SOLUTION_ROUNDS, STIFF_ROUND_RESIDUAL,
-    STIFF_ROUND_STEPS,
+    ACYCLIC_COMPLIANCE, COMPLIANCE_FACTOR, CYCLIC_STEP_TOLERANCE, FIRST_COMPLIANCE,
+    FRESH_SOLUTION_NEWTON_STEPS, FRICTION_LIMIT_CONVERGED, FRICTION_LIMIT_RELAXATION, FRICTION_LIMIT_ROUNDS,
+    FRICTION_RESIDUAL_WEIGHT, FULL_NEWTON_STEPS, JOINT_ROW_COMPLIANCE, LEAST_COMPLIANCE,
+    NEWTON_STEP_TOLERANCE, RESTING_COMPLIANCE, ROUND_NEWTON_STEPS, ROUND_PROGRESS, SOLUTION_NEWTON_STEPS,
+    SOLUTION_ROUNDS, STIFF_ROUND_RESIDUAL, STIFF_ROUND_STEPS,
 };
 use crate::reusing_clone;
 pub(super) use position_correction::Correction;
@@ -84,6 +84,17 @@ struct RoundPlan {
     has_cycles: bool,
     /// Whether the island counts as at rest.
     is_resting: bool,
+    /// Changes of velocity errors that end a round.
+    step_tolerances: StepTolerances,
+}
+
+/// Changes of velocity errors in a Newton step below which the step is the last one of its round, in length units/s.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StepTolerances {
+    /// For the change by the step with its fraction of the line search.
+    taken: f64,
+    /// For the change by the full step; 0 except in moving islands with contact cycles and no joints.
+    full: f64,
 }
 
 /// A round of the augmented Lagrangian method.
@@ -198,8 +209,7 @@ impl IslandSystem {
         let plan = self.begin_rounds(tolerances);
         let mut is_first = true;
         for index in 0..SOLUTION_ROUNDS {
-            let round =
-                self.run_round((index, is_first), plan.max_newton_steps - stats.newton_steps, tolerances);
+            let round = self.run_round((index, is_first), stats.newton_steps, &plan, tolerances);
             stats.newton_steps += round.steps;
             let is_over = stats.newton_steps >= plan.max_newton_steps;
             is_first = round.has_failed && !is_over;
@@ -239,21 +249,28 @@ impl IslandSystem {
             true if is_resting => RESTING_COMPLIANCE,
             _ => FIRST_COMPLIANCE,
         });
-        RoundPlan { max_newton_steps, has_cycles, is_resting }
+        let is_rough = has_cycles && !is_resting && !self.has_joints();
+        let step_tolerances = StepTolerances {
+            taken: NEWTON_STEP_TOLERANCE * tolerances.exact,
+            full: if is_rough { CYCLIC_STEP_TOLERANCE * tolerances.moving_cycles } else { 0.0 },
+        };
+        RoundPlan { max_newton_steps, has_cycles, is_resting, step_tolerances }
     }
 
-    /// Runs the round with this index of at most `steps_left` Newton steps. `is_first` tells that friction limits and active set
+    /// Runs the round with this index after `steps_before` Newton steps of the solution. `is_first` tells that friction limits and active set
     /// are still to be guessed. The round has failed if its contacts are stiff and it has neither converged nor reduced the
     /// residual enough: the next round begins anew with softer contacts.
     fn run_round(
         &mut self,
         (index, is_first): (usize, bool),
-        steps_left: usize,
+        steps_before: usize,
+        plan: &RoundPlan,
         tolerances: &Tolerances,
     ) -> Round {
         let is_stiff = self.compliance < LEAST_COMPLIANCE;
+        let steps_left = plan.max_newton_steps - steps_before;
         let max_steps = if is_stiff { STIFF_ROUND_STEPS.min(steps_left) } else { steps_left };
-        let (steps, is_found) = self.augmented_lagrangian_round(is_first, tolerances.exact, max_steps);
+        let (steps, is_found) = self.augmented_lagrangian_round(is_first, plan.step_tolerances, max_steps);
         let has_failed =
             is_stiff && !is_found && self.residual() >= STIFF_ROUND_RESIDUAL * tolerances.initial_residual;
         Round { index, steps, is_found, has_failed }
@@ -418,11 +435,11 @@ impl IslandSystem {
 
     /// One round of the augmented Lagrangian method: takes the present impulses as multipliers and minimises the augmented
     /// Lagrangian over the velocities. `is_first` tells that the friction limits and the active set are still to be guessed.
-    /// Returns the number of Newton steps, at most `max_steps`, and whether it converged to `tolerance` (length units/s).
+    /// Returns the number of Newton steps, at most `max_steps`, and whether it converged to `tolerances`.
     fn augmented_lagrangian_round(
         &mut self,
         is_first: bool,
-        tolerance: f64,
+        tolerances: StepTolerances,
         max_steps: usize,
     ) -> (usize, bool) {
         let is_cold_start = is_first && self.is_cold_start();
@@ -445,7 +462,7 @@ impl IslandSystem {
         }
         let mut is_guess = is_first;
         for step in 1..=ROUND_NEWTON_STEPS.min(max_steps) {
-            if self.newton_step(&mut is_guess, step < ROUND_NEWTON_STEPS, NEWTON_STEP_TOLERANCE * tolerance) {
+            if self.newton_step(&mut is_guess, step < ROUND_NEWTON_STEPS, tolerances) {
                 return (step, true);
             }
         }

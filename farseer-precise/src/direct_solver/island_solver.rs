@@ -14,10 +14,10 @@ use crate::constraint_graph::ConstraintGraph;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
 use crate::parameters::direct::{
-    ACCEPTED_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CYCLIC_PENETRATION_FRACTION, CYCLIC_PENETRATION_SPEED,
-    CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR, FRICTIONLESS_SPEED_GAIN,
-    LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT,
-    NEWTON_LIMIT_PER_BODY, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+    ACCEPTED_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CORRECTED_SLOP_FRACTION, CYCLIC_PENETRATION_FRACTION,
+    CYCLIC_PENETRATION_SPEED, CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR,
+    FRICTIONLESS_SPEED_GAIN, LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES,
+    NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
 };
 use crate::scaled_parameters::{Parameters, StepContext};
 use crate::solver_choice::SolverChoice;
@@ -147,7 +147,7 @@ impl IslandSolver<'_> {
         island.is_released = false;
         let reader = RowReader::new(self.bodies, self.step, slop, unit * error);
         island.apply_warm_start(self.constraints, &reader);
-        if let Some(residual) = self.keep_contact_solution(island, &reader) {
+        if let Some(residual) = self.keep_contact_solution(island, &reader, history.was_iterated) {
             return SolveStats { newton_steps: 0, residual, is_solved: true };
         }
         island.make_contacts(self.constraints, &reader, self.has_depth);
@@ -172,13 +172,20 @@ impl IslandSolver<'_> {
     }
 
     /// In 2D: keeps the stored impulses of an island of contacts if they still satisfy all constraints. Returns the velocity
-    /// residual then, in length units/s; `None` if the island needs a solution.
-    fn keep_contact_solution(&mut self, island: &mut DirectIsland, reader: &RowReader<'_>) -> Option<f64> {
+    /// residual then, in length units/s; `None` if the island needs a solution. `was_iterated` is that of its history.
+    fn keep_contact_solution(
+        &mut self,
+        island: &mut DirectIsland,
+        reader: &RowReader<'_>,
+        was_iterated: bool,
+    ) -> Option<f64> {
         if self.has_depth {
             return None;
         }
         let [residual, deepest] = island.residual(self.constraints, reader);
-        if residual <= reader.velocity_tolerance && deepest <= reader.penetration_slop {
+        let is_correcting = was_iterated && island.has_cyclic_budget(self.has_depth);
+        if residual <= reader.velocity_tolerance && deepest <= uncorrected_penetration(reader, is_correcting)
+        {
             island.keep_solution(self.constraints, reader.step, reader.substeps);
             island.find_displacements(reader.dt, false);
             return Some(residual);
@@ -202,11 +209,17 @@ impl IslandSolver<'_> {
             if has_budget || has_built_cycles { CYCLIC_PENETRATION_FRACTION } else { 1.0 };
         let max_correction =
             if has_budget { CYCLIC_PENETRATION_SPEED * unit * dt } else { self.max_correction() };
-        let limits = [reader.penetration_slop, max_correction];
+        let limits = [uncorrected_penetration(reader, has_budget), reader.penetration_slop, max_correction];
         let has_corrections = island.system.resolve_penetration(dt, limits, resolved_fraction);
         island.system.solve_lateral_friction(unit);
         island.find_displacements(dt, has_corrections);
     }
+}
+
+/// Returns the greatest penetration that an island of contacts leaves uncorrected, in length units. `is_correcting`: whether the
+/// island has contact cycles with a budget, and corrects its penetration little by little.
+fn uncorrected_penetration(reader: &RowReader<'_>, is_correcting: bool) -> f64 {
+    if is_correcting { CORRECTED_SLOP_FRACTION * reader.penetration_slop } else { reader.penetration_slop }
 }
 
 /// Returns the tolerances of an island of contacts. `residual` is its velocity residual before the solution, length units/s,

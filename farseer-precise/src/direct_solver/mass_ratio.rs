@@ -35,9 +35,25 @@ impl IslandStats {
 impl IslandSystem {
     /// Returns whether a constraint connects two members with a mass ratio above [`JAMMING_MASS_RATIO`].
     pub(super) fn may_jam(&self, constraints: &[BodyIndices]) -> bool {
-        constraints.iter().filter(|ends| !ends.bodies.contains(&FIXED)).any(|ends| {
-            exceeds_mass_ratio(ends.bodies.map(|at| (1.0 / self.members[at].mass) as f32), JAMMING_MASS_RATIO)
-        })
+        self.has_jamming_masses()
+            && constraints.iter().filter(|ends| !ends.bodies.contains(&FIXED)).any(|ends| {
+                exceeds_mass_ratio(
+                    ends.bodies.map(|at| (1.0 / self.members[at].mass) as f32),
+                    JAMMING_MASS_RATIO,
+                )
+            })
+    }
+
+    /// Returns whether the heaviest and the lightest member have a mass ratio above [`JAMMING_MASS_RATIO`], or a member cannot
+    /// move. If not, no two members have one, and [`may_jam`](Self::may_jam) need not read the constraints.
+    fn has_jamming_masses(&self) -> bool {
+        let (mut least, mut greatest) = (f64::INFINITY, 0.0);
+        for member in self.members.iter() {
+            least = if member.mass < least { member.mass } else { least };
+            greatest = if member.mass > greatest { member.mass } else { greatest };
+        }
+        let [light, heavy] = [least, greatest].map(|mass: f64| (1.0 / mass) as f32);
+        !(heavy > 0.0 && light <= JAMMING_MASS_RATIO * heavy)
     }
 }
 

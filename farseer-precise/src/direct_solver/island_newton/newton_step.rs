@@ -5,7 +5,7 @@ use super::super::constraint_list::{
     add_derivatives, add_impulse_changes, evaluate_all_full_step, step_all_along,
 };
 use super::super::island_body::{add, dot};
-use super::IslandSystem;
+use super::{IslandSystem, StepTolerances};
 use crate::parameters::direct::{
     FRICTION_LIMIT_RELAXATION, FULL_STEP_SLOPE, LINE_SEARCH_SLOPE, LINE_SEARCH_STEPS,
 };
@@ -13,14 +13,14 @@ use crate::parameters::direct::{
 impl IslandSystem {
     /// Makes one semismooth Newton step with line search. Returns whether it is the last step of the round.
     ///
-    /// The step is the last one if the active set stays unchanged, or if each velocity error changes by less than `min_change`
-    /// (length units/s). `is_guess` tells that impulses and active set are the first guess. With `relaxes_friction` the
+    /// The step is the last one if the active set stays unchanged, or if each velocity error changes by less than the
+    /// `tolerances`. `is_guess` tells that impulses and active set are the first guess. With `relaxes_friction` the
     /// friction limits move towards Coulomb's law after the step.
     pub(super) fn newton_step(
         &mut self,
         is_guess: &mut bool,
         relaxes_friction: bool,
-        min_change: f64,
+        tolerances: StepTolerances,
     ) -> bool {
         if !self.has_current_factors() {
             self.factorise();
@@ -51,7 +51,7 @@ impl IslandSystem {
         if relaxes_friction && !is_same {
             self.relax_friction_limits();
         }
-        is_same || fraction * greatest < min_change
+        is_same || fraction * greatest < tolerances.taken || greatest < tolerances.full
     }
 
     /// Returns the fraction of a Newton step that changes the active set: all of it while there are

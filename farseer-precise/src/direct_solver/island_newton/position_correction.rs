@@ -25,16 +25,16 @@ impl IslandSystem {
     /// Position correction of penetration in an island without joints. Returns whether a contact point is deep enough for a
     /// correction. [`corrections`](Self::corrections) then returns the displacement of each member.
     ///
-    /// Advances the separations by `dt` seconds of the velocities first. If the deepest point exceeds `slop`, each point that
-    /// has an impulse or is very deep moves out by `resolved_fraction` of its penetration, or of `max_correction` if that is
-    /// less. Lengths in length units.
+    /// Advances the separations by `dt` seconds of the velocities first. If the deepest point exceeds `uncorrected`, each point
+    /// that has an impulse or is very deep, compared with `slop`, moves out by `resolved_fraction` of its penetration, or of
+    /// `max_correction` if that is less. Lengths in length units.
     pub(in super::super) fn resolve_penetration(
         &mut self,
         dt: f64,
-        [slop, max_correction]: [f64; 2],
+        [uncorrected, slop, max_correction]: [f64; 3],
         resolved_fraction: f64,
     ) -> bool {
-        self.advance_separations(dt, slop) > slop
+        self.advance_separations(dt, slop) > uncorrected
             && self.correct_positions([slop, max_correction, 0.0], resolved_fraction, [false, true])
                 != Correction::None
     }
