@@ -99,10 +99,17 @@ impl Methods {
 
     /// Refuses a joint that these methods cannot solve.
     pub(crate) fn check_joint(self, joint: &Joint) -> Result<()> {
+        if !joint.do_bodies_collide() {
+            self.check_separating_joints()?;
+        }
         match joint.kind() {
             JointKind::Prismatic(_) => self.only_precise("prismatic joints"),
             _ => self.check_driven(joint),
         }
+    }
+
+    pub(crate) fn check_separating_joints(self) -> Result<()> {
+        self.only_precise("joints whose bodies do not collide")
     }
 
     /// Refuses a joint with a motor or limits that these methods do not have.

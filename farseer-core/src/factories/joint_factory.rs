@@ -14,8 +14,10 @@ use crate::{Error, Result};
 ///
 /// Lengths are in the user's unit, angles in radians.
 ///
-/// Bodies that a joint connects collide with each other, as all others do. Links that overlap push each other then, and the
-/// joint works against that: [ignore](Objects::ignore_collision_with) the collisions of their geoms, or give them one
+/// Bodies that a joint connects **collide** with each other by default, as all others do. Links that overlap push each other
+/// then, and the joint works against that. With the precise set,
+/// [`set_joint_bodies_collide`](Objects::set_joint_bodies_collide) switches that off for a joint. With both sets,
+/// [ignore](Objects::ignore_collision_with) the collisions of the geoms, or give them one
 /// [group](crate::Geom::set_collision_group).
 ///
 /// The [precise set](crate::Methods::Precise) refuses a joint of a body with itself. The original makes it, and it has no effect.

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::Body;
 use crate::body::entry::Bodies;
+use crate::body::{Body, BodyId};
 use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, Geoms};
 use crate::methods::CollisionCategory;
@@ -73,6 +73,8 @@ impl CollisionFilter {
 pub(crate) struct Filter<'a> {
     pub(crate) geoms: &'a Geoms,
     pub(crate) bodies: &'a Bodies,
+    /// Pairs of bodies that joints keep from colliding, sorted, with the smaller id first.
+    pub(crate) separated_bodies: &'a [(BodyId, BodyId)],
 }
 
 impl Filter<'_> {
@@ -99,6 +101,13 @@ impl Filter<'_> {
             && !(body_a.body.is_immovable() && body_b.body.is_immovable() && !meets_immovable(a, b))
             && !a.ignores(b.number)
             && !b.ignores(a.number)
+            && !self.are_separated(a.body, b.body)
+    }
+
+    /// Whether a joint keeps two bodies from colliding.
+    fn are_separated(&self, a: BodyId, b: BodyId) -> bool {
+        !self.separated_bodies.is_empty()
+            && self.separated_bodies.binary_search(&(a.min(b), a.max(b))).is_ok()
     }
 }
 

@@ -84,6 +84,7 @@ pub struct Joint {
     force_along_depth: f32,
     greatest_force: f32,
     greatest_torque: f32,
+    do_bodies_collide: bool,
     kind: JointKind,
 }
 
@@ -113,6 +114,7 @@ impl Joint {
             force_along_depth: 0.0,
             greatest_force: f32::MAX,
             greatest_torque: f32::MAX,
+            do_bodies_collide: true,
             kind,
         }
     }
@@ -198,6 +200,24 @@ impl Joint {
     /// error is still beyond the breakpoint.
     pub fn set_enabled(&mut self, value: bool) {
         self.enabled = value;
+    }
+
+    /// Whether the two bodies of the joint collide with each other. Default true. Set by
+    /// [`set_joint_bodies_collide`](crate::Objects::set_joint_bodies_collide).
+    #[doc(alias("collideConnected", "contacts_enabled"))]
+    pub fn do_bodies_collide(&self) -> bool {
+        self.do_bodies_collide
+    }
+
+    pub(crate) fn set_bodies_collide(&mut self, value: bool) {
+        self.do_bodies_collide = value;
+    }
+
+    #[cfg(feature = "precise")]
+    /// The bodies that do not collide because of this joint, while it is enabled; the smaller id first.
+    pub(crate) fn separated_bodies(&self) -> Option<(BodyId, BodyId)> {
+        let (one, other) = (self.body1(), self.body2()?);
+        (self.enabled && !self.do_bodies_collide).then(|| (one.min(other), one.max(other)))
     }
 
     /// A number for the user's own purposes. Default 0.

@@ -5,6 +5,8 @@ use crate::body::entry::Bodies;
 use crate::body::missing_body::{check_bodies, missing_body_id};
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
+#[cfg(feature = "precise")]
+use crate::geom::GeomId;
 use crate::joints::{Joint, JointId, JointKind, JointLimits, JointMotor, JointType};
 use crate::math::Vector2;
 use crate::math::finite::finite_vector;
@@ -133,6 +135,51 @@ impl Objects {
         }
         changed.set_body2(body);
         Ok(())
+    }
+
+    /// Sets whether the two bodies of a joint collide with each other. Default true: they do. A joint with false keeps its
+    /// bodies from colliding while it is in the simulation and enabled: links may overlap then. When it is removed, disabled
+    /// or breaks, they collide again, and are pushed apart if they overlap. Contacts between them end with the next update,
+    /// with their events. A body that a joint connects to the world keeps all of its contacts.
+    ///
+    /// One joint that separates two bodies is enough, whatever others connect them.
+    ///
+    /// ```
+    /// use farseer_core::math::Vector2;
+    /// use farseer_core::{BodyFactory, JointFactory, Methods, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// simulator.set_methods(Methods::PRECISE)?;
+    /// let arm = BodyFactory::create_rectangle_body_in(&mut simulator, 40.0, 10.0, 1.0)?;
+    /// let hand = BodyFactory::create_circle_body_in(&mut simulator, 10.0, 1.0)?;
+    /// let wrist = JointFactory::create_revolute_joint_in(&mut simulator, arm, hand, Vector2::new(20.0, 0.0))?;
+    /// assert!(simulator[wrist].do_bodies_collide());
+    /// simulator.set_joint_bodies_collide(wrist, false)?;
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stale id; a joint on one body; false with the faithful methods, which have no such joints
+    /// ([`Error::NotSupported`]): there, [ignore](Self::ignore_collision_with) the collisions of the geoms.
+    #[doc(alias("collideConnected", "contacts_enabled", "collide_bodies"))]
+    pub fn set_joint_bodies_collide(&mut self, joint: JointId, do_collide: bool) -> Result<()> {
+        let kept = self.joints.find_mut("joint", joint)?;
+        if kept.body2().is_none() {
+            return Err(Error::WrongKind { argument: "joint", expected: "joint between two bodies" });
+        }
+        if !do_collide {
+            self.methods.check_separating_joints()?;
+        }
+        self.has_edited_joints |= kept.do_bodies_collide() != do_collide;
+        kept.set_bodies_collide(do_collide);
+        Ok(())
+    }
+
+    /// Whether a joint keeps the bodies of two geoms from colliding.
+    #[cfg(feature = "precise")]
+    pub(crate) fn are_separated_geoms(&self, (one, other): (GeomId, GeomId)) -> bool {
+        let bodies = [one, other].map(|geom| self.geoms.get(geom).map(|entry| entry.body));
+        let [Some(one), Some(other)] = bodies else { return false };
+        self.separated_bodies.binary_search(&(one.min(other), one.max(other))).is_ok()
     }
 
     /// Moves the anchor of a revolute, fixed revolute, weld or prismatic joint to a point of the world, for the bodies'

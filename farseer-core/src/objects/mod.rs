@@ -103,6 +103,9 @@ pub struct Objects {
     pub(crate) has_edited_joints: bool,
     /// Whether motors or limits of joints have been added or removed since this flag was last cleared.
     pub(crate) has_edited_drives: bool,
+    /// Pairs of bodies that do not collide because of a joint between them, as the precise set knows them. Sorted, with the
+    /// smaller id of a pair first.
+    pub(crate) separated_bodies: Vec<(BodyId, BodyId)>,
     /// Not saved: a save cannot raise the limits.
     limits: Limits,
     grids: GridCache,
@@ -111,7 +114,7 @@ pub struct Objects {
 reusing_clone! {
     Objects {
         bodies, geoms, controllers, joints, springs, next_geom_number, touched_bodies,
-        touched_geoms, pending, methods, has_new_members, new_members, has_new_structure, has_edited_joints, has_edited_drives, limits, grids
+        touched_geoms, pending, methods, has_new_members, new_members, has_new_structure, has_edited_joints, has_edited_drives, separated_bodies, limits, grids
     }
 }
 
@@ -151,6 +154,7 @@ impl Objects {
             has_new_structure: false,
             has_edited_joints: false,
             has_edited_drives: false,
+            separated_bodies: Vec::new(),
             limits: Limits::default(),
             grids: GridCache::default(),
         }

@@ -43,6 +43,7 @@ pub(crate) struct SavedObjects {
     has_edited_joints: bool,
     #[serde(skip)]
     has_edited_drives: bool,
+    separated_bodies: Vec<(BodyId, BodyId)>,
     #[serde(skip)]
     limits: Limits,
     #[serde(skip)]
@@ -92,6 +93,9 @@ impl Objects {
             || !self.springs.iter().all(|(_, spring)| spring.is_valid())
         {
             return damaged("a joint, spring or controller has a value that is not possible");
+        }
+        if !self.separated_bodies.is_sorted() {
+            return damaged("the bodies that joints keep from colliding are not in order");
         }
         if !self.joints_and_springs_have_bodies() {
             return damaged("a joint or spring takes part without its bodies");

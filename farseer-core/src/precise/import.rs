@@ -305,8 +305,9 @@ impl Precise {
     /// Returns whether the collision filters still allow the pair of these geoms, which existed before.
     pub(super) fn may_keep_pair(&self, geoms: (GeomId, GeomId), objects: &Objects) -> bool {
         let may_stay = if self.solver.depth.is_some() { is_valid_pair } else { may_keep_touching };
-        self.may_meet_world_geom(geoms, objects)
-            .unwrap_or_else(|| may_stay(geoms, &objects.geoms, &objects.bodies))
+        self.may_meet_world_geom(geoms, objects).unwrap_or_else(|| {
+            may_stay(geoms, &objects.geoms, &objects.bodies) && !objects.are_separated_geoms(geoms)
+        })
     }
 
     /// Lists the simulated bodies: dynamic and kinematic ones, then static ones with geoms, in the order of the simulator's

@@ -41,12 +41,14 @@ pub(super) struct JointTable {
     signature: u64,
     /// Whether some joint has a finite breakpoint (limit of its position error).
     may_break: bool,
+    /// Whether the pairs of bodies that do not collide because of a joint are up to date with the joints.
+    are_bodies_separated: bool,
     /// Springs that became rows in this update, in the order of the simulator's list. Each has the accelerations that its
     /// explicit force would give to A and B: x and y in length units/s^2, angular in radians/s^2.
     pub(super) row_springs: Vec<(SpringId, [[f32; 3]; 2])>,
 }
 
-reusing_clone! { JointTable { ids, is_imported, are_indices_new, signature, may_break, row_springs } }
+reusing_clone! { JointTable { ids, is_imported, are_indices_new, signature, may_break, are_bodies_separated, row_springs } }
 
 /// Ids of a joint and of its bodies.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +62,12 @@ struct JointIds {
 impl JointTable {
     /// Marks the joints as edited, so that the next step imports them again.
     pub(super) fn invalidate(&mut self) {
-        self.is_imported = false;
+        (self.is_imported, self.are_bodies_separated) = (false, false);
+    }
+
+    /// Marks the pairs of bodies that do not collide because of a joint as up to date. Returns whether they were not.
+    pub(super) fn take_unseparated(&mut self) -> bool {
+        !std::mem::replace(&mut self.are_bodies_separated, true)
     }
 
     /// Returns whether no joint has been edited since the last import.
@@ -337,7 +344,7 @@ pub(super) fn export_joints(
         let mean = constraint.mean_force.take();
         if joint.store_load(&mut constraint.force, mean, &mut constraint.force_along_depth) {
             report.push(Event::JointBroke { joint: ids.joint });
-            table.is_imported = false;
+            (table.is_imported, table.are_bodies_separated) = (false, false);
         }
     }
 }

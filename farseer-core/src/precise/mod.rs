@@ -42,6 +42,7 @@ mod listed;
 mod pending_edits;
 mod query_candidates;
 mod saved;
+pub(crate) mod separated_bodies;
 pub(crate) mod skip_step;
 mod sleep_events;
 mod sleep_options;

@@ -2,6 +2,7 @@
 
 use super::callbacks::Handler;
 use super::{Context, EventHandler, PhysicsSimulator};
+use crate::Objects;
 use crate::broad_phase::{BroadPhase, PairCallback};
 use crate::contacts::contact::Contact;
 use crate::geom::GeomId;
@@ -146,7 +147,8 @@ impl PairCallback for PairFinder<'_, '_> {
     }
 
     fn filter(&self) -> Filter<'_> {
-        Filter { geoms: &self.simulator.objects.geoms, bodies: &self.simulator.objects.bodies }
+        let Objects { geoms, bodies, separated_bodies, .. } = &self.simulator.objects;
+        Filter { geoms, bodies, separated_bodies }
     }
 
     fn geom_list(&self) -> &[GeomId] {

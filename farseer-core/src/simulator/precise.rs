@@ -8,6 +8,7 @@ use crate::geom::filter::{Filter, is_valid_pair};
 use crate::geom::sensor_pairs::may_keep_touching;
 use crate::objects::Objects;
 use crate::precise::contact_events::TouchChange;
+use crate::precise::separated_bodies::separate_joined_bodies;
 use crate::precise::skip_step::StepSettings;
 use crate::precise::{Precise, StepContext};
 use crate::report::{Event, Stopwatch};
@@ -136,6 +137,7 @@ impl PhysicsSimulator {
             if std::mem::take(&mut objects.has_edited_joints) {
                 precise.invalidate_joints();
             }
+            separate_joined_bodies(precise, objects);
             if std::mem::take(&mut objects.has_edited_drives) {
                 precise.wake_for_edited_drives(objects);
             }
@@ -241,7 +243,8 @@ impl PhysicsSimulator {
                 continue;
             }
             let (a, b) = self.precise_engine().candidate_geoms(at);
-            let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
+            let Objects { geoms, bodies, separated_bodies, .. } = &self.objects;
+            let filter = Filter { geoms, bodies, separated_bodies };
             let may_collide = match (self.objects.geoms.get(a), self.objects.geoms.get(b)) {
                 (Some(a), Some(b)) if is_in_space => filter.may_collide(a, b),
                 (Some(a), Some(b)) => filter.may_touch(a, b),

@@ -64,6 +64,7 @@ mod precise_hanging_chains;
 mod precise_held_overlaps;
 mod precise_houses;
 mod precise_islands;
+mod precise_joined_bodies;
 mod precise_joined_bounces;
 mod precise_joined_flights;
 mod precise_joint_breaks;

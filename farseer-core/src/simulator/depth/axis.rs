@@ -147,7 +147,7 @@ impl<'a> DepthAxis<'a> {
     pub fn for_each_geom_in(self, [low, high]: [[f32; 3]; 2], body: BodyId, mut find: impl FnMut(GeomId)) {
         let (geoms, bodies) = (&self.0.objects.geoms, &self.0.objects.bodies);
         let (Some(precise), Some(entry)) = (self.precise(), bodies.get(body)) else { return };
-        let filter = Filter { geoms, bodies };
+        let filter = Filter { geoms, bodies, separated_bodies: &self.0.objects.separated_bodies };
         precise.for_each_geom_in(low, high, |id| {
             let mut own = entry.geoms.iter().filter_map(|&geom| geoms.get(geom));
             let other = geoms.get(id).filter(|_| !geoms.is_disposed(id));
