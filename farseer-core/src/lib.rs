@@ -583,8 +583,8 @@ pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
 pub use joints::{
     AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId,
-    JointKind, JointLimits, JointMotor, JointType, PinJoint, PrismaticJoint, RevoluteJoint, SliderJoint,
-    WeldJoint,
+    JointKind, JointLimits, JointMotor, JointServo, JointType, PinJoint, PrismaticJoint, RevoluteJoint,
+    SliderJoint, WeldJoint,
 };
 pub use limits::Limits;
 pub use methods::{BroadPhaseCollider, CollisionCategory, Methods, NarrowPhaseCollider, SolverChoice};

@@ -117,6 +117,9 @@ impl Methods {
         if joint.motor().is_some() {
             self.only_precise("motors of joints")?;
         }
+        if joint.servo().is_some() {
+            self.only_precise("servos of joints")?;
+        }
         if joint.limits().is_some() { self.only_precise("limits of such joints") } else { Ok(()) }
     }
 

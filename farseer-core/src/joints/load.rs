@@ -2,6 +2,7 @@
 
 use super::Joint;
 use crate::math::Vector2;
+use crate::math::scalar::nearest_finite;
 use crate::math::vector2::length;
 
 /// Greatest component of a force, in mass units · length units/s², whose size is certainly a finite `f32`: below half the
@@ -16,21 +17,24 @@ impl Joint {
 
     /// Stores force and torque at the end of an update. If their mean over the update exceeds a maximum the joint is
     /// disabled, and the result is true.
+    ///
+    /// `servo` is the mean force and torque of the joint's servo, which `force` does not contain.
     #[inline]
     pub(crate) fn store_load(
         &mut self,
         force: &mut [f64; 3],
         mean: Option<[f64; 3]>,
-        along_depth: &mut f32,
+        (along_depth, servo): (&mut f32, [f64; 3]),
     ) -> bool {
-        if mean.is_none() && *along_depth == 0.0 && self.cannot_break_under(*force) {
-            (self.force, self.force_along_depth) = (*force, *along_depth);
+        if mean.is_none() && *along_depth == 0.0 && servo == [0.0; 3] && self.cannot_break_under(*force) {
+            (self.force, self.servo_force, self.force_along_depth) = (*force, [0.0; 3], *along_depth);
             return false;
         }
+        self.servo_force = servo.map(|number| nearest_finite(number as f32));
         let finite = |number: f64| if number.abs() <= f64::from(f32::MAX) { number } else { 0.0 };
         let stored = force.map(finite);
         let mean = mean.map_or(stored, |mean| mean.map(finite));
-        let [x, y, torque] = mean.map(|number| number as f32);
+        let [x, y, torque] = std::array::from_fn(|axis| mean[axis] as f32 + self.servo_force[axis]);
         let along = if along_depth.abs() <= f32::MAX { *along_depth } else { 0.0 };
         let in_plane = length(Vector2::new(x, y));
         let size = if along == 0.0 { in_plane } else { length(Vector2::new(in_plane, along)) };
@@ -59,7 +63,7 @@ impl Joint {
 
     /// Whether force and torque of the last update are within the joint's maxima.
     pub(crate) fn is_within_load_limits(&self) -> bool {
-        let [x, y, torque] = self.force.map(|number| number as f32);
+        let [x, y, torque] = std::array::from_fn(|axis| self.force[axis] as f32 + self.servo_force[axis]);
         let force = length(Vector2::new(length(Vector2::new(x, y)), self.force_along_depth));
         !self.is_overloaded([force, torque])
     }

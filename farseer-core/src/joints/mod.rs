@@ -37,7 +37,7 @@ pub use fixed_angle_limit_joint::FixedAngleLimitJoint;
 pub use fixed_revolute_joint::FixedRevoluteJoint;
 pub use kinds::{JointKind, JointType};
 pub(crate) use motor_and_limits::MotorAndLimits;
-pub use motor_and_limits::{JointLimits, JointMotor};
+pub use motor_and_limits::{JointLimits, JointMotor, JointServo};
 pub use pin_joint::PinJoint;
 pub use prismatic_joint::PrismaticJoint;
 pub use revolute_joint::RevoluteJoint;
@@ -81,6 +81,9 @@ pub struct Joint {
     /// Force and torque on the second body in the last update, computed by the precise set. In f64, so that impulses
     /// that hold bodies at rest still do so in the next update.
     force: [f64; 3],
+    /// The part of the servo in the mean force and torque on the second body in the last update. Not in `force`, which the
+    /// next update starts with.
+    servo_force: [f32; 3],
     force_along_depth: f32,
     greatest_force: f32,
     greatest_torque: f32,
@@ -111,6 +114,7 @@ impl Joint {
             enabled: true,
             tag: 0,
             force: [0.0; 3],
+            servo_force: [0.0; 3],
             force_along_depth: 0.0,
             greatest_force: f32::MAX,
             greatest_torque: f32::MAX,
@@ -168,13 +172,13 @@ impl Joint {
     /// units/s². The opposite force acts on the first body. Zero with the faithful set, which does not compute it. Of a
     /// joint that broke by its load it stays the force that broke it, until the joint is enabled again.
     pub fn force(&self) -> Vector2 {
-        Vector2::new(self.force[0] as f32, self.force[1] as f32)
+        Vector2::new(self.force[0] as f32 + self.servo_force[0], self.force[1] as f32 + self.servo_force[1])
     }
 
     /// The mean torque with which the joint kept the angle of its second body, or its only one, in mass units · length
     /// units²/s². The torque of [`force`](Self::force) about the body's centre is not included.
     pub fn torque(&self) -> f32 {
-        self.force[2] as f32
+        self.force[2] as f32 + self.servo_force[2]
     }
 
     /// Component of the [force](Self::force) along the depth axis, in mass units · length units/s², in an engine with
@@ -261,7 +265,12 @@ impl Joint {
         self.motor_and_limits()?.limits()
     }
 
-    /// Motor and limits, for kinds that can have them.
+    /// The joint's [servo](crate::Objects::set_joint_servo).
+    pub fn servo(&self) -> Option<JointServo> {
+        self.motor_and_limits()?.servo()
+    }
+
+    /// Motor, limits and servo, for kinds that can have them.
     pub(crate) fn motor_and_limits(&self) -> Option<&MotorAndLimits> {
         match &self.kind {
             JointKind::Revolute(joint) => Some(&joint.drive),
@@ -330,7 +339,7 @@ impl Joint {
     /// Resets the accumulated impulse, so that the next pre-step starts without warm start.
     pub(crate) fn forget_impulse(&mut self) {
         each_kind!(&mut self.kind, joint => joint.forget_impulse());
-        (self.force, self.force_along_depth) = ([0.0; 3], 0.0);
+        (self.force, self.servo_force, self.force_along_depth) = ([0.0; 3], [0.0; 3], 0.0);
     }
 
     fn is_impulse_finite(&self) -> bool {
@@ -343,6 +352,7 @@ impl Joint {
         let settings =
             [self.bias_factor, self.breakpoint, self.softness, self.greatest_force, self.greatest_torque];
         settings.iter().chain([&self.force_along_depth]).all(|number| number.is_finite())
+            && self.servo_force.iter().all(|number| number.is_finite())
             && self.force.iter().all(|number| number.abs() <= f64::from(f32::MAX))
             && self.is_impulse_finite()
             && each_kind!(&self.kind, joint => joint.is_valid())

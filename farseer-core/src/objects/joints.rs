@@ -7,7 +7,9 @@ use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
 #[cfg(feature = "precise")]
 use crate::geom::GeomId;
-use crate::joints::{Joint, JointId, JointKind, JointLimits, JointMotor, JointType};
+use crate::joints::{
+    Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorAndLimits,
+};
 use crate::math::Vector2;
 use crate::math::finite::finite_vector;
 use crate::math::scalar::nearest_finite;
@@ -250,8 +252,24 @@ impl Objects {
         })
     }
 
-    /// Edits a copy, so that the joint does not change if the edit is refused. Only adding or removing a motor or
-    /// limits changes how joints are solved.
+    /// Sets the servo of a revolute, fixed revolute or prismatic joint, or removes it. It takes effect with the next update,
+    /// and wakes the bodies. Its target is relative to the reference of the [limits](Self::set_joint_limits), and compared with
+    /// [`joint_travel`](Self::joint_travel). See [`JointServo`] for an example.
+    ///
+    /// Force and torque of the servo are part of [`Joint::force`] and [`Joint::torque`], and can break the joint.
+    ///
+    /// # Errors
+    /// A stale id; a joint of another kind; a target that is not finite; a stiffness, damping or effort that is not finite and
+    /// 0 or more; the faithful methods, which have no servos ([`Error::NotSupported`]). The old servo stays then.
+    #[doc(alias("enableSpring", "SetSpringHertz", "set_motor_position", "SetTargetAngle"))]
+    pub fn set_joint_servo(&mut self, joint: JointId, servo: Option<JointServo>) -> Result<()> {
+        self.edit_motor_and_limits(joint, |joint| {
+            joint.motor_and_limits_mut().map(|drive| drive.set_servo(servo))
+        })
+    }
+
+    /// Edits a copy, so that the joint does not change if the edit is refused. Only adding or removing a motor,
+    /// limits or a servo changes how joints are solved.
     fn edit_motor_and_limits(
         &mut self,
         joint: JointId,
@@ -262,8 +280,8 @@ impl Objects {
         edit(&mut edited)
             .ok_or_else(|| wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint"))??;
         self.methods.check_driven(&edited)?;
-        let is_driven = |joint: &Joint| joint.motor_and_limits().is_some_and(|drive| !drive.is_empty());
-        self.has_edited_joints |= is_driven(kept) != is_driven(&edited);
+        let present = |joint: &Joint| joint.motor_and_limits().map(MotorAndLimits::present);
+        self.has_edited_joints |= present(kept) != present(&edited);
         self.has_edited_drives |= kept.motor_and_limits() != edited.motor_and_limits();
         *kept = edited;
         Ok(())

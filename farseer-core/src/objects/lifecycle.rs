@@ -21,7 +21,7 @@ impl Objects {
     /// # Errors
     /// A stale id. [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies.
     /// [`Error::NotSupported`](crate::Error::NotSupported) under the faithful methods for a chain, a one-way geom, a
-    /// prismatic joint, or a motor or limits of a revolute joint.
+    /// prismatic joint, a joint whose bodies do not collide, or a motor, servo or limits of a revolute joint.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {

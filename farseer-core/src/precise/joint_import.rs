@@ -9,7 +9,7 @@ use super::ids::IdTable;
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
 use crate::joints::constraint_spec::ConstraintSpecKind;
-use crate::joints::{Joint, JointId, MotorAndLimits};
+use crate::joints::{Joint, JointId, JointServo, MotorAndLimits};
 use crate::math::{Vector2, scalar};
 use crate::objects::Objects;
 use crate::report::{Event, Report};
@@ -23,6 +23,7 @@ use farseer_precise::joints::JointSystem;
 use farseer_precise::joints::indices::JointIndex;
 use farseer_precise::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
 use farseer_precise::joints::locked_dofs::LockedDofs;
+use farseer_precise::joints::springs::{Servo, SpringConstraint, SpringRows};
 use farseer_precise::joints::vec2::Vec2;
 use farseer_precise::reusing_clone;
 use farseer_precise::scaled_parameters::StepContext;
@@ -41,6 +42,8 @@ pub(super) struct JointTable {
     signature: u64,
     /// Whether some joint has a finite breakpoint (limit of its position error).
     may_break: bool,
+    /// Joints with a servo, in the order of their indices in [`JointSystem`].
+    servos: Vec<JointIndex>,
     /// Whether the pairs of bodies that do not collide because of a joint are up to date with the joints.
     are_bodies_separated: bool,
     /// Springs that became rows in this update, in the order of the simulator's list. Each has the accelerations that its
@@ -48,7 +51,7 @@ pub(super) struct JointTable {
     pub(super) row_springs: Vec<(SpringId, [[f32; 3]; 2])>,
 }
 
-reusing_clone! { JointTable { ids, is_imported, are_indices_new, signature, may_break, are_bodies_separated, row_springs } }
+reusing_clone! { JointTable { ids, is_imported, are_indices_new, signature, may_break, servos, are_bodies_separated, row_springs } }
 
 /// Ids of a joint and of its bodies.
 #[derive(Debug, Clone, Copy)]
@@ -140,6 +143,22 @@ fn joint_drive(drive: &MotorAndLimits) -> JointDrive {
         limits: drive.limits().map(|limits| Limits { lower: limits.lower, upper: limits.upper }),
         reference: drive.reference,
     }
+}
+
+/// Word that keeps the hash of a joint with a servo from that of a spring with the same id. Value chosen.
+const SERVO_HASH: u64 = 0x5E12_0000_0000_5E12;
+
+/// Returns a servo as the solvers take it; `None` if it exerts no force.
+fn servo_row(servo: JointServo) -> Option<Servo> {
+    let [target, stiffness, damping] = [servo.target, servo.stiffness, servo.damping].map(f64::from);
+    let greatest_effort =
+        if servo.greatest_effort < f32::MAX { servo.greatest_effort.into() } else { f64::INFINITY };
+    (greatest_effort > 0.0 && stiffness + damping > 0.0).then_some(Servo {
+        target,
+        stiffness,
+        damping,
+        greatest_effort,
+    })
 }
 
 /// The parts that the import of joints and springs reads.
@@ -285,8 +304,35 @@ impl<'a> JointImport<'a> {
             Some(constraint)
         });
         joints.replace(active, objects.joints.list().len(), self.bodies, self.depth.is_some());
+        table.servos.clear();
+        let has_servo = |ids: &JointIds| objects.joints.get(ids.joint).is_some_and(|it| it.servo().is_some());
+        let with_servo = table.ids.iter().enumerate().filter(|(_, ids)| has_servo(ids));
+        table.servos.extend(with_servo.map(|(at, _)| JointIndex::new(at)));
         table.signature = joints_hash(joints.constraints(), &table.ids);
         (table.is_imported, table.are_indices_new) = (true, true);
+    }
+
+    /// Adds the servos of joints to `springs`, at the poses of this step. Returns a hash of the joints with servos; 0 without
+    /// (multiplicative hashing).
+    pub(super) fn add_servos(self, table: &JointTable, springs: &mut SpringRows, objects: &Objects) -> u64 {
+        let mut signature = 0_u64;
+        for &at in &table.servos {
+            let id = table.ids[at.position()].joint;
+            let Some((joint, drive)) =
+                objects.joints.get(id).and_then(|it| Some((it, it.motor_and_limits()?)))
+            else {
+                continue;
+            };
+            let (Some(servo), Some(constraint)) = (drive.servo().and_then(servo_row), self.constraint(joint))
+            else {
+                continue;
+            };
+            springs.push(SpringConstraint::of_servo(at, &constraint, servo, drive.reference.into()));
+            signature = (signature.rotate_left(5) ^ id.to_bits() ^ SERVO_HASH)
+                .wrapping_add(1)
+                .wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        }
+        signature
     }
 
     /// Moves the joint constraints to the poses of this step, and prepares their solvers. `is_touched` returns whether contacts
@@ -342,7 +388,8 @@ pub(super) fn export_joints(
             constraint.anchors.map(|anchor| [to_vector2(anchor.arm), to_vector2(anchor.anchor_position())])
         });
         let mean = constraint.mean_force.take();
-        if joint.store_load(&mut constraint.force, mean, &mut constraint.force_along_depth) {
+        let others = (&mut constraint.force_along_depth, constraint.servo_force);
+        if joint.store_load(&mut constraint.force, mean, others) {
             report.push(Event::JointBroke { joint: ids.joint });
             (table.is_imported, table.are_bodies_separated) = (false, false);
         }

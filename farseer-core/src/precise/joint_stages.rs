@@ -50,7 +50,11 @@ impl Precise {
         joints.begin_update(self.solver.parameters.length_unit);
         import.reimport_joints(joint_table, joints, objects);
         let (joints_signature, are_indices_new) = joint_table.take_signature();
-        self.solver.direct_solver.note_joints(joints_signature ^ springs_signature, are_indices_new);
+        let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
+        let servos_signature = import.add_servos(joint_table, springs, objects);
+        self.solver
+            .direct_solver
+            .note_joints(joints_signature ^ springs_signature ^ servos_signature, are_indices_new);
         springs.begin_step(bodies, step.dt);
         if joints.is_empty() {
             return;

@@ -135,6 +135,8 @@ impl JointImport<'_> {
         let mut constraint = SpringConstraint {
             ends,
             is_linear,
+            axis: None,
+            joint: None,
             stiffness,
             damping,
             spin_damping: 0.0,

@@ -198,7 +198,12 @@ impl<'a> IslandSolver<'a> {
         for (&at, rows) in island.joints.iter().zip(&island.system.joints) {
             joints.store_solution(at, rows, f64::from(step.dt));
         }
-        island.springs.iter().for_each(|&at| springs.mark_solved(at));
+        let of_springs = island.system.joints.iter().skip(island.joints.len());
+        for (&at, rows) in island.springs.iter().zip(of_springs) {
+            if let Some(joint) = springs.mark_solved(at) {
+                joints.add_servo_force(joint, rows.force_and_torque(f64::from(step.dt)));
+            }
+        }
         island.store_solution(rows, f64::from(step.substeps), step.h);
     }
 }

@@ -45,6 +45,14 @@ impl LockedDofs {
         self.locked_rows() >> row & 1 == 1
     }
 
+    /// Returns the row that a servo of a joint acts on: ACROSS (along the axis) of a prismatic joint, else ANGLE.
+    pub(super) fn servo_row(self) -> usize {
+        match self {
+            LockedDofs::Line => ACROSS,
+            _ => ANGLE,
+        }
+    }
+
     /// Returns the row that motor and limits of a joint act on: ALONG (normal), ANGLE or ACROSS (tangent).
     pub(super) fn motor_row(self) -> usize {
         match self {
@@ -126,8 +134,13 @@ impl JointFrame {
     /// joints: angle of the second body minus that of the first minus `reference`, in radians.
     pub(super) fn travel(&self, reference: f64) -> f64 {
         match self.locked {
-            LockedDofs::Line => dot(self.anchor_offset(), self.axis),
+            LockedDofs::Line => self.axis_offset(),
             _ => self.angle - reference,
         }
+    }
+
+    /// Returns the position of the second anchor relative to the first along the axis. Unit: length units.
+    pub(super) fn axis_offset(&self) -> f64 {
+        dot(self.anchor_offset(), self.axis)
     }
 }

@@ -36,6 +36,16 @@ pub(crate) struct StepInterval {
     pub(crate) step_dt: f64,
 }
 
+impl JointRows {
+    /// Returns the force on body B along x and y (mass units * length units/s^2) and the torque (mass units * length
+    /// units^2/s^2): the solved impulses, divided by the `dt` seconds in which they act.
+    pub(crate) fn force_and_torque(&self, dt: f64) -> Vec3 {
+        let (Jacobian { normal: [nx, ny], .. }, [along, angle, across]) = self.solution();
+        let (x, y) = (along * nx + across * ny, along * ny - across * nx);
+        [x, y, angle].map(|impulse| impulse / dt + 0.0)
+    }
+}
+
 /// Returns the impulse limit in the unit of `impulse`: `impulse`, or infinity if `impulse` is `f32::MAX` or more.
 fn finite_or_infinite(impulse: f64) -> f64 {
     if impulse < f64::from(f32::MAX) { impulse } else { f64::INFINITY }
@@ -144,9 +154,7 @@ impl JointConstraint {
     /// Stores the force and torque on body B: the solved impulses of `rows`, divided by the `force_dt` seconds in which they
     /// act.
     pub(crate) fn set_force_from_impulses(&mut self, rows: &JointRows, force_dt: f64) {
-        let (Jacobian { normal: [nx, ny], .. }, [along, angle, across]) = rows.solution();
-        let (x, y) = (along * nx + across * ny, along * ny - across * nx);
-        self.force = [x, y, angle].map(|impulse| impulse / force_dt + 0.0);
+        self.force = rows.force_and_torque(force_dt);
     }
 
     /// Returns the velocities of the bodies A and B that the island does not contain: x and y in length units/s, angular in

@@ -172,6 +172,9 @@ pub struct JointConstraint {
     /// Distance along the depth axis from the first body to the second, of a distance joint in three axes; else 0. Unit: length
     /// units.
     pub depth_offset: f64,
+    /// Mean force on the second body over the update by the joint's servo along x and y (mass units * length units/s^2), and
+    /// mean torque (mass units * length units^2/s^2). `force` does not contain it.
+    pub servo_force: [f64; 3],
     /// Whether anchors, angle, axis or motor have changed from the last step to this one.
     pub has_moved: bool,
 }
@@ -198,6 +201,7 @@ impl JointConstraint {
             softness: 0.0,
             bias_factor: 0.0,
             depth_offset: 0.0,
+            servo_force: [0.0; 3],
             has_moved: true,
         }
     }
@@ -208,6 +212,7 @@ impl JointConstraint {
         let [first, second] = self.anchors.each_mut().map(|anchor| anchor.update(bodies));
         read(self);
         self.has_moved = first || second || before != (self.angle, self.axis, self.drive);
+        self.servo_force = [0.0; 3];
         self.error = self.compute_error() as f32;
         self.first_arm = self.anchors[0].arm;
     }

@@ -33,6 +33,7 @@ pub mod revolute_tree;
 pub mod rod;
 pub mod rotation;
 pub mod soft_angle_spring;
+pub mod soft_axis_spring;
 pub mod soft_block;
 pub mod soft_law;
 pub mod soft_pair;
@@ -147,6 +148,13 @@ impl JointSystem {
     pub(crate) fn set_force(&mut self, joint: JointIndex, force: [f64; 3]) {
         self.constraints[joint].force = force;
         self.mark_solved(joint);
+    }
+
+    /// Adds to the servo force of a joint a mean force over the update on the joint's second body: along x and y (mass units *
+    /// length units/s^2) and the torque (mass units * length units^2/s^2).
+    pub(crate) fn add_servo_force(&mut self, joint: JointIndex, force: [f64; 3]) {
+        let sum = &mut self.constraints[joint].servo_force;
+        (0..3).for_each(|axis| sum[axis] += force[axis]);
     }
 
     /// Removes the stored force of a joint: the next solver starts without an impulse of it.

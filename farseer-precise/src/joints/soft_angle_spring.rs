@@ -5,7 +5,9 @@
 //! correction of the warm start after bodies have moved.
 
 use super::super::bodies::{BodySet, MotionState};
+use super::super::direct_solver::mat3::Vec3;
 use super::implicit_spring_row::ImplicitSpringRow;
+use super::indices::JointIndex;
 use super::soft_law::{clamp_symmetric, min};
 use super::springs::SpringConstraint;
 use crate::index::{BodyIndex, DenseIndex, IndexedVec};
@@ -30,6 +32,10 @@ pub(super) struct SoftAngleSpring {
     stretch: f64,
     /// Largest impulse of `angle_row` in a substep, >= 0: mass units * length units^2/s.
     max_impulse: f64,
+    /// The joint whose servo the spring is; `None` for a spring of the game.
+    joint: Option<JointIndex>,
+    /// Sum of the impulses of `angle_row` in the update so far: mass units * length units^2/s.
+    total_impulse: f64,
 }
 
 impl SoftAngleSpring {
@@ -50,7 +56,7 @@ impl SoftAngleSpring {
                 .map(|pose| if is_listed(pose) { pose } else { BodyIndex::PLACEHOLDER }),
             inverse_inertias,
             angle_row: ImplicitSpringRow {
-                impulse_per_velocity: h * (constraint.damping + h * constraint.stiffness),
+                impulse_per_velocity: h * (constraint.row_damping(h) + h * constraint.stiffness),
                 ..ImplicitSpringRow::default()
             },
             spin_rows: [ImplicitSpringRow { impulse_per_velocity: damping, ..ImplicitSpringRow::default() };
@@ -59,6 +65,8 @@ impl SoftAngleSpring {
             impulse_per_stretch: h * constraint.stiffness,
             stretch: constraint.stretch,
             max_impulse: constraint.max_torque * h,
+            joint: constraint.joint,
+            total_impulse: 0.0,
         };
         spring.update_stretch_impulse();
         let most = min(spring.max_impulse, max_spin / spring.inverse_effective_mass);
@@ -99,6 +107,17 @@ impl SoftAngleSpring {
                 states[self.bodies[side]].velocity[2] = spins[side] as f32;
             }
         }
+    }
+
+    /// Adds the impulse of this substep to the sum of the update.
+    pub(super) fn accumulate_impulse(&mut self) {
+        self.total_impulse += self.angle_row.impulse;
+    }
+
+    /// Returns the joint whose servo the spring is, with its mean force and torque on body B over an update of `dt` seconds:
+    /// mass units * length units/s^2, mass units * length units^2/s^2. `None` for a spring of the game.
+    pub(super) fn servo_force(&self, dt: f64) -> Option<(JointIndex, Vec3)> {
+        self.joint.map(|joint| (joint, [0.0, 0.0, self.total_impulse / dt]))
     }
 
     /// Updates the stretch after the bodies have moved in a substep.

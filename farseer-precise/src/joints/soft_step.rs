@@ -11,11 +11,13 @@
 
 use super::super::bodies::BodySet;
 use super::super::constraint_graph::ContactConstraintSimd;
+use super::super::direct_solver::joint::{ACROSS, ALONG};
 use super::super::scaled_parameters::StepContext;
 use super::colours::{JointColor, assign_colors};
 use super::indices::JointIndex;
 use super::joint_constraint::{JointAnchor, JointList};
 use super::soft_angle_spring::SoftAngleSpring;
+use super::soft_axis_spring::SoftAxisSpring;
 use super::soft_block::{BlockKind, SoftJointBlock};
 use super::soft_law::{RowSoftness, RowSoftnessLanes};
 use super::soft_spring::SoftSpring;
@@ -33,6 +35,8 @@ pub(super) struct SoftJoints {
     blocks: Vec<SoftJointBlock>,
     /// Linear springs that the iterative solver has in this update.
     springs: Vec<SoftSpring>,
+    /// Servos along an axis that the iterative solver has in this update.
+    axis_springs: Vec<SoftAxisSpring>,
     /// Angle springs that the iterative solver has in this update.
     angle_springs: Vec<SoftAngleSpring>,
     /// Indices of the dynamic bodies of `blocks` and of the springs, into the arrays of `BodySet`.
@@ -47,7 +51,7 @@ pub(super) struct SoftJoints {
     impacted_masks: IndexedVec<BodyIndex, u32>,
 }
 
-reusing_clone! { SoftJoints { colored_joints, blocks, springs, angle_springs, jointed_bodies, jointed_masks, held_masks, impacted_bodies, impacted_masks } }
+reusing_clone! { SoftJoints { colored_joints, blocks, springs, axis_springs, angle_springs, jointed_bodies, jointed_masks, held_masks, impacted_bodies, impacted_masks } }
 
 impl SoftJoints {
     /// Assigns colours to the 2D joints, whose indices into `joints` are `in_plane`, and reserves memory. Called after the list
@@ -73,6 +77,7 @@ impl SoftJoints {
     pub(super) fn clear(&mut self) {
         self.blocks.clear();
         self.springs.clear();
+        self.axis_springs.clear();
         self.angle_springs.clear();
         for body in self.jointed_bodies.drain(..) {
             (self.jointed_masks[body], self.held_masks[body]) = (0, 0);
@@ -98,9 +103,10 @@ impl SoftJoints {
         let max_speed = f64::from(JOINTED_BODY_SPEED) * length_unit;
         let max_spin = max_speed / (f64::from(SOFT_ROW_ARM) * length_unit);
         for spring in springs.unsolved() {
-            match spring.is_linear {
-                true => self.springs.push(SoftSpring::new(spring, bodies, times[1], max_speed)),
-                false => self.angle_springs.push(SoftAngleSpring::new(spring, bodies, times[1], max_spin)),
+            match spring.row() {
+                ALONG => self.springs.push(SoftSpring::new(spring, bodies, times[1], max_speed)),
+                ACROSS => self.axis_springs.push(SoftAxisSpring::new(spring, bodies, times[1], max_speed)),
+                _ => self.angle_springs.push(SoftAngleSpring::new(spring, bodies, times[1], max_spin)),
             }
             self.mark_bodies(spring.ends());
         }
@@ -152,7 +158,10 @@ impl SoftJoints {
 
     /// Returns whether the iterative solver has neither joints nor springs in this update.
     pub(super) fn is_empty(&self) -> bool {
-        self.blocks.is_empty() && self.springs.is_empty() && self.angle_springs.is_empty()
+        self.blocks.is_empty()
+            && self.springs.is_empty()
+            && self.axis_springs.is_empty()
+            && self.angle_springs.is_empty()
     }
 
     /// Returns the masks of the bodies with joints or springs, and those of the bodies that contacts hold.
@@ -173,6 +182,7 @@ impl SoftJoints {
     /// Adds the velocity changes by the accumulated impulses of joints and springs to the warm-start sums in `bodies`.
     pub(super) fn add_warm_start(&self, bodies: &mut BodySet) {
         self.springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
+        self.axis_springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
         self.angle_springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
         self.blocks.iter().for_each(|block| block.add_warm_start(&mut bodies.warm_start));
     }
@@ -180,6 +190,7 @@ impl SoftJoints {
     /// Solves springs and joints once with bias, before bodies move in a substep of `h` seconds.
     pub(super) fn solve_with_bias(&mut self, bodies: &mut BodySet, h: f32) {
         self.springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.states));
+        self.axis_springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.states));
         self.angle_springs.iter_mut().for_each(|spring| spring.solve(&mut bodies.states));
         self.solve(bodies, &RowSoftness::soft(h.into()), h);
     }
@@ -189,6 +200,8 @@ impl SoftJoints {
     pub(super) fn relax(&mut self, bodies: &mut BodySet, h: f32) {
         self.solve(bodies, &RowSoftness::RIGID, h);
         self.blocks.iter_mut().for_each(SoftJointBlock::accumulate_impulses);
+        self.axis_springs.iter_mut().for_each(SoftAxisSpring::accumulate_impulse);
+        self.angle_springs.iter_mut().for_each(SoftAngleSpring::accumulate_impulse);
     }
 
     fn solve(&mut self, bodies: &mut BodySet, softness: &RowSoftness, h: f32) {
@@ -199,6 +212,7 @@ impl SoftJoints {
     /// Updates poses and rows of joints and springs after bodies have moved in a substep.
     pub(super) fn advance(&mut self, bodies: &mut BodySet) {
         self.springs.iter_mut().for_each(|spring| spring.advance(bodies));
+        self.axis_springs.iter_mut().for_each(|spring| spring.advance(bodies));
         self.angle_springs.iter_mut().for_each(|spring| spring.advance(bodies));
         let SoftJoints { blocks, held_masks, .. } = self;
         blocks.iter_mut().for_each(|block| block.advance(bodies, held_masks));
@@ -276,5 +290,12 @@ impl SoftJoints {
     /// seconds of the update and of the substep.
     pub(super) fn store_forces(&self, joints: &mut JointList, times: [f32; 2]) {
         self.blocks.iter().for_each(|block| block.store_forces(joints, times));
+        let dt = f64::from(times[0]);
+        let along_axes = self.axis_springs.iter().filter_map(|spring| spring.servo_force(dt));
+        let angular = self.angle_springs.iter().filter_map(|spring| spring.servo_force(dt));
+        for (joint, force) in along_axes.chain(angular) {
+            let sum = &mut joints[joint].servo_force;
+            (0..3).for_each(|axis| sum[axis] += force[axis]);
+        }
     }
 }

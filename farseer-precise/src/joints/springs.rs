@@ -19,14 +19,20 @@
 //! | linear, fixed linear | along the line between its anchors; across it for geometric stiffness beyond the stable limit |
 //! | angle | the angle; its damping acts on the angular velocity of each body and adds to their inertia |
 //! | fixed angle | the angle |
+//! | servo of a joint | the angle, or along the axis; its damping acts on the relative velocity |
+//!
+//! **Servos** of joints are springs whose rest position is the target. The numerical damping of implicit Euler, dt k to first
+//! order, is a part of their damping c: the row has the slope dt max(c, dt k) instead of dt (c + dt k). A servo with a damping
+//! ratio above half its angular frequency times dt is damped as asked. Below that, the numerical damping remains.
 
 use super::super::bodies::BodySet;
 use super::super::direct_solver::constraint::{BodyIndices, FIXED};
-use super::super::direct_solver::joint::{ALONG, ANGLE, JointRows, SpringDamper};
+use super::super::direct_solver::joint::{ACROSS, ALONG, ANGLE, JointRows, SpringDamper};
 use super::frame::JointFrame;
-use super::indices::{CandidateIndex, SpringIndex};
-use super::joint_constraint::{JointAnchor, JointCandidate};
+use super::indices::{CandidateIndex, JointIndex, SpringIndex};
+use super::joint_constraint::{JointAnchor, JointCandidate, JointConstraint};
 use super::locked_dofs::LockedDofs;
+use super::vec2::Vec2;
 use crate::index::{BodyIndex, IndexedVec};
 use crate::reusing_clone;
 
@@ -46,8 +52,13 @@ reusing_clone! { SpringRows { constraints, is_body_attached } }
 pub struct SpringConstraint {
     /// Anchors on the bodies A and B, or on the world.
     pub ends: [JointAnchor; 2],
-    /// Whether the row is along the line between the anchors; else it is angular.
+    /// Whether the row is along the line between the anchors; else it is angular, or along `axis`.
     pub is_linear: bool,
+    /// Direction of the row in world coordinates, a unit vector, for a spring along an axis that turns with the first body.
+    /// `None` for all other springs.
+    pub axis: Option<Vec2>,
+    /// The joint whose servo the spring is; `None` for a spring of the game.
+    pub joint: Option<JointIndex>,
     /// Stiffness k, >= 0: mass units/s^2 in linear springs, mass units * length units^2/s^2 per radian in angle springs.
     pub stiffness: f64,
     /// Damping c, >= 0: mass units/s in linear springs, mass units * length units^2/s in angle springs.
@@ -57,7 +68,8 @@ pub struct SpringConstraint {
     pub spin_damping: f64,
     /// Stretch at the start of the step: length units in linear springs, radians in angle springs.
     pub stretch: f64,
-    /// Largest torque, mass units * length units^2/s^2, > 0; infinite for linear springs.
+    /// Largest torque, mass units * length units^2/s^2, > 0; infinite for linear springs. Along `axis` the largest force, mass
+    /// units * length units/s^2.
     pub max_torque: f64,
     /// Accelerations that the explicit force of the spring would give to A and B: x and y in length units/s^2, angular in
     /// radians/s^2.
@@ -120,9 +132,12 @@ impl SpringRows {
         &self.constraints[index]
     }
 
-    /// Marks the spring at `index` as solved by the direct solver, so that the iterative solver leaves it out.
-    pub(crate) fn mark_solved(&mut self, index: SpringIndex) {
-        self.constraints[index].is_solved = true;
+    /// Marks the spring at `index` as solved by the direct solver, so that the iterative solver leaves it out. Returns the joint
+    /// whose servo the spring is, if any.
+    pub(crate) fn mark_solved(&mut self, index: SpringIndex) -> Option<JointIndex> {
+        let spring = &mut self.constraints[index];
+        spring.is_solved = true;
+        spring.joint
     }
 
     /// Returns the springs that the direct solver has not solved.
@@ -146,12 +161,12 @@ impl SpringConstraint {
     ///
     /// `lever` converts angular errors to linear ones where errors are compared, length units per radian.
     pub(crate) fn constraint_rows(&self, body_indices: BodyIndices, dt: f64, lever: f64) -> JointRows {
-        let frame = self.frame();
-        let row = if self.is_linear { ALONG } else { ANGLE };
+        let (frame, row) = (self.frame(), self.row());
         let prescribed = [0, 1]
             .map(|side| if body_indices.bodies[side] == FIXED { self.ends[side].velocity } else { [0.0; 3] });
         let mut rows = JointRows::new(body_indices, frame.jacobian(), [0.0; 3], prescribed, lever);
-        let SpringConstraint { stiffness, damping, stretch, .. } = *self;
+        let SpringConstraint { stiffness, stretch, .. } = *self;
+        let damping = self.row_damping(dt);
         rows.add_spring_row(row, SpringDamper { stiffness, damping, stretch }, [dt, self.max_torque * dt]);
         if self.is_linear {
             let distance = frame.distance();
@@ -164,8 +179,27 @@ impl SpringConstraint {
     /// Returns the relative pose of the spring's bodies. For an angle spring, the angle of the pose is the spring's stretch in
     /// radians.
     pub(super) fn frame(&self) -> JointFrame {
+        if let Some(axis) = self.axis {
+            return JointFrame { axis, ..JointFrame::between(LockedDofs::Line, &self.ends, 0.0) };
+        }
         let link = if self.is_linear { LockedDofs::Distance } else { LockedDofs::Angle };
         JointFrame::between(link, &self.ends, self.stretch)
+    }
+
+    /// Returns the row of the spring: ALONG the line between its anchors, ACROSS for a row along `axis`, or ANGLE.
+    pub(super) fn row(&self) -> usize {
+        match (self.axis, self.is_linear) {
+            (Some(_), _) => ACROSS,
+            (None, true) => ALONG,
+            (None, false) => ANGLE,
+        }
+    }
+
+    /// Returns the damping of the row in a step or substep of `dt` seconds, in the unit of `damping`. That of a servo is less by
+    /// the numerical damping of implicit Euler.
+    pub(super) fn row_damping(&self, dt: f64) -> f64 {
+        let numerical = if self.joint.is_some() { dt * self.stiffness } else { 0.0 };
+        if self.damping > numerical { self.damping - numerical } else { 0.0 }
     }
 
     /// Returns the anchors of the spring on the bodies A and B, or on the world.
@@ -194,6 +228,45 @@ impl SpringConstraint {
         };
         if !(is_bounded(&self.ends[0], 1.0) || is_bounded(&self.ends[1], -1.0)) {
             self.spin_damping = damping;
+        }
+    }
+}
+
+/// Target, strength and bound of a joint's servo.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Servo {
+    /// Position that the servo seeks: length units along an axis, radians about a point.
+    pub target: f64,
+    /// Stiffness, >= 0: mass units/s^2 along an axis, mass units * length units^2/s^2 per radian about a point.
+    pub stiffness: f64,
+    /// Damping, >= 0: mass units/s along an axis, mass units * length units^2/s about a point.
+    pub damping: f64,
+    /// Greatest force (mass units * length units/s^2) or torque (mass units * length units^2/s^2), > 0.
+    pub greatest_effort: f64,
+}
+
+impl SpringConstraint {
+    /// Returns the `servo` of the joint with the index `at`, as a spring at the present pose of the joint's `constraint`.
+    /// `reference` is the relative angle that counts as position 0, in radians.
+    pub fn of_servo(at: JointIndex, constraint: &JointConstraint, servo: Servo, reference: f64) -> Self {
+        let is_along_axis = constraint.locked.servo_row() == ACROSS;
+        let position = if is_along_axis {
+            JointFrame::of(constraint).axis_offset()
+        } else {
+            constraint.angle - reference
+        };
+        SpringConstraint {
+            ends: constraint.anchors,
+            is_linear: false,
+            axis: is_along_axis.then_some(constraint.axis),
+            joint: Some(at),
+            stiffness: servo.stiffness,
+            damping: servo.damping,
+            spin_damping: 0.0,
+            stretch: position - servo.target,
+            max_torque: servo.greatest_effort,
+            accelerations: [[0.0; 3]; 2],
+            is_solved: false,
         }
     }
 }

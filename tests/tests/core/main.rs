@@ -80,6 +80,7 @@ mod precise_queries;
 mod precise_rolling;
 mod precise_saves;
 mod precise_sensors;
+mod precise_servos;
 mod precise_settings;
 mod precise_sleep;
 mod precise_soft_joints;
