@@ -402,6 +402,9 @@
 //! | [`SliderJoint`] | two points in a range of distances: a rope, a telescope | two bodies |
 //! | [`WeldJoint`] | a common point and the angle | two bodies |
 //! | [`PrismaticJoint`] | a line and the angle: a piston, a lift; under the precise set | two bodies |
+//! | [`WheelJoint`] | a point on a sprung line: a wheel with suspension; under the precise set | two bodies |
+//! | [`AngleSpringJoint`] | nothing: a damped spring between the angles; under the precise set | two bodies |
+//! | [`MotorJoint`] | nothing: bounded force to a relative pose; under the precise set | two bodies |
 //! | [`AngleJoint`], [`FixedAngleJoint`] | an angle | two bodies, body and world |
 //! | [`AngleLimitJoint`], [`FixedAngleLimitJoint`] | an angle in a range | two bodies, body and world |
 //!
@@ -582,9 +585,9 @@ pub use geom::outline::Outline;
 pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
 pub use joints::{
-    AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, JointId,
-    JointKind, JointLimits, JointMotor, JointServo, JointType, PinJoint, PrismaticJoint, RevoluteJoint,
-    SliderJoint, WeldJoint,
+    AngleJoint, AngleLimitJoint, AngleSpringJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint,
+    Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorJoint, PinJoint,
+    PoseServo, PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint, WheelJoint,
 };
 pub use limits::Limits;
 pub use methods::{BroadPhaseCollider, CollisionCategory, Methods, NarrowPhaseCollider, SolverChoice};

@@ -104,6 +104,9 @@ impl Methods {
         }
         match joint.kind() {
             JointKind::Prismatic(_) => self.only_precise("prismatic joints"),
+            JointKind::Wheel(_) => self.only_precise("wheel joints"),
+            JointKind::AngleSpring(_) => self.only_precise("angle spring joints"),
+            JointKind::Motor(_) => self.only_precise("motor joints"),
             _ => self.check_driven(joint),
         }
     }

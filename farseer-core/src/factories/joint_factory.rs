@@ -2,12 +2,13 @@
 
 use crate::body::{Body, BodyId};
 use crate::joints::{
-    AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, JointId,
-    PinJoint, PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint,
+    AngleJoint, AngleLimitJoint, AngleSpringJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint,
+    Joint, JointId, JointType, MotorJoint, PinJoint, PoseServo, PrismaticJoint, RevoluteJoint, SliderJoint,
+    WeldJoint, WheelJoint,
 };
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
-use crate::objects::Objects;
+use crate::objects::{Objects, TypedJointId};
 use crate::{Error, Result};
 
 /// Makes joints. Anchors and angles are computed from the present poses of the bodies, so place the bodies first.
@@ -219,6 +220,71 @@ impl JointFactory {
     }
 }
 
+/// More joints that the original does not have. Their ids know the kind: `simulator[joint]` is a [`WheelJoint`].
+impl JointFactory {
+    /// A wheel, the second body, on a sprung axle of the first one. Anchor and axis are a point and a direction of the world:
+    /// the axle, and the way of the suspension. `stiffness` is in mass units/s², `damping` in mass units/s; both are 0 or more,
+    /// and part of the joint's [servo](Objects::set_joint_servo). Only the [precise set](crate::Methods::Precise) has such
+    /// joints.
+    ///
+    /// # Errors
+    /// A stale body; a number that is not finite; an axis without length; a negative stiffness or damping; the same body twice.
+    /// Under the faithful methods it cannot be added.
+    #[doc(alias("b2WheelJoint", "suspension"))]
+    pub fn create_wheel_joint(
+        simulator: &mut Objects,
+        body1: BodyId,
+        body2: BodyId,
+        anchor: Vector2,
+        axis: Vector2,
+        stiffness: f32,
+        damping: f32,
+    ) -> Result<TypedJointId<WheelJoint>> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = WheelJoint::new(first, second, (anchor, axis), [stiffness, damping])?;
+        create(simulator, joint)
+    }
+
+    /// A damped spring between the angles of two bodies, at rest at their present relative angle. `stiffness` is in mass units
+    /// · length units²/s² per radian, `damping` in mass units · length units²/s; both are 0 or more. Only the [precise
+    /// set](crate::Methods::Precise) has such joints.
+    ///
+    /// # Errors
+    /// A stale body; a number that is not finite and 0 or more; the same body twice. Under the faithful methods it cannot be
+    /// added.
+    #[doc(alias("DampedRotarySpring", "torsion spring"))]
+    pub fn create_angle_spring_joint(
+        simulator: &mut Objects,
+        body1: BodyId,
+        body2: BodyId,
+        stiffness: f32,
+        damping: f32,
+    ) -> Result<TypedJointId<AngleSpringJoint>> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = AngleSpringJoint::new(first, second, stiffness, damping)?;
+        create(simulator, joint)
+    }
+
+    /// A joint that keeps the second body at its present pose relative to the first, and moves it to
+    /// [others](Objects::set_motor_joint_target), with bounded force and torque. Only the [precise
+    /// set](crate::Methods::Precise) has such joints.
+    ///
+    /// # Errors
+    /// A stale body; bodies too far apart; a number that is not finite and 0 or more; the same body twice. Under the faithful
+    /// methods it cannot be added.
+    #[doc(alias("b2MotorJoint", "top-down friction"))]
+    pub fn create_motor_joint(
+        simulator: &mut Objects,
+        body1: BodyId,
+        body2: BodyId,
+        servo: PoseServo,
+    ) -> Result<TypedJointId<MotorJoint>> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = MotorJoint::new(first, second, servo)?;
+        create(simulator, joint)
+    }
+}
+
 /// Methods that also add the joint to the simulator.
 impl JointFactory {
     added! {
@@ -232,8 +298,20 @@ impl JointFactory {
         create_angle_limit_joint_in = create_angle_limit_joint(body1: BodyId, body2: BodyId, min: f32, max: f32) -> JointId;
         create_fixed_angle_limit_joint_in = create_fixed_angle_limit_joint(body: BodyId, min: f32, max: f32) -> JointId;
         create_prismatic_joint_in = create_prismatic_joint(body1: BodyId, body2: BodyId, anchor: Vector2, axis: Vector2) -> JointId;
+        create_wheel_joint_in = create_wheel_joint(body1: BodyId, body2: BodyId, anchor: Vector2, axis: Vector2, stiffness: f32, damping: f32) -> TypedJointId<WheelJoint>;
+        create_angle_spring_joint_in = create_angle_spring_joint(body1: BodyId, body2: BodyId, stiffness: f32, damping: f32) -> TypedJointId<AngleSpringJoint>;
+        create_motor_joint_in = create_motor_joint(body1: BodyId, body2: BodyId, servo: PoseServo) -> TypedJointId<MotorJoint>;
         create_weld_joint_in = create_weld_joint(body1: BodyId, body2: BodyId, anchor: Vector2) -> JointId;
     }
+}
+
+/// Stores a joint of a known kind, which cannot join a body with itself.
+fn create<J: JointType>(simulator: &mut Objects, joint: Joint) -> Result<TypedJointId<J>> {
+    if joint.body2() == Some(joint.body1()) {
+        return Err(Error::invalid("body2", joint.body1(), "another body than body1"));
+    }
+    let joint = simulator.create_joint(joint)?;
+    simulator.typed_joint(joint)
 }
 
 fn find<'a>(simulator: &'a Objects, argument: &'static str, body: BodyId) -> Result<(BodyId, &'a Body)> {

@@ -44,4 +44,26 @@ macro_rules! one_body {
     };
 }
 
-pub(super) use {one_body, two_bodies};
+/// For the `impl` of a joint that only the precise set has. The faithful set, which would call these methods, refuses it.
+macro_rules! only_precise {
+    () => {
+        /// Never called.
+        pub(crate) fn pre_step(&mut self, _: JointStep, _: &[JointPose; 2], _: &mut JointBodies) -> f32 {
+            0.0
+        }
+
+        /// Never called.
+        pub(crate) fn solve(&mut self, _: f32, _: &mut JointBodies) -> bool {
+            false
+        }
+
+        /// The joint keeps no impulse of its own.
+        pub(crate) fn forget_impulse(&mut self) {}
+
+        pub(crate) fn impulse_is_finite(&self) -> bool {
+            true
+        }
+    };
+}
+
+pub(super) use {one_body, only_precise, two_bodies};

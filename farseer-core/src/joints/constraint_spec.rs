@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Joint, JointKind, MotorAndLimits};
+use super::{Joint, JointKind, MotorAndLimits, PoseServo};
 use crate::body::BodyId;
 use crate::math::Vector2;
 
@@ -19,6 +19,10 @@ pub(crate) enum ConstraintSpecKind {
     Distance,
     /// Two directions: across a line, and the relative angle.
     Line,
+    /// The direction across a line.
+    PointOnLine,
+    /// No part: servos alone act.
+    Nothing,
 }
 
 /// A joint as a constraint.
@@ -37,8 +41,10 @@ pub(crate) struct ConstraintSpec {
     pub(crate) most: f32,
     /// Direction of the line, a unit vector in the coordinates of the first body.
     pub(crate) axis: Vector2,
-    /// Motor and limits of the free motion.
+    /// Motor, limits and servo of the free motion.
     pub(crate) drive: Option<MotorAndLimits>,
+    /// Strength of a motor joint; `None` for other kinds. Its pose is in `anchors` and `range`.
+    pub(crate) pose_servo: Option<PoseServo>,
 }
 
 impl ConstraintSpec {
@@ -52,6 +58,7 @@ impl ConstraintSpec {
             most: f32::MAX,
             axis: Vector2::zeros(),
             drive: None,
+            pose_servo: None,
         }
     }
 
@@ -103,6 +110,25 @@ impl Joint {
                 drive,
                 ..ConstraintSpec::point(two(joint.body2()), joint.point.local_anchors())
             },
+            JointKind::Wheel(joint) => ConstraintSpec {
+                keeps: ConstraintSpecKind::PointOnLine,
+                axis: joint.axis(),
+                drive,
+                ..ConstraintSpec::point(two(joint.body2()), joint.point.local_anchors())
+            },
+            JointKind::AngleSpring(joint) => ConstraintSpec {
+                keeps: ConstraintSpecKind::Nothing,
+                drive,
+                ..ConstraintSpec::point(two(joint.body2()), [Vector2::zeros(); 2])
+            },
+            JointKind::Motor(joint) => ConstraintSpec {
+                keeps: ConstraintSpecKind::Nothing,
+                range: [joint.angle(); 2],
+                // The angle of the bodies is read for joints with a drive.
+                drive: Some(MotorAndLimits::default()),
+                pose_servo: Some(joint.servo()),
+                ..ConstraintSpec::point(two(joint.body2()), [joint.offset(), Vector2::zeros()])
+            },
             JointKind::Revolute(joint) => ConstraintSpec {
                 drive,
                 ..ConstraintSpec::point(two(joint.body2()), joint.point.local_anchors())
@@ -130,6 +156,7 @@ impl Joint {
             JointKind::Revolute(joint) => joint.point.set_arm(arm),
             JointKind::Prismatic(joint) => joint.point.set_arm(arm),
             JointKind::Weld(joint) => joint.point.set_arm(arm),
+            JointKind::Wheel(joint) => joint.point.set_arm(arm),
             JointKind::Pin(joint) => joint.anchors.set_world_anchors(both()),
             JointKind::Slider(joint) => joint.anchors.set_world_anchors(both()),
             _ => {}

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::joints::{
-    AngleJoint, AngleLimitJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint, Joint, PinJoint,
-    PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint,
+    AngleJoint, AngleLimitJoint, AngleSpringJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint,
+    Joint, MotorJoint, PinJoint, PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint, WheelJoint,
 };
 
 mod sealed {
@@ -93,4 +93,10 @@ joint_kinds! {
     Slider: SliderJoint,
     /// Two bodies that share a point and an angle.
     Weld: WeldJoint,
+    /// Two bodies with a damped spring between their angles.
+    AngleSpring: AngleSpringJoint,
+    /// A body that a bounded force moves to a pose relative to another.
+    Motor: MotorJoint,
+    /// A wheel on a sprung axle.
+    Wheel: WheelJoint,
 }

@@ -9,6 +9,7 @@
 mod anchor_distance;
 mod angle_joint;
 mod angle_limit_joint;
+mod angle_spring_joint;
 mod bodies;
 #[cfg(feature = "precise")]
 pub(crate) mod constraint_spec;
@@ -21,28 +22,33 @@ mod limit;
 #[cfg(feature = "precise")]
 mod load;
 mod motor_and_limits;
+mod motor_joint;
 mod pin_joint;
 mod prismatic_joint;
 mod revolute_joint;
 mod shared_point;
 mod slider_joint;
 mod weld_joint;
+mod wheel_joint;
 
 use serde::{Deserialize, Serialize};
 
 pub use angle_joint::AngleJoint;
 pub use angle_limit_joint::AngleLimitJoint;
+pub use angle_spring_joint::AngleSpringJoint;
 pub use fixed_angle_joint::FixedAngleJoint;
 pub use fixed_angle_limit_joint::FixedAngleLimitJoint;
 pub use fixed_revolute_joint::FixedRevoluteJoint;
 pub use kinds::{JointKind, JointType};
 pub(crate) use motor_and_limits::MotorAndLimits;
 pub use motor_and_limits::{JointLimits, JointMotor, JointServo};
+pub use motor_joint::{MotorJoint, PoseServo};
 pub use pin_joint::PinJoint;
 pub use prismatic_joint::PrismaticJoint;
 pub use revolute_joint::RevoluteJoint;
 pub use slider_joint::SliderJoint;
 pub use weld_joint::WeldJoint;
+pub use wheel_joint::WheelJoint;
 
 use crate::body::BodyId;
 use crate::checked_properties::checked_properties;
@@ -270,12 +276,20 @@ impl Joint {
         self.motor_and_limits()?.servo()
     }
 
+    /// Whether the joint has a servo, or is one.
+    #[cfg(feature = "precise")]
+    pub(crate) fn has_servo(&self) -> bool {
+        self.servo().is_some() || matches!(self.kind, JointKind::Motor(_))
+    }
+
     /// Motor, limits and servo, for kinds that can have them.
     pub(crate) fn motor_and_limits(&self) -> Option<&MotorAndLimits> {
         match &self.kind {
             JointKind::Revolute(joint) => Some(&joint.drive),
             JointKind::FixedRevolute(joint) => Some(&joint.drive),
             JointKind::Prismatic(joint) => Some(&joint.drive),
+            JointKind::Wheel(joint) => Some(&joint.drive),
+            JointKind::AngleSpring(joint) => Some(&joint.drive),
             _ => None,
         }
     }
@@ -285,6 +299,8 @@ impl Joint {
             JointKind::Revolute(joint) => Some(&mut joint.drive),
             JointKind::FixedRevolute(joint) => Some(&mut joint.drive),
             JointKind::Prismatic(joint) => Some(&mut joint.drive),
+            JointKind::Wheel(joint) => Some(&mut joint.drive),
+            JointKind::AngleSpring(joint) => Some(&mut joint.drive),
             _ => None,
         }
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
-use crate::joints::bodies::two_bodies;
+use crate::joints::bodies::{only_precise, two_bodies};
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::motor_and_limits::MotorAndLimits;
 use crate::joints::shared_point::SharedPoint;
@@ -77,15 +77,7 @@ impl PrismaticJoint {
 
     /// Sets the axis to a direction of the world, at the body's present angle.
     pub(crate) fn set_axis(&mut self, axis: Vector2, body1: &Body) -> Result<()> {
-        finite_vector("axis", axis)?;
-        let [x, y] = [f64::from(axis.x), f64::from(axis.y)];
-        let length = (x * x + y * y).sqrt();
-        if length == 0.0 {
-            return Err(Error::invalid("axis", (axis.x, axis.y), "longer than 0"));
-        }
-        let (sine, cosine) = libm::sincos(f64::from(body1.rotation()));
-        let local = [(cosine * x + sine * y) / length, (cosine * y - sine * x) / length];
-        self.axis = Vector2::new(local[0] as f32, local[1] as f32);
+        self.axis = local_axis(axis, body1)?;
         Ok(())
     }
 
@@ -96,33 +88,39 @@ impl PrismaticJoint {
 
     /// Distance along the axis by which the second body has slid, in length units.
     pub(crate) fn travel(&self, body1: &Body, body2: &Body) -> f32 {
-        let [anchor1, anchor2] = self.point.local_anchors();
-        let apart = body2.get_world_position(anchor2) - body1.get_world_position(anchor1);
-        let (sine, cosine) = scalar::sin_cos(body1.rotation());
-        let (x, y) = (self.axis.x, self.axis.y);
-        apart.x * (cosine * x - sine * y) + apart.y * (sine * x + cosine * y)
+        axis_travel(&self.point, self.axis, body1, body2)
     }
 
-    /// Never called: the faithful set, which calls it for other kinds, has no such joints.
-    pub(crate) fn pre_step(&mut self, _: JointStep, _: &[JointPose; 2], _: &mut JointBodies) -> f32 {
-        0.0
-    }
-
-    pub(crate) fn solve(&mut self, _: f32, _: &mut JointBodies) -> bool {
-        false
-    }
-
-    pub(crate) fn forget_impulse(&mut self) {}
-
-    pub(crate) fn impulse_is_finite(&self) -> bool {
-        true
-    }
+    only_precise! {}
 
     pub(crate) fn is_valid(&self) -> bool {
-        let length = self.axis.norm();
-        self.point.is_valid()
-            && self.target_angle.is_finite()
-            && (length - 1.0).abs() < 1e-5
-            && self.drive.is_valid()
+        self.point.is_valid() && self.target_angle.is_finite() && is_unit(self.axis) && self.drive.is_valid()
     }
+}
+
+/// A direction of the world as a unit vector in the coordinates of a body, at its present angle.
+pub(super) fn local_axis(axis: Vector2, body: &Body) -> Result<Vector2> {
+    finite_vector("axis", axis)?;
+    let [x, y] = [f64::from(axis.x), f64::from(axis.y)];
+    let length = (x * x + y * y).sqrt();
+    if length == 0.0 {
+        return Err(Error::invalid("axis", (axis.x, axis.y), "longer than 0"));
+    }
+    let (sine, cosine) = libm::sincos(f64::from(body.rotation()));
+    let local = [(cosine * x + sine * y) / length, (cosine * y - sine * x) / length];
+    Ok(Vector2::new(local[0] as f32, local[1] as f32))
+}
+
+/// Distance along the axis by which the second body has slid, in length units.
+pub(super) fn axis_travel(point: &SharedPoint, axis: Vector2, body1: &Body, body2: &Body) -> f32 {
+    let [anchor1, anchor2] = point.local_anchors();
+    let apart = body2.get_world_position(anchor2) - body1.get_world_position(anchor1);
+    let (sine, cosine) = scalar::sin_cos(body1.rotation());
+    let (x, y) = (axis.x, axis.y);
+    apart.x * (cosine * x - sine * y) + apart.y * (sine * x + cosine * y)
+}
+
+/// Whether an axis is a unit vector.
+pub(super) fn is_unit(axis: Vector2) -> bool {
+    (axis.norm() - 1.0).abs() < 1e-5
 }

@@ -8,7 +8,8 @@ use crate::error::{Error, Result};
 #[cfg(feature = "precise")]
 use crate::geom::GeomId;
 use crate::joints::{
-    Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorAndLimits,
+    Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorAndLimits, MotorJoint,
+    PoseServo,
 };
 use crate::math::Vector2;
 use crate::math::finite::finite_vector;
@@ -163,8 +164,8 @@ impl Objects {
     /// A stale id; a joint on one body; false with the faithful methods, which have no such joints
     /// ([`Error::NotSupported`]): there, [ignore](Self::ignore_collision_with) the collisions of the geoms.
     #[doc(alias("collideConnected", "contacts_enabled", "collide_bodies"))]
-    pub fn set_joint_bodies_collide(&mut self, joint: JointId, do_collide: bool) -> Result<()> {
-        let kept = self.joints.find_mut("joint", joint)?;
+    pub fn set_joint_bodies_collide(&mut self, joint: impl Into<JointId>, do_collide: bool) -> Result<()> {
+        let kept = self.joints.find_mut("joint", joint.into())?;
         if kept.body2().is_none() {
             return Err(Error::WrongKind { argument: "joint", expected: "joint between two bodies" });
         }
@@ -184,7 +185,7 @@ impl Objects {
         self.separated_bodies.binary_search(&(one.min(other), one.max(other))).is_ok()
     }
 
-    /// Moves the anchor of a revolute, fixed revolute, weld or prismatic joint to a point of the world, for the bodies'
+    /// Moves the anchor of a revolute, fixed revolute, weld, prismatic or wheel joint to a point of the world, for the bodies'
     /// present poses. [Limits](Self::set_joint_limits) are relative to these poses.
     ///
     /// # Errors
@@ -198,11 +199,14 @@ impl Objects {
             JointKind::FixedRevolute(joint) => joint.set_anchor(anchor, body1),
             JointKind::Weld(joint) => joint.set_anchor(anchor, body1, body2),
             JointKind::Prismatic(joint) => joint.set_anchor(anchor, body1, body2),
-            _ => Err(wrong_kind("RevoluteJoint, FixedRevoluteJoint, WeldJoint or PrismaticJoint")),
+            JointKind::Wheel(joint) => joint.set_anchor(anchor, body1, body2),
+            _ => {
+                Err(wrong_kind("RevoluteJoint, FixedRevoluteJoint, WeldJoint, PrismaticJoint or WheelJoint"))
+            }
         }
     }
 
-    /// Sets the axis of a prismatic joint to a direction of the world, for the first body's present angle. Its length
+    /// Sets the axis of a prismatic or wheel joint to a direction of the world, for the first body's present angle. Its length
     /// has no effect.
     ///
     /// # Errors
@@ -211,11 +215,12 @@ impl Objects {
         let (joint, body1, _) = self.joint_and_bodies(joint)?;
         match joint.kind_mut() {
             JointKind::Prismatic(joint) => joint.set_axis(axis, body1),
-            _ => Err(wrong_kind("PrismaticJoint")),
+            JointKind::Wheel(joint) => joint.set_axis(axis, body1),
+            _ => Err(wrong_kind("PrismaticJoint or WheelJoint")),
         }
     }
 
-    /// Sets the motor of a revolute, fixed revolute or prismatic joint, or removes it. It takes effect with the next
+    /// Sets the motor of a revolute, fixed revolute, prismatic, wheel or angle spring joint, or removes it. It takes effect with the next
     /// update.
     ///
     /// ```
@@ -234,25 +239,26 @@ impl Objects {
     /// # Errors
     /// A stale id; a joint of another kind; a speed that is not finite, an effort that is not finite and 0 or more; the
     /// faithful methods, which have no motors ([`Error::NotSupported`]).
-    pub fn set_joint_motor(&mut self, joint: JointId, motor: Option<JointMotor>) -> Result<()> {
-        self.edit_motor_and_limits(joint, |joint| {
+    pub fn set_joint_motor(&mut self, joint: impl Into<JointId>, motor: Option<JointMotor>) -> Result<()> {
+        self.edit_motor_and_limits(joint.into(), |joint| {
             joint.motor_and_limits_mut().map(|drive| drive.set_motor(motor))
         })
     }
 
-    /// Sets the limits of a revolute, fixed revolute or prismatic joint, or removes them. They take effect with the
+    /// Sets the limits of a revolute, fixed revolute, prismatic or angle spring joint, or removes them. They take effect with the
     /// next update: a joint that is beyond them is brought back little by little.
     ///
     /// # Errors
     /// A stale id; a joint of another kind; limits that are not finite, or in the wrong order; the faithful methods, which
     /// have none for these joints ([`Error::NotSupported`]).
-    pub fn set_joint_limits(&mut self, joint: JointId, limits: Option<JointLimits>) -> Result<()> {
-        self.edit_motor_and_limits(joint, |joint| {
-            joint.motor_and_limits_mut().map(|drive| drive.set_limits(limits))
+    pub fn set_joint_limits(&mut self, joint: impl Into<JointId>, limits: Option<JointLimits>) -> Result<()> {
+        self.edit_motor_and_limits(joint.into(), |joint| {
+            let has_limits = !matches!(joint.kind(), JointKind::Wheel(_));
+            joint.motor_and_limits_mut().filter(|_| has_limits).map(|drive| drive.set_limits(limits))
         })
     }
 
-    /// Sets the servo of a revolute, fixed revolute or prismatic joint, or removes it. It takes effect with the next update,
+    /// Sets the servo of a revolute, fixed revolute, prismatic, wheel or angle spring joint, or removes it. It takes effect with the next update,
     /// and wakes the bodies. Its target is relative to the reference of the [limits](Self::set_joint_limits), and compared with
     /// [`joint_travel`](Self::joint_travel). See [`JointServo`] for an example.
     ///
@@ -262,10 +268,41 @@ impl Objects {
     /// A stale id; a joint of another kind; a target that is not finite; a stiffness, damping or effort that is not finite and
     /// 0 or more; the faithful methods, which have no servos ([`Error::NotSupported`]). The old servo stays then.
     #[doc(alias("enableSpring", "SetSpringHertz", "set_motor_position", "SetTargetAngle"))]
-    pub fn set_joint_servo(&mut self, joint: JointId, servo: Option<JointServo>) -> Result<()> {
-        self.edit_motor_and_limits(joint, |joint| {
+    pub fn set_joint_servo(&mut self, joint: impl Into<JointId>, servo: Option<JointServo>) -> Result<()> {
+        self.edit_motor_and_limits(joint.into(), |joint| {
             joint.motor_and_limits_mut().map(|drive| drive.set_servo(servo))
         })
+    }
+
+    /// Moves the pose that a motor joint seeks: the place of the second body's centre in the coordinates of the first one, in
+    /// length units, and the difference of their total rotations, in radians. It takes effect with the next update, and wakes
+    /// the bodies.
+    ///
+    /// # Errors
+    /// A stale id; a joint of another kind; a number that is not finite. The old pose stays then.
+    #[doc(alias("SetLinearOffset", "SetAngularOffset"))]
+    pub fn set_motor_joint_target(
+        &mut self,
+        joint: impl Into<JointId>,
+        offset: Vector2,
+        angle: f32,
+    ) -> Result<()> {
+        self.motor_joint_mut(joint.into())?.set_target(offset, angle)
+    }
+
+    /// Sets frequency, damping and bounds of a motor joint. They take effect with the next update.
+    ///
+    /// # Errors
+    /// A stale id; a joint of another kind; a number that is not finite and 0 or more. The old values stay then.
+    #[doc(alias("SetMaxForce", "SetMaxTorque"))]
+    pub fn set_motor_joint_servo(&mut self, joint: impl Into<JointId>, servo: PoseServo) -> Result<()> {
+        self.motor_joint_mut(joint.into())?.set_servo(servo)
+    }
+
+    /// A motor joint for an edit that changes its target or strength.
+    fn motor_joint_mut(&mut self, joint: JointId) -> Result<&mut MotorJoint> {
+        self.has_edited_drives = true;
+        MotorJoint::of_mut(self.joints.find_mut("joint", joint)?).ok_or_else(|| wrong_kind(MotorJoint::NAME))
     }
 
     /// Edits a copy, so that the joint does not change if the edit is refused. Only adding or removing a motor,
@@ -277,8 +314,7 @@ impl Objects {
     ) -> Result<()> {
         let kept = self.joints.find_mut("joint", joint)?;
         let mut edited = kept.clone();
-        edit(&mut edited)
-            .ok_or_else(|| wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint"))??;
+        edit(&mut edited).ok_or_else(|| wrong_kind(DRIVEN))??;
         self.methods.check_driven(&edited)?;
         let present = |joint: &Joint| joint.motor_and_limits().map(MotorAndLimits::present);
         self.has_edited_joints |= present(kept) != present(&edited);
@@ -287,13 +323,14 @@ impl Objects {
         Ok(())
     }
 
-    /// Travel of a joint relative to the reference of its [limits](Self::set_joint_limits): the angle of a revolute or
-    /// fixed revolute joint in radians, the distance of a prismatic joint along its axis in length units.
+    /// Travel of a joint relative to the reference of its [limits](Self::set_joint_limits). It is the angle of a revolute or
+    /// fixed revolute joint or angle spring in radians, and the distance of a prismatic or wheel joint along its axis in length
+    /// units.
     ///
     /// # Errors
     /// A stale id; a body that was not set yet; a joint of another kind.
-    pub fn joint_travel(&self, joint: JointId) -> Result<f32> {
-        let joint = self.joints.find("joint", joint)?;
+    pub fn joint_travel(&self, joint: impl Into<JointId>) -> Result<f32> {
+        let joint = self.joints.find("joint", joint.into())?;
         let body1 = body_of_joint(&self.bodies, "body1", joint.body1())?;
         let body2 = joint.body2().map(|body2| body_of_joint(&self.bodies, "body2", body2)).transpose()?;
         let angle = match body2 {
@@ -302,8 +339,9 @@ impl Objects {
         };
         let travel = match (joint.kind(), joint.motor_and_limits()) {
             (JointKind::Prismatic(joint), _) => joint.travel(body1, body2.unwrap_or(body1)),
+            (JointKind::Wheel(joint), _) => joint.travel(body1, body2.unwrap_or(body1)),
             (_, Some(drive)) => angle - drive.reference,
-            _ => return Err(wrong_kind("RevoluteJoint, FixedRevoluteJoint or PrismaticJoint")),
+            _ => return Err(wrong_kind(DRIVEN)),
         };
         Ok(nearest_finite(travel))
     }
@@ -356,8 +394,13 @@ impl Objects {
             JointKind::Revolute(joint) => joint.current_anchor(body1),
             JointKind::Weld(joint) => joint.current_anchor(body1),
             JointKind::Prismatic(joint) => joint.current_anchor(body1),
+            JointKind::Wheel(joint) => joint.current_anchor(body1),
             JointKind::Slider(joint) => joint.current_anchor(body1),
-            _ => return Err(wrong_kind("RevoluteJoint, WeldJoint, PrismaticJoint or SliderJoint")),
+            _ => {
+                return Err(wrong_kind(
+                    "RevoluteJoint, WeldJoint, PrismaticJoint, WheelJoint or SliderJoint",
+                ));
+            }
         };
         finite_vector("joint", anchor)
     }
@@ -381,6 +424,10 @@ fn body_of_joint<'a>(bodies: &'a Bodies, missing: &'static str, body: BodyId) ->
     let entry = bodies.get(body).ok_or(Error::StaleId { argument: "body of the joint" })?;
     Ok(&entry.body)
 }
+
+/// Kinds of joints with motor, limits or servo.
+const DRIVEN: &str =
+    "RevoluteJoint, FixedRevoluteJoint, PrismaticJoint, AngleSpringJoint or, but for limits, WheelJoint";
 
 fn wrong_kind(expected: &'static str) -> Error {
     Error::WrongKind { argument: "joint", expected }

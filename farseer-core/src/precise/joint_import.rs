@@ -9,7 +9,7 @@ use super::ids::IdTable;
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
 use crate::joints::constraint_spec::ConstraintSpecKind;
-use crate::joints::{Joint, JointId, JointServo, MotorAndLimits};
+use crate::joints::{Joint, JointId, JointKind, JointServo, MotorAndLimits, MotorJoint};
 use crate::math::{Vector2, scalar};
 use crate::objects::Objects;
 use crate::report::{Event, Report};
@@ -23,7 +23,7 @@ use farseer_precise::joints::JointSystem;
 use farseer_precise::joints::indices::JointIndex;
 use farseer_precise::joints::joint_constraint::{JointAnchor, JointConstraint, JointDrive, Limits, Motor};
 use farseer_precise::joints::locked_dofs::LockedDofs;
-use farseer_precise::joints::springs::{Servo, SpringConstraint, SpringRows};
+use farseer_precise::joints::springs::{PoseServo, Servo, SpringConstraint, SpringRows};
 use farseer_precise::joints::vec2::Vec2;
 use farseer_precise::reusing_clone;
 use farseer_precise::scaled_parameters::StepContext;
@@ -161,6 +161,18 @@ fn servo_row(servo: JointServo) -> Option<Servo> {
     })
 }
 
+/// Returns target and strength of a motor joint as the solvers take them.
+fn pose_servo(joint: &MotorJoint) -> PoseServo {
+    let servo = joint.servo();
+    PoseServo {
+        target_angle: joint.angle().into(),
+        angular_frequency: std::f64::consts::TAU * f64::from(servo.frequency),
+        damping_ratio: servo.damping_ratio.into(),
+        greatest_force: servo.greatest_force.into(),
+        greatest_torque: servo.greatest_torque.into(),
+    }
+}
+
 /// The parts that the import of joints and springs reads.
 #[derive(Clone, Copy)]
 pub(crate) struct JointImport<'a> {
@@ -231,6 +243,8 @@ impl<'a> JointImport<'a> {
             ConstraintSpecKind::Angle => LockedDofs::Angle,
             ConstraintSpecKind::Distance => LockedDofs::Distance,
             ConstraintSpecKind::Line => LockedDofs::Line,
+            ConstraintSpecKind::PointOnLine => LockedDofs::PointOnLine,
+            ConstraintSpecKind::Nothing => LockedDofs::Unlocked,
         };
         let can_be_soft = matches!(locked, LockedDofs::Point | LockedDofs::Distance);
         let softness = if can_be_soft { f64::from(joint.softness()) } else { 0.0 };
@@ -259,7 +273,7 @@ impl<'a> JointImport<'a> {
         if constraint.has_angle() {
             constraint.angle = rotation_of(bodies.1) - bodies.0.map_or(0.0, rotation_of);
         }
-        if constraint.locked == LockedDofs::Line
+        if constraint.locked.has_axis()
             && let Some(entry) = bodies.0.and_then(|id| self.objects.get(id))
         {
             constraint.set_axis(entry.body.rotation());
@@ -305,7 +319,7 @@ impl<'a> JointImport<'a> {
         });
         joints.replace(active, objects.joints.list().len(), self.bodies, self.depth.is_some());
         table.servos.clear();
-        let has_servo = |ids: &JointIds| objects.joints.get(ids.joint).is_some_and(|it| it.servo().is_some());
+        let has_servo = |ids: &JointIds| objects.joints.get(ids.joint).is_some_and(Joint::has_servo);
         let with_servo = table.ids.iter().enumerate().filter(|(_, ids)| has_servo(ids));
         table.servos.extend(with_servo.map(|(at, _)| JointIndex::new(at)));
         table.signature = joints_hash(joints.constraints(), &table.ids);
@@ -318,16 +332,15 @@ impl<'a> JointImport<'a> {
         let mut signature = 0_u64;
         for &at in &table.servos {
             let id = table.ids[at.position()].joint;
-            let Some((joint, drive)) =
-                objects.joints.get(id).and_then(|it| Some((it, it.motor_and_limits()?)))
-            else {
-                continue;
-            };
-            let (Some(servo), Some(constraint)) = (drive.servo().and_then(servo_row), self.constraint(joint))
-            else {
-                continue;
-            };
-            springs.push(SpringConstraint::of_servo(at, &constraint, servo, drive.reference.into()));
+            let Some(joint) = objects.joints.get(id) else { continue };
+            let Some(constraint) = self.constraint(joint) else { continue };
+            if let JointKind::Motor(motor) = joint.kind() {
+                pose_servo(motor).add_springs(springs, at, &constraint, self.bodies);
+            } else if let Some(drive) = joint.motor_and_limits()
+                && let Some(servo) = drive.servo().and_then(servo_row)
+            {
+                springs.push(SpringConstraint::of_servo(at, &constraint, servo, drive.reference.into()));
+            }
             signature = (signature.rotate_left(5) ^ id.to_bits() ^ SERVO_HASH)
                 .wrapping_add(1)
                 .wrapping_mul(0x9E37_79B9_7F4A_7C15);
@@ -358,7 +371,7 @@ impl<'a> JointImport<'a> {
             // The target of a motor may change in every step without a new import.
             if constraint.drive.is_some() {
                 let drive = objects.joints.get(ids.joint).and_then(Joint::motor_and_limits);
-                constraint.drive = drive.map(joint_drive);
+                constraint.drive = drive.map(joint_drive).or(constraint.drive);
             }
         };
         joints.prepare(self.bodies, is_touched.as_ref(), read);

@@ -52,6 +52,8 @@ pub(super) enum RowDirection {
     Fixed,
     /// Keeps n perpendicular to the axis of a prismatic joint.
     AcrossAxis,
+    /// Keeps n perpendicular to the axis of a wheel joint, whose motor acts on the angle.
+    AcrossWheelAxis,
     /// Turns n from anchor A to anchor B: pin and slider joints.
     BetweenAnchors,
 }
@@ -60,9 +62,20 @@ impl RowDirection {
     pub(super) fn of_link(link: LockedDofs) -> Self {
         match link {
             LockedDofs::Line => RowDirection::AcrossAxis,
+            LockedDofs::PointOnLine => RowDirection::AcrossWheelAxis,
             LockedDofs::Distance => RowDirection::BetweenAnchors,
             _ => RowDirection::Fixed,
         }
+    }
+
+    /// Returns whether n is perpendicular to an axis that turns with A.
+    fn is_across_axis(self) -> bool {
+        matches!(self, RowDirection::AcrossAxis | RowDirection::AcrossWheelAxis)
+    }
+
+    /// Returns whether motor and limits act on the angle.
+    pub(super) fn has_angular_motor(self) -> bool {
+        matches!(self, RowDirection::Fixed | RowDirection::AcrossWheelAxis)
     }
 }
 
@@ -263,7 +276,7 @@ impl BodyPairLanes {
         let [x, y] = self.anchor_offset();
         self.normal = match self.direction {
             RowDirection::Fixed => [f32x4::splat(1.0), ZERO],
-            RowDirection::AcrossAxis => [ZERO - self.axis[1], self.axis[0]],
+            RowDirection::AcrossAxis | RowDirection::AcrossWheelAxis => [ZERO - self.axis[1], self.axis[0]],
             RowDirection::BetweenAnchors => {
                 let distance = (x * x + y * y).sqrt();
                 let is_apart = distance.simd_gt(ZERO);
@@ -271,8 +284,8 @@ impl BodyPairLanes {
             }
         };
         let ([nx, ny], [[ax, ay], [bx, by]]) = (self.normal, self.arms);
-        // The constraint impulse of a prismatic joint acts on both bodies at anchor B.
-        let [ax, ay] = if self.direction == RowDirection::AcrossAxis { [ax + x, ay + y] } else { [ax, ay] };
+        // The constraint impulse of a prismatic or wheel joint acts on both bodies at anchor B.
+        let [ax, ay] = if self.direction.is_across_axis() { [ax + x, ay + y] } else { [ax, ay] };
         let angular = |x: JointLanes, y: JointLanes| [x * ny - y * nx, ZERO - (x * nx + y * ny)];
         self.angular_jacobian = [angular(ax, ay), angular(bx, by)];
     }
@@ -288,7 +301,7 @@ impl BodyPairLanes {
         for (arm, turn) in self.arms.iter_mut().zip([a[2], b[2]]) {
             *arm = rotated(*arm, sin_cos_of_rotations(turn));
         }
-        if self.direction == RowDirection::AcrossAxis {
+        if self.direction.is_across_axis() {
             self.axis = rotated(self.axis, sin_cos_of_rotations(a[2]));
         }
         (0..2).for_each(|i| self.origin_offset[i] += b[i] - a[i]);

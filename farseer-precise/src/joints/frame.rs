@@ -31,12 +31,13 @@ impl LockedDofs {
     /// turns the row of a distance or angle into limits.
     pub(super) fn locked_rows(self) -> RowMask {
         match self {
-            LockedDofs::Free | LockedDofs::Fixed => 0,
+            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::Unlocked => 0,
             LockedDofs::Point => 1 << ALONG | 1 << ACROSS,
             LockedDofs::Weld => 1 << ALONG | 1 << ANGLE | 1 << ACROSS,
             LockedDofs::Angle => 1 << ANGLE,
             LockedDofs::Distance => 1 << ALONG,
             LockedDofs::Line => 1 << ALONG | 1 << ANGLE,
+            LockedDofs::PointOnLine => 1 << ALONG,
         }
     }
 
@@ -45,12 +46,9 @@ impl LockedDofs {
         self.locked_rows() >> row & 1 == 1
     }
 
-    /// Returns the row that a servo of a joint acts on: ACROSS (along the axis) of a prismatic joint, else ANGLE.
+    /// Returns the row that a servo of a joint acts on: ACROSS (along the axis) of a prismatic or wheel joint, else ANGLE.
     pub(super) fn servo_row(self) -> usize {
-        match self {
-            LockedDofs::Line => ACROSS,
-            _ => ANGLE,
-        }
+        if self.has_axis() { ACROSS } else { ANGLE }
     }
 
     /// Returns the row that motor and limits of a joint act on: ALONG (normal), ANGLE or ACROSS (tangent).
@@ -111,7 +109,7 @@ impl JointFrame {
     /// distance joint, else (1, 0).
     pub(super) fn normal(&self) -> Vec2 {
         match self.locked {
-            LockedDofs::Line => [-self.axis[1], self.axis[0]],
+            locked if locked.has_axis() => [-self.axis[1], self.axis[0]],
             LockedDofs::Distance => {
                 let ([x, y], distance) = (self.anchor_offset(), self.distance());
                 if distance > 0.0 { [x / distance, y / distance] } else { [1.0, 0.0] }
@@ -123,8 +121,8 @@ impl JointFrame {
     /// Returns the Jacobian of the joint's rows: along the normal, angular, and along the tangent.
     pub(super) fn jacobian(&self) -> Jacobian {
         let (n, [mut a, b]) = (self.normal(), self.arms);
-        if self.locked == LockedDofs::Line {
-            // A prismatic joint acts on both bodies at the second anchor.
+        if self.locked.has_axis() {
+            // A prismatic or wheel joint acts on both bodies at the second anchor.
             a = add_scaled(a, self.anchor_offset(), 1.0);
         }
         Jacobian::of_joint(n, [a, b])

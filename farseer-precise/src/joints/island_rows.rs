@@ -8,6 +8,7 @@
 //! | revolute | (1, 0) | equality | motor and limits | equality |
 //! | weld | (1, 0) | equality | equality with the largest impulse | equality |
 //! | prismatic | across the axis | equality | equality | motor and limits |
+//! | wheel | across the axis | equality | motor | servo, as a row of its own |
 //! | pin, slider | from anchor A to anchor B | equality, or limits | | |
 //! | angle, angle limit | | | equality, or limits | |
 //!
@@ -261,6 +262,8 @@ impl JointConstraint {
             LockedDofs::Point => [linear[0], 0.0, linear[1]],
             LockedDofs::Weld => [linear[0], frame.angle - self.range[0], linear[1]],
             LockedDofs::Line => [linear[0], frame.angle - self.range[0], 0.0],
+            LockedDofs::PointOnLine => [linear[0], 0.0, 0.0],
+            LockedDofs::Unlocked => [0.0; 3],
             LockedDofs::Angle => [0.0, self.range_error(frame.angle), 0.0],
             _ => [self.range_error(frame.distance()), 0.0, 0.0],
         };

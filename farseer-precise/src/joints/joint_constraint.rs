@@ -96,7 +96,7 @@ pub struct JointDrive {
 pub(super) struct JointEdge {
     /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
     pub(super) bodies: [BodyIndex; 2],
-    /// Whether the joint is bounded: it has a range of positions or a greatest impulse.
+    /// Whether the joint is bounded: it has a range of positions or a greatest impulse, or is no edge of a tree by its kind.
     pub(super) is_bounded: bool,
 }
 
@@ -233,7 +233,7 @@ impl JointConstraint {
         let [low, high] = self.range;
         JointEdge {
             bodies: self.anchors.map(|anchor| anchor.body),
-            is_bounded: low < high || self.max_impulse < f64::from(f32::MAX),
+            is_bounded: low < high || self.max_impulse < f64::from(f32::MAX) || !self.locked.fits_tree(),
         }
     }
 
@@ -267,7 +267,8 @@ impl JointConstraint {
                 self.range_error((dot(offset, offset) + self.depth_offset * self.depth_offset).sqrt())
             }
             LockedDofs::Angle => self.range_error(self.angle),
-            LockedDofs::Line => cross(self.axis, offset).abs(),
+            LockedDofs::Line | LockedDofs::PointOnLine => cross(self.axis, offset).abs(),
+            LockedDofs::Unlocked => 0.0,
             _ => distance,
         }
     }

@@ -18,9 +18,23 @@ pub enum LockedDofs {
     Distance,
     /// Locks the translation across a line fixed to the first body, and the relative angle: a prismatic joint.
     Line,
+    /// Locks the translation across a line fixed to the first body alone: a wheel joint.
+    PointOnLine,
+    /// Locks no degree of freedom: a joint whose servos, motor or limits alone act.
+    Unlocked,
 }
 
 impl LockedDofs {
+    /// Returns whether the linear rows of the joint follow an axis that turns with the first body.
+    pub fn has_axis(self) -> bool {
+        matches!(self, LockedDofs::Line | LockedDofs::PointOnLine)
+    }
+
+    /// Returns whether the joint can be an edge of a tree, which the articulated-body algorithm solves.
+    pub(super) fn fits_tree(self) -> bool {
+        !matches!(self, LockedDofs::PointOnLine | LockedDofs::Unlocked)
+    }
+
     /// Returns whether this is a joint with a parent, not the state of a root.
     pub(super) fn is_joint(self) -> bool {
         !matches!(self, LockedDofs::Free | LockedDofs::Fixed)

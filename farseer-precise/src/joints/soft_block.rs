@@ -88,7 +88,7 @@ pub(super) struct BlockKind {
 
 impl BlockKind {
     /// Number of different kinds of blocks.
-    pub(super) const COUNT: usize = 6;
+    pub(super) const COUNT: usize = 8;
 
     pub(super) fn of_joint(joint: &JointConstraint) -> Self {
         BlockKind {
@@ -103,6 +103,7 @@ impl BlockKind {
             RowDirection::Fixed => 0,
             RowDirection::AcrossAxis => 1,
             RowDirection::BetweenAnchors => 2,
+            RowDirection::AcrossWheelAxis => 3,
         };
         direction * 2 + usize::from(self.has_motor_or_limits)
     }
@@ -233,7 +234,7 @@ impl SoftJointBlock {
         let motor_row = self.motor_limit_row();
         if let Some(motor_and_limits) = &mut self.motor_and_limits {
             let length = match self.pair.direction {
-                RowDirection::Fixed => None,
+                RowDirection::Fixed | RowDirection::AcrossWheelAxis => None,
                 RowDirection::AcrossAxis => Some(travel),
                 RowDirection::BetweenAnchors => Some(along),
             };
@@ -253,7 +254,7 @@ impl SoftJointBlock {
     /// Returns the index of the motor-limit row: ALONG (normal), ANGLE or ACROSS (tangent).
     fn motor_limit_row(&self) -> usize {
         match self.pair.direction {
-            RowDirection::Fixed => ANGLE,
+            RowDirection::Fixed | RowDirection::AcrossWheelAxis => ANGLE,
             RowDirection::AcrossAxis => ACROSS,
             RowDirection::BetweenAnchors => ALONG,
         }
@@ -364,7 +365,7 @@ impl SoftJointBlock {
         if held.none() {
             return;
         }
-        let is_angle = self.pair.direction == RowDirection::Fixed;
+        let is_angle = self.pair.direction.has_angular_motor();
         if let Some(motor_and_limits) = &mut self.motor_and_limits {
             motor_and_limits.bound_limit_error(self.max_errors[usize::from(is_angle)], held);
         }
@@ -392,7 +393,7 @@ impl SoftJointBlock {
         let mut is_large =
             (along * along + across * across).simd_gt(linear) | (angle * angle).simd_gt(angular);
         if let Some(motor_and_limits) = &self.motor_and_limits {
-            let is_angle = self.pair.direction == RowDirection::Fixed;
+            let is_angle = self.pair.direction.has_angular_motor();
             let most = share * f32x4::splat(self.max_errors[usize::from(is_angle)]);
             is_large |= motor_and_limits.limit_violation().simd_gt(most);
         }

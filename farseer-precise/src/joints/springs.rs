@@ -32,7 +32,7 @@ use super::frame::JointFrame;
 use super::indices::{CandidateIndex, JointIndex, SpringIndex};
 use super::joint_constraint::{JointAnchor, JointCandidate, JointConstraint};
 use super::locked_dofs::LockedDofs;
-use super::vec2::Vec2;
+use super::vec2::{Vec2, add_scaled, dot};
 use crate::index::{BodyIndex, IndexedVec};
 use crate::reusing_clone;
 
@@ -269,6 +269,103 @@ impl SpringConstraint {
             is_solved: false,
         }
     }
+}
+
+/// Strength and bounds of a joint that moves its second body to a pose relative to the first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoseServo {
+    /// Angle of the second body minus that of the first that the joint seeks, in radians.
+    pub target_angle: f64,
+    /// Angular frequency of the free oscillation about the pose, radians/s, >= 0.
+    pub angular_frequency: f64,
+    /// Damping ratio, dimensionless, >= 0; 1 is critical damping.
+    pub damping_ratio: f64,
+    /// Greatest force, mass units * length units/s^2, >= 0.
+    pub greatest_force: f64,
+    /// Greatest torque, mass units * length units^2/s^2, >= 0.
+    pub greatest_torque: f64,
+}
+
+impl PoseServo {
+    /// Returns stiffness and damping of a row with the inverse effective mass `inverse`; 0 if neither body can move along the
+    /// row.
+    fn coefficients(&self, inverse: f64) -> [f64; 2] {
+        let mass = if inverse > 0.0 { inverse.recip() } else { 0.0 };
+        let w = self.angular_frequency;
+        [mass * w * w, 2.0 * self.damping_ratio * mass * w]
+    }
+
+    /// Adds the servo of the joint with the index `at` to `springs`, as springs at the present pose of the joint's
+    /// `constraint`: two along perpendicular directions between the anchors, and one of the angle.
+    ///
+    /// The first direction is that of the force without a bound. The bounds of both directions leave the length of the force
+    /// below its bound, and all of it to the first direction where the bound is reached.
+    pub fn add_springs(
+        &self,
+        springs: &mut SpringRows,
+        at: JointIndex,
+        constraint: &JointConstraint,
+        bodies: &BodySet,
+    ) {
+        let inverses = constraint.anchors.map(|end| match end.body {
+            BodyIndex::PLACEHOLDER => [0.0; 2],
+            body => bodies.inverse_mass_inertia[body].map(f64::from),
+        });
+        let [mass, inertia] = [0, 1].map(|i| inverses[0][i] + inverses[1][i]);
+        let offset = JointFrame::of(constraint).anchor_offset();
+        let [stiffness, damping] = self.coefficients(mass);
+        let velocity = relative_velocity(constraint, offset, bodies);
+        let free: Vec2 = [0, 1].map(|i| -stiffness * offset[i] - damping * velocity[i]);
+        let size = dot(free, free).sqrt();
+        let direction = if size > 0.0 && size < f64::INFINITY {
+            free.map(|component| component / size)
+        } else {
+            [1.0, 0.0]
+        };
+        let bound = self.greatest_force;
+        let along = size.clamp(bound * std::f64::consts::FRAC_1_SQRT_2, bound);
+        let across = (bound * bound - along * along).max(0.0).sqrt();
+        let spring = SpringConstraint {
+            ends: constraint.anchors,
+            is_linear: false,
+            axis: None,
+            joint: Some(at),
+            stiffness,
+            damping,
+            spin_damping: 0.0,
+            stretch: 0.0,
+            max_torque: 0.0,
+            accelerations: [[0.0; 3]; 2],
+            is_solved: false,
+        };
+        let perpendicular = [-direction[1], direction[0]];
+        for (axis, max_force) in [(direction, along), (perpendicular, across)] {
+            if stiffness > 0.0 && max_force > 0.0 {
+                let stretch = dot(offset, axis);
+                springs.push(SpringConstraint { axis: Some(axis), stretch, max_torque: max_force, ..spring });
+            }
+        }
+        let [stiffness, damping] = self.coefficients(inertia);
+        if stiffness > 0.0 && self.greatest_torque > 0.0 {
+            let stretch = constraint.angle - self.target_angle;
+            let max_torque = self.greatest_torque;
+            springs.push(SpringConstraint { stiffness, damping, stretch, max_torque, ..spring });
+        }
+    }
+}
+
+/// Returns the velocity of the second anchor minus that of the point of the first body there, in length units/s. `offset` is
+/// the vector from the first anchor to the second, in length units.
+fn relative_velocity(constraint: &JointConstraint, offset: Vec2, bodies: &BodySet) -> Vec2 {
+    let [[ax, ay, a], [bx, by, b]] = constraint.anchors.map(|end| match bodies.states.at(end.pose_body) {
+        Some(state) if end.pose_body != BodyIndex::PLACEHOLDER => {
+            let [x, y, spin, _] = state.velocity.map(f64::from);
+            [x, y, spin]
+        }
+        _ => end.velocity,
+    });
+    let [arm_a, arm_b] = [add_scaled(constraint.anchors[0].arm, offset, 1.0), constraint.anchors[1].arm];
+    [bx - b * arm_b[1] - ax + a * arm_a[1], by + b * arm_b[0] - ay - a * arm_a[0]]
 }
 
 /// Returns the distance of the anchors on the bodies A and B, or on the world, in length units.

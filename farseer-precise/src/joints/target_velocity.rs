@@ -22,7 +22,7 @@ impl ArticulatedLink {
         let Some(parent) = parent else { return };
         let (parent, child) = (AnchorState::of(parent, self.parent_arm), AnchorState::of(self, self.arm));
         match self.locked {
-            LockedDofs::Free | LockedDofs::Fixed => {}
+            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::PointOnLine | LockedDofs::Unlocked => {}
             LockedDofs::Point => {
                 self.target_velocity = point_target_velocity(&child, &parent, h, length_unit)
             }

@@ -88,6 +88,7 @@ mod precise_spring_rows;
 mod precise_standing;
 mod precise_switches;
 mod precise_terrain;
+mod precise_wheels;
 mod recording;
 mod rejected_input;
 mod side_table;

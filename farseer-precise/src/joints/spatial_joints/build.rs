@@ -159,7 +159,7 @@ fn find_loop_closures(members: &[JointIndex], joints: &JointList, bodies: &[Body
 /// Returns the kinds of the rows of a joint: one entry for each row.
 fn row_kinds(joint: &JointConstraint) -> Vec<RowKind> {
     let mut kinds = match joint.locked {
-        LockedDofs::Free | LockedDofs::Fixed => vec![],
+        LockedDofs::Free | LockedDofs::Fixed | LockedDofs::Unlocked => vec![],
         LockedDofs::Point => vec![RowKind::AnchorAxis(0), RowKind::AnchorAxis(1), RowKind::DepthVelocity],
         LockedDofs::Weld => {
             vec![RowKind::AnchorAxis(0), RowKind::AnchorAxis(1), RowKind::Angle, RowKind::DepthVelocity]
@@ -167,6 +167,7 @@ fn row_kinds(joint: &JointConstraint) -> Vec<RowKind> {
         LockedDofs::Angle => vec![RowKind::Angle],
         LockedDofs::Distance => vec![RowKind::Distance],
         LockedDofs::Line => vec![RowKind::LineOffset, RowKind::Angle, RowKind::DepthVelocity],
+        LockedDofs::PointOnLine => vec![RowKind::LineOffset, RowKind::DepthVelocity],
     };
     if let Some(drive) = joint.drive {
         kinds.extend(drive.motor.map(RowKind::Motor));

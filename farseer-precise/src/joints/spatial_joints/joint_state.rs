@@ -170,7 +170,7 @@ impl JointState {
     /// Moves the joint for `h` seconds with the velocities of the group's bodies.
     #[inline(always)]
     pub(super) fn advance(&mut self, velocities: Nodes<'_>, h: f64) {
-        if self.link == LockedDofs::Line {
+        if self.link.has_axis() {
             let [_, _, spin, _] = self.sides[0].velocity(velocities);
             self.axis = rotate(cos_sin(spin * h), self.axis);
         }

@@ -103,9 +103,12 @@ impl ZGroup {
 
 /// Returns the joints that keep a point, and with it its depth.
 fn point_joints(joints: &JointList) -> impl Iterator<Item = &JointConstraint> {
-    joints
-        .iter()
-        .filter(|joint| matches!(joint.locked, LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line))
+    joints.iter().filter(|joint| {
+        matches!(
+            joint.locked,
+            LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line | LockedDofs::PointOnLine
+        )
+    })
 }
 
 /// Sets the carrier of each group in `all`, which is sorted by the root of its bodies in `unions`.
