@@ -8,7 +8,7 @@ use crate::checked_properties::checked_properties;
 use crate::error::Result;
 use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
-use crate::joints::limit::Limit;
+use crate::joints::limit::{Limit, range_properties};
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::finite::finite;
 
@@ -21,6 +21,9 @@ pub struct AngleLimitJoint {
     upper_limit: f32,
     slop: f32,
     limit: Limit,
+    /// Whether setters refuse a range that ends before it begins. Set whenever the joint is borrowed for edits.
+    #[serde(skip)]
+    refuses_reversed: bool,
     #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
     #[serde(with = "crate::storage::bits")]
@@ -51,6 +54,7 @@ impl AngleLimitJoint {
             upper_limit: 0.0,
             slop: DEFAULT_SLOP,
             limit: Limit::default(),
+            refuses_reversed: false,
             velocity_bias: 0.0,
             mass_factor: 0.0,
         }
@@ -58,14 +62,17 @@ impl AngleLimitJoint {
 
     two_bodies! {}
 
-    checked_properties! {
-        /// Minimum of the second body's total rotation minus that of the first, in radians. It is not checked against
-        /// the upper limit.
+    range_properties! {
+        /// Minimum of the second body's total rotation minus that of the first, in radians.
         #[doc(alias = "LowerLimit")]
         lower_limit, set_lower_limit;
         /// Maximum of the second body's total rotation minus that of the first, in radians.
         #[doc(alias = "UpperLimit")]
         upper_limit, set_upper_limit;
+        set_limits
+    }
+
+    checked_properties! {
         /// Violation in radians up to which the angle is not corrected; the velocity is. Default 0.01.
         #[doc(alias = "Slop")]
         slop, set_slop;

@@ -48,3 +48,76 @@ impl Limit {
         self.accumulated - old
     }
 }
+
+/// For the `impl` of a joint with a range: getters and setters of its two ends. With the precise set they refuse a range that
+/// ends before it begins; the original takes it.
+macro_rules! range_properties {
+    (
+        $(#[$lower_doc:meta])* $lower:ident, $set_lower:ident;
+        $(#[$upper_doc:meta])* $upper:ident, $set_upper:ident;
+        $set_both:ident
+    ) => {
+        $(#[$lower_doc])*
+        #[inline]
+        pub fn $lower(&self) -> f32 {
+            self.$lower
+        }
+
+        $(#[$upper_doc])*
+        #[inline]
+        pub fn $upper(&self) -> f32 {
+            self.$upper
+        }
+
+        #[doc = concat!("Sets [`", stringify!($lower), "`](Self::", stringify!($lower), ").")]
+        ///
+        /// # Errors
+        #[doc = concat!("A value that is not finite; with the precise set one above [`", stringify!($upper), "`](Self::", stringify!($upper), ").")]
+        #[doc = concat!("The range stays then; [`", stringify!($set_both), "`](Self::", stringify!($set_both), ") sets both ends at once.")]
+        pub fn $set_lower(&mut self, value: f32) -> crate::error::Result<()> {
+            finite(stringify!($lower), value)?;
+            if self.refuses_reversed && value > self.$upper {
+                let expected = concat!("at most ", stringify!($upper));
+                return Err(crate::Error::invalid(stringify!($lower), value, expected));
+            }
+            self.$lower = value;
+            Ok(())
+        }
+
+        #[doc = concat!("Sets [`", stringify!($upper), "`](Self::", stringify!($upper), ").")]
+        ///
+        /// # Errors
+        #[doc = concat!("A value that is not finite; with the precise set one below [`", stringify!($lower), "`](Self::", stringify!($lower), ").")]
+        #[doc = concat!("The range stays then; [`", stringify!($set_both), "`](Self::", stringify!($set_both), ") sets both ends at once.")]
+        pub fn $set_upper(&mut self, value: f32) -> crate::error::Result<()> {
+            finite(stringify!($upper), value)?;
+            if self.refuses_reversed && value < self.$lower {
+                let expected = concat!("at least ", stringify!($lower));
+                return Err(crate::Error::invalid(stringify!($upper), value, expected));
+            }
+            self.$upper = value;
+            Ok(())
+        }
+
+        /// Sets both ends of the range.
+        ///
+        /// # Errors
+        /// A value that is not finite; with the precise set a range that ends before it begins. The range stays then.
+        pub fn $set_both(&mut self, $lower: f32, $upper: f32) -> crate::error::Result<()> {
+            finite(stringify!($lower), $lower)?;
+            finite(stringify!($upper), $upper)?;
+            if self.refuses_reversed && $lower > $upper {
+                let expected = concat!("at most ", stringify!($upper));
+                return Err(crate::Error::invalid(stringify!($lower), $lower, expected));
+            }
+            (self.$lower, self.$upper) = ($lower, $upper);
+            Ok(())
+        }
+
+        /// Sets whether the setters refuse a range that ends before it begins.
+        pub(crate) fn set_refuses_reversed(&mut self, refuses: bool) {
+            self.refuses_reversed = refuses;
+        }
+    };
+}
+pub(super) use range_properties;

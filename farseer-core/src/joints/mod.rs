@@ -305,6 +305,16 @@ impl Joint {
         }
     }
 
+    /// Makes setters of ranges refuse a range that ends before it begins, or take it as the original does.
+    pub(crate) fn set_refuses_reversed(&mut self, refuses: bool) {
+        match &mut self.kind {
+            JointKind::Slider(joint) => joint.set_refuses_reversed(refuses),
+            JointKind::AngleLimit(joint) => joint.set_refuses_reversed(refuses),
+            JointKind::FixedAngleLimit(joint) => joint.set_refuses_reversed(refuses),
+            _ => {}
+        }
+    }
+
     pub(crate) fn kind_mut(&mut self) -> &mut JointKind {
         &mut self.kind
     }

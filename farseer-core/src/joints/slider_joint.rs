@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::joints::anchor_distance::{AnchorDistance, two_anchors};
 use crate::joints::bodies::two_bodies;
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
-use crate::joints::limit::Limit;
+use crate::joints::limit::{Limit, range_properties};
 use crate::joints::{DEFAULT_SLOP, Joint, JointKind};
 use crate::math::Vector2;
 use crate::math::finite::finite;
@@ -27,6 +27,9 @@ pub struct SliderJoint {
     max: f32,
     slop: f32,
     limit: Limit,
+    /// Whether setters refuse a range that ends before it begins. Set whenever the joint is borrowed for edits.
+    #[serde(skip)]
+    refuses_reversed: bool,
     #[serde(with = "crate::storage::bits")]
     velocity_bias: f32,
 }
@@ -59,6 +62,7 @@ impl SliderJoint {
             max: 0.0,
             slop: DEFAULT_SLOP,
             limit: Limit::default(),
+            refuses_reversed: false,
             velocity_bias: 0.0,
         }
     }
@@ -67,13 +71,17 @@ impl SliderJoint {
 
     two_anchors! {}
 
-    checked_properties! {
-        /// Minimum distance of the anchors, in length units. It is not checked against the maximum.
+    range_properties! {
+        /// Minimum distance of the anchors, in length units.
         #[doc(alias = "Min")]
         min, set_min;
         /// Maximum distance of the anchors, in length units.
         #[doc(alias = "Max")]
         max, set_max;
+        set_range
+    }
+
+    checked_properties! {
         /// Violation in length units up to which the distance is not corrected; the velocity is. Default 0.01.
         #[doc(alias = "Slop")]
         slop, set_slop;

@@ -102,8 +102,9 @@ impl Objects {
     pub fn joint_as_mut<J: JointType>(&mut self, joint: JointId) -> Result<&mut J> {
         let argument = "joint";
         self.has_edited_joints = true;
-        J::of_mut(self.joints.find_mut(argument, joint)?)
-            .ok_or(Error::WrongKind { argument, expected: J::NAME })
+        let edited = self.joints.find_mut(argument, joint)?;
+        edited.set_refuses_reversed(self.methods.is_precise());
+        J::of_mut(edited).ok_or(Error::WrongKind { argument, expected: J::NAME })
     }
 
     /// The joints that take part, in the order in which they were added.
@@ -115,28 +116,37 @@ impl Objects {
     /// Replaces the first or only body of a joint; anchors and impulses stay.
     ///
     /// # Errors
-    /// A stale id.
+    /// A stale id; with the precise set the second body of the joint. The joint does not change then.
     #[doc(alias("Body1", "FixedRevoluteJoint.Body", "FixedAngleJoint.Body", "FixedAngleLimitJoint.Body"))]
     pub fn set_joint_body1(&mut self, joint: JointId, body: BodyId) -> Result<()> {
         self.check_body("body", body)?;
+        let is_precise = self.methods.is_precise();
+        let changed = self.joints.find_mut("joint", joint)?;
+        if is_precise && changed.body2() == Some(body) {
+            return Err(Error::invalid("body", body, "another body than body2"));
+        }
+        changed.set_body1(body);
         self.has_edited_joints = true;
-        self.joints.find_mut("joint", joint)?.set_body1(body);
         Ok(())
     }
 
     /// Replaces the second body of a joint between two bodies; anchors and impulses stay.
     ///
     /// # Errors
-    /// A stale id; a joint on one body.
+    /// A stale id; a joint on one body; with the precise set the first body of the joint. The joint does not change then.
     #[doc(alias = "Body2")]
     pub fn set_joint_body2(&mut self, joint: JointId, body: BodyId) -> Result<()> {
         self.check_body("body", body)?;
-        self.has_edited_joints = true;
+        let is_precise = self.methods.is_precise();
         let changed = self.joints.find_mut("joint", joint)?;
         if changed.body2().is_none() {
             return Err(Error::WrongKind { argument: "joint", expected: "joint between two bodies" });
         }
+        if is_precise && changed.body1() == body {
+            return Err(Error::invalid("body", body, "another body than body1"));
+        }
         changed.set_body2(body);
+        self.has_edited_joints = true;
         Ok(())
     }
 

@@ -68,6 +68,7 @@ mod precise_joined_bodies;
 mod precise_joined_bounces;
 mod precise_joined_flights;
 mod precise_joint_breaks;
+mod precise_joint_refusals;
 mod precise_jointed_islands;
 mod precise_joints;
 mod precise_limit_rows;

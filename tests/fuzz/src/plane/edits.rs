@@ -95,15 +95,21 @@ pub(super) const JOINT_KIND_EDITS: &[EditKind<JointId>] = &[
     },
     |simulator, id, random| {
         let joint = simulator.joint_as_mut::<AngleLimitJoint>(id)?;
-        joint.set_lower_limit(random.number(-3.0, 3.0))?;
-        joint.set_upper_limit(random.number(-3.0, 3.0))?;
-        joint.set_slop(random.number(0.0, 1.0))
+        let [one, other] = [random.number(-3.0, 3.0), random.number(-3.0, 3.0)];
+        let slop = random.number(0.0, 1.0);
+        // The precise set refuses a range that ends before it begins.
+        let refused = [joint.set_lower_limit(one), joint.set_upper_limit(other)];
+        joint.set_slop(slop)?;
+        refused.into_iter().collect()
     },
     |simulator, id, random| {
         let joint = simulator.joint_as_mut::<FixedAngleLimitJoint>(id)?;
-        joint.set_lower_limit(random.number(-3.0, 3.0))?;
-        joint.set_upper_limit(random.number(-3.0, 3.0))?;
-        joint.set_slop(random.number(0.0, 1.0))
+        let [one, other] = [random.number(-3.0, 3.0), random.number(-3.0, 3.0)];
+        let slop = random.number(0.0, 1.0);
+        // The precise set refuses a range that ends before it begins.
+        let refused = [joint.set_lower_limit(one), joint.set_upper_limit(other)];
+        joint.set_slop(slop)?;
+        refused.into_iter().collect()
     },
     |simulator, id, random| {
         simulator.joint_as_mut::<FixedRevoluteJoint>(id)?.set_max_impulse(random.number(0.0, 1000.0))
@@ -116,9 +122,12 @@ pub(super) const JOINT_KIND_EDITS: &[EditKind<JointId>] = &[
     },
     |simulator, id, random| {
         let joint = simulator.joint_as_mut::<SliderJoint>(id)?;
-        joint.set_min(random.number(0.0, 50.0))?;
-        joint.set_max(random.number(0.0, 50.0))?;
-        joint.set_slop(random.number(0.0, 1.0))
+        let [one, other] = [random.number(0.0, 50.0), random.number(0.0, 50.0)];
+        let slop = random.number(0.0, 1.0);
+        // The precise set refuses a range that ends before it begins.
+        let refused = [joint.set_min(one), joint.set_max(other)];
+        joint.set_slop(slop)?;
+        refused.into_iter().collect()
     },
 ];
 
