@@ -106,7 +106,9 @@ impl Precise {
         swap_states(&mut others, objects, true);
         self.rebuild(objects, &saved, EditPolicy::Defer);
         swap_states(&mut others, objects, false);
-        let asleep: Vec<BodyId> = saved.sleeping_bodies.iter().map(|sleeping| sleeping.body).collect();
+        // A damaged snapshot may name a body that does not exist, of any slot.
+        let sleeping = saved.sleeping_bodies.iter().map(|sleeping| sleeping.body);
+        let asleep: Vec<BodyId> = sleeping.filter(|&body| objects.bodies.get(body).is_some()).collect();
         self.sleep_events.list_sleeping(&asleep);
         self.edits.bodies.extend(others.into_iter().map(|(id, _)| id));
         // The engine above sends all data of the depth axis again.
