@@ -39,8 +39,8 @@ pub struct JointLimits {
 ///
 /// With e the position minus the target and v its rate, the force or torque along the joint's motion is
 /// -`stiffness` · e - `damping` · v, but at most `greatest_effort`. A load F displaces a servo that is strong enough by
-/// F / `stiffness`. The rows of the solvers are implicit: a servo of any stiffness is stable with any step. Chains of stiff servos between
-/// links much lighter than their load need the [direct solver](crate::guide::solvers). A servo may act
+/// F / `stiffness`. The rows of the solvers are implicit: a servo of any stiffness is stable with any step. Chains of stiff servos shake
+/// in the iterative solver, and need the [direct one](crate::guide::solvers). A servo may act
 /// beside a [motor](JointMotor) and [limits](JointLimits); a motor of speed 0 is friction then. A body that creeps to its target
 /// more slowly than bodies [sleep](crate::PhysicsSimulator::set_sleep_enabled) may fall asleep before it.
 ///

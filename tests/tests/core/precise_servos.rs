@@ -164,12 +164,7 @@ fn a_servo_between_two_bodies_keeps_momentum_and_turns_with_the_first_one() {
 
 #[test]
 fn a_row_of_servos_carries_a_mass_much_larger_than_its_links_without_shaking() {
-    let cases = [
-        (SolverChoice::Auto, 200.0, 50.0, 12.0),
-        (SolverChoice::Direct, 200.0, 50.0, 12.0),
-        // One pass per substep moves stiff servos of light links too little.
-        (SolverChoice::Iterative, 1.0, 5.0, 90.0),
-    ];
+    let cases = [(SolverChoice::Auto, 200.0, 50.0, 12.0), (SolverChoice::Direct, 200.0, 50.0, 12.0)];
     for (choice, mass, strength, most) in cases {
         for rate in RATES {
             let mut simulator = with(choice, GRAVITY);
