@@ -234,7 +234,8 @@ impl PhysicsSimulator {
         let is_in_space = self.precise_engine().has_depth();
         // The geoms and bodies of a pair are read only where their proxies do not tell enough: they are large.
         let has_edits = has_unimported_edits(&self.objects) || !self.precise_engine().edits.is_empty();
-        let trusts_proxies = handler.get().is_none() && !is_in_space && !has_edits;
+        let has_filter_by_bodies = !self.objects.separated_bodies.is_empty();
+        let trusts_proxies = handler.get().is_none() && !is_in_space && !has_edits && !has_filter_by_bodies;
         for at in 0..found {
             let solver = &self.precise_engine().solver;
             if trusts_proxies && solver.proxies.have_plain_filters(solver.new_pairs[at]) {
@@ -266,9 +267,9 @@ impl PhysicsSimulator {
     /// Whether the filters of geoms and bodies accept a candidate pair in 2D, an index into the new pairs. For debug assertions.
     fn may_be_new_pair(&mut self, at: usize) -> bool {
         let (a, b) = self.precise_engine().candidate_geoms(at);
-        let filter = Filter { geoms: &self.objects.geoms, bodies: &self.objects.bodies };
-        let geoms = self.objects.geoms.get(a).zip(self.objects.geoms.get(b));
-        geoms.is_some_and(|(a, b)| filter.may_touch(a, b))
+        let Objects { geoms, bodies, separated_bodies, .. } = &self.objects;
+        let filter = Filter { geoms, bodies, separated_bodies };
+        geoms.get(a).zip(geoms.get(b)).is_some_and(|(a, b)| filter.may_touch(a, b))
     }
 
     /// Whether two touching geoms may still touch: callbacks dispose and edit.

@@ -39,7 +39,7 @@ pub mod touch_state;
 use super::constraint_graph::ContactConstraint;
 use super::depth::posed_solid::{ContactMargins, PreviousAxis};
 use super::depth::sphere_sphere::collide_spheres;
-use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ, Pair, RecheckTrigger, UPDATED_BY_SOLVER};
+use crate::broad_phase::pairs::{CachedManifold, CachedManifoldZ, RecheckTrigger, UPDATED_BY_SOLVER};
 use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::contact_solver::rolling::RollingContact;
 use crate::index::{PairIndex, ProxyIndex};
@@ -208,15 +208,12 @@ impl<'a> NarrowPhase<'a> {
     /// margin by `extra_distance`, in length units. The next update of the pair follows after its bodies have moved that far.
     fn end_contact(&mut self, pair: PairIndex, extra_distance: f32) {
         self.record_separation(pair);
-        let Pair { constraint, is_touching, responds, .. } = *self.pairs.state(pair);
         self.remove_constraint(pair);
-        if is_touching {
+        if self.pairs.is_touching(pair) {
             self.emit_touch_event(pair, false);
         }
-        // Most of these pairs had no contacts, and their cached manifold is default already. It is not read then: a cache miss.
-        let had_none = constraint.is_none() && !is_touching && responds && self.depth.is_none();
-        debug_assert!(!had_none || self.pairs.manifold(pair).count == 0, "no constraint, no contact points");
-        if !had_none && self.pairs.manifold(pair).count > 0 {
+        // Most of these pairs had no contacts, and their cached manifold is default already.
+        if self.pairs.manifold(pair).count > 0 {
             *self.pairs.manifold_mut(pair) = CachedManifold::default();
         }
         let slack = extra_distance.clamp(0.0, SEPARATED_PAIR_MAX_SLACK * self.parameters.length_unit);
