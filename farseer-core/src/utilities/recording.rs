@@ -16,12 +16,12 @@ const FORMAT: SnapshotFormat = SnapshotFormat { magic: *b"FarsRecd", version: 1 
 /// commands, random numbers. With a keyframe after every update no input is needed to look at any state.
 ///
 /// ```
-/// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, Recording};
+/// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, Recording, math::Vector2};
 /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
 /// let (ball, _) = simulator.add_body(BodyBuilder::dynamic(), [GeomBuilder::circle(10.0)])?;
 /// // One call for the game and for its replay: the input here is a push.
 /// let play = |simulator: &mut PhysicsSimulator, input: &[u8], dt: f32| {
-///     simulator[ball].apply_impulse([f32::from(input[0]), 0.0]);
+///     simulator[ball].apply_impulse(Vector2::new(f32::from(input[0]), 0.0));
 ///     simulator.update(dt);
 /// };
 /// let mut recording = Recording::new(&simulator, 60)?;

@@ -59,9 +59,8 @@ const STANDING_SHIFT: f32 = 8.0;
 
 #[test]
 fn houses_of_two_to_six_storeys_stand() {
-    for (storeys, rate) in
-        [2, 3, 4, 5, 6].into_iter().flat_map(|storeys| [30.0, 60.0, 120.0].map(|rate| (storeys, rate)))
-    {
+    let rates = [25.0, 30.0, 35.0, 40.0, 50.0, 60.0, 75.0, 90.0, 120.0, 144.0];
+    for (storeys, rate) in [2, 3, 4, 5, 6].into_iter().flat_map(|storeys| rates.map(|rate| (storeys, rate))) {
         let mut simulator = precise(GRAVITY);
         let cards = add_house(&mut simulator, storeys, 0.0);
         let cards = placed(&simulator, cards);
