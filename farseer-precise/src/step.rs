@@ -125,8 +125,8 @@ impl Solver {
             self.joints.equalize_z_displacement(&mut self.bodies, step.dt);
         } else {
             let mut solver = self.iterative_solver();
-            solver.solve(step);
-            solver.store_pivots(step);
+            let has_contact_substeps = solver.solve(step);
+            solver.store_pivots(step, has_contact_substeps);
             self.narrow_phase().store_rolling_contacts();
         }
         self.joints.store(&mut self.bodies, step);

@@ -272,7 +272,7 @@ impl JointFactory {
     /// # Errors
     /// A stale body; bodies too far apart; a number that is not finite and 0 or more; the same body twice. Under the faithful
     /// methods it cannot be added.
-    #[doc(alias("b2MotorJoint", "top-down friction"))]
+    #[doc(alias("b2MotorJoint"))]
     pub fn create_motor_joint(
         simulator: &mut Objects,
         body1: BodyId,

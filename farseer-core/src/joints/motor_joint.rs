@@ -17,7 +17,8 @@ use crate::math::scalar::nearest_finite;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PoseServo {
     /// Frequency of the free oscillation about the pose, Hz, 0 or more. Stiffness and damping follow from it and from the
-    /// masses of the two bodies. Default 4.
+    /// masses of the two bodies, as for centres on each other: with an offset from a light first body, which turns too, the
+    /// oscillation is faster. Default 4.
     pub frequency: f32,
     /// Damping ratio, 0 or more; 1 is critical damping. Default 1.
     pub damping_ratio: f32,
@@ -44,8 +45,9 @@ impl PoseServo {
 }
 
 /// Moves the centre of the second body to an offset from the first one, and turns it to an angle relative to the first one,
-/// with a force and a torque that are bounded. A first body that is static stands for the world. Platforms that a game steers,
-/// top-down friction (frequency 0 is no force; a small `greatest_force` with the offset left behind) and grips that slip.
+/// with a force and a torque that are bounded. A first body that is static stands for the world. For platforms that a game
+/// steers, and grips that slip. Frequency 0 is no force. Friction of a top-down game sets the target to the present pose before
+/// each update, since the joint is a spring and would pull a pushed body back.
 ///
 /// The joint is a damped spring of a given [frequency](PoseServo::frequency) in implicit rows: it is stable at any frequency
 /// and step. The length of its force is never above [`greatest_force`](PoseServo::greatest_force), nor its torque
@@ -71,7 +73,7 @@ impl PoseServo {
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
 #[derive(Debug, Clone, Serialize, Deserialize)]
-#[doc(alias("b2MotorJoint", "mouse joint", "top-down friction"))]
+#[doc(alias("b2MotorJoint", "mouse joint"))]
 pub struct MotorJoint {
     body1: BodyId,
     body2: BodyId,

@@ -326,14 +326,16 @@ impl<'a> JointImport<'a> {
         (table.is_imported, table.are_indices_new) = (true, true);
     }
 
-    /// Adds the servos of joints to `springs`, at the poses of this step. Returns a hash of the joints with servos; 0 without
-    /// (multiplicative hashing).
+    /// Adds the servos of joints to `springs`, at the poses of this step. Returns a hash of the joints with servos and of the number
+    /// of rows of each, by which islands list their rows anew; 0 without servos (multiplicative hashing). A servo without effort
+    /// has no row, and a motor joint at the bound of its force has one row less.
     pub(super) fn add_servos(self, table: &JointTable, springs: &mut SpringRows, objects: &Objects) -> u64 {
         let mut signature = 0_u64;
         for &at in &table.servos {
             let id = table.ids[at.position()].joint;
             let Some(joint) = objects.joints.get(id) else { continue };
             let Some(constraint) = self.constraint(joint) else { continue };
+            let count_before = springs.count();
             if let JointKind::Motor(motor) = joint.kind() {
                 pose_servo(motor).add_springs(springs, at, &constraint, self.bodies);
             } else if let Some(drive) = joint.motor_and_limits()
@@ -341,8 +343,9 @@ impl<'a> JointImport<'a> {
             {
                 springs.push(SpringConstraint::of_servo(at, &constraint, servo, drive.reference.into()));
             }
+            let row_count = (springs.count() - count_before) as u64;
             signature = (signature.rotate_left(5) ^ id.to_bits() ^ SERVO_HASH)
-                .wrapping_add(1)
+                .wrapping_add(1 + row_count)
                 .wrapping_mul(0x9E37_79B9_7F4A_7C15);
         }
         signature

@@ -373,6 +373,8 @@ impl PhysicsSimulator {
         if methods.is_precise() != self.objects.methods.is_precise() {
             let joints: Vec<JointId> = self.objects.joints.iter().map(|(id, _)| id).collect();
             joints.into_iter().for_each(|joint| self.objects.joints[joint].forget_impulse());
+            // The precise set lists them anew, and the faithful set has none.
+            self.objects.separated_bodies.clear();
         }
         self.objects.methods = methods;
         Ok(())

@@ -13,7 +13,8 @@ const FORMAT: SnapshotFormat = SnapshotFormat { magic: *b"FarsRecd", version: 1 
 /// runs that should be equal and are not. Not in the original.
 ///
 /// Each update is recorded by [`record`](Self::record). `input` is whatever the game needs to make the same calls again: keys,
-/// commands, random numbers. With a keyframe after every update no input is needed to look at any state.
+/// commands, random numbers. With a keyframe after every update no input is needed to look at any state. Replays run within the
+/// default [`Limits`](crate::Limits), which are no part of a snapshot.
 ///
 /// ```
 /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, Recording, math::Vector2};

@@ -13,7 +13,7 @@ impl PhysicsSimulator {
     /// ones, but for a chance of 2^-64. For lock-step games, and for [`Recording`](crate::Recording).
     ///
     /// Impulses of contacts and joints, sleep and the game's settings are not included: a difference in them shows as soon as it
-    /// moves a body.
+    /// moves a body. The depth axis of an engine above this one is not included either.
     ///
     /// Source: FNV-1a by G. Fowler, L. C. Noll and K.-P. Vo.
     ///

@@ -54,14 +54,16 @@ pub(crate) struct IterativeSolver<'a> {
 }
 
 impl IterativeSolver<'_> {
-    /// Runs the iterative solver: substeps, then the midpoint correction of the displacements, then restitution.
-    pub(crate) fn solve(&mut self, step: &StepContext) {
+    /// Runs the iterative solver: substeps, then the midpoint correction of the displacements, then restitution. Returns whether
+    /// the substeps had contacts.
+    pub(crate) fn solve(&mut self, step: &StepContext) -> bool {
         self.joints.begin_iterative(self.springs, self.bodies, step);
         let is_planar = self.depth.is_none();
         if is_planar {
             self.prepare_rolling(step);
             if self.has_only_pivots() {
-                return self.integrate_without_contacts(step);
+                self.integrate_without_contacts(step);
+                return false;
             }
         }
         let may_bounce = self.accumulate_warm_start(step);
@@ -86,6 +88,7 @@ impl IterativeSolver<'_> {
         if may_bounce {
             self.apply_restitution(step);
         }
+        true
     }
 
     /// Finds the rolling contacts of this step, and among them the polygons that pivot in closed form.
@@ -233,14 +236,15 @@ impl IterativeSolver<'_> {
     }
 
     /// Stores velocities and impulses of the polygons that have pivoted in closed form, after the last substep.
-    pub(crate) fn store_pivots(&mut self, step: &StepContext) {
+    /// `has_contact_substeps`: see [`solve`](Self::solve).
+    pub(crate) fn store_pivots(&mut self, step: &StepContext, has_contact_substeps: bool) {
         if self.rolling_contacts.is_empty() {
             return;
         }
         let (mut solver, rolling) = self.rolling_solver();
         for roll in rolling {
             if let Some(after) = roll.pivot {
-                solver.store_pivot(roll, &after, step);
+                solver.store_pivot(roll, &after, step, has_contact_substeps);
             }
         }
     }

@@ -174,8 +174,14 @@ impl RollingSolver<'_> {
 
     /// Overwrites the velocity of a pivoting body, and the impulses of its contact constraints, after the last substep. The
     /// constraint of the rolling contact `roll` gets the impulse of the face's reaction in one substep; all other constraints
-    /// of the polygon get impulse 0.
-    pub(crate) fn store_pivot(&mut self, roll: &RollingContact, after: &PivotState, step: &StepContext) {
+    /// of the polygon get impulse 0. Separations follow the closed form, unless substeps of contacts have advanced them.
+    pub(crate) fn store_pivot(
+        &mut self,
+        roll: &RollingContact,
+        after: &PivotState,
+        step: &StepContext,
+        has_contact_substeps: bool,
+    ) {
         let at_b = roll.proxies[1];
         let b = self.proxies.body_of(at_b);
         let [x, y] = after.velocity();
@@ -191,7 +197,9 @@ impl RollingSolver<'_> {
                 [dot(reaction_impulse, constraint.normal), -cross(constraint.normal, reaction_impulse)];
             let moved = dot(after.delta_position, constraint.normal);
             for (at, point) in constraint.points.iter_mut().enumerate() {
-                point.separation += moved + after.delta_rotation * point.normal_arm_b;
+                if !has_contact_substeps {
+                    point.separation += moved + after.delta_rotation * point.normal_arm_b;
+                }
                 point.normal_impulse = if at == 0 { normal_impulse } else { 0.0 };
                 point.rest_impulse = point.normal_impulse;
                 constraint.depth.totals[at] = point.normal_impulse * step.substeps as f32;

@@ -84,6 +84,11 @@ impl SpringRows {
         self.constraints.is_empty()
     }
 
+    /// Returns the number of springs that are rows in this step.
+    pub fn count(&self) -> usize {
+        self.constraints.len()
+    }
+
     /// Removes all springs from the list of this step.
     pub fn clear(&mut self) {
         self.constraints.clear();

@@ -4,7 +4,7 @@ use conformance::fixtures::plane::{add_box, add_floor, precise, run, simulator, 
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyId, Error, Event, JointFactory, JointId, JointLimits, JointServo, Methods, PhysicsSimulator,
-    SolverChoice,
+    PoseServo, SolverChoice,
 };
 
 const GRAVITY: f32 = 320.0;
@@ -294,4 +294,38 @@ fn bad_servos_are_refused_by_name_and_change_no_servo() {
     let (body, _) = add_box(&mut faithful, (10.0, 10.0), v(0.0, 0.0));
     let joint = JointFactory::create_fixed_revolute_joint_in(&mut faithful, body, v(0.0, 0.0)).unwrap();
     assert!(matches!(faithful.set_joint_servo(joint, Some(servo)), Err(Error::NotSupported { .. })));
+}
+
+/// A servo without effort has no row, and a motor joint at its greatest force has one row less than below it. Both change while
+/// the game plays, beside a second servo whose rows follow.
+#[test]
+fn rows_of_servos_that_come_and_go_leave_the_others_and_restored_games_as_they_are() {
+    for choice in SOLVERS {
+        let (mut simulator, body, limp, inertia) = hinge(choice);
+        simulator.set_sleep_enabled(false);
+        let carried = ghost(&mut simulator, (10.0, 10.0), v(60.0, 0.0));
+        let arm = ghost(&mut simulator, (30.0, 4.0), v(60.0, 0.0));
+        let strength = PoseServo { frequency: 3.0, greatest_force: 400.0, ..PoseServo::default() };
+        let motor = JointFactory::create_motor_joint_in(&mut simulator, body, carried, strength).unwrap();
+        simulator.set_motor_joint_target(motor, v(60.0, 0.0), 0.0).unwrap();
+        let last =
+            JointFactory::create_revolute_joint_in(&mut simulator, carried, arm, v(60.0, 0.0)).unwrap();
+        let arm_inertia = simulator[arm].moment_of_inertia();
+        let held = JointServo::of_frequency(0.4, 6.0, 1.0, arm_inertia);
+        simulator.set_joint_servo(last, Some(held)).unwrap();
+        let active = JointServo::of_frequency(0.3, 2.0, 1.0, inertia);
+        for update in 0..240 {
+            let greatest_effort = if update % 20 < 10 { active.greatest_effort } else { 0.0 };
+            simulator.set_joint_servo(limp, Some(JointServo { greatest_effort, ..active })).unwrap();
+            let target = if update / 15 % 2 == 0 { v(60.0, 0.0) } else { v(60.0, 400.0) };
+            simulator.set_motor_joint_target(motor, target, 0.0).unwrap();
+            let mut restored = precise(0.0);
+            restored.restore(&simulator.snapshot()).unwrap();
+            simulator.update(1.0 / 60.0);
+            restored.update(1.0 / 60.0);
+            assert!(simulator.snapshot() == restored.snapshot(), "{choice:?} {update}");
+        }
+        let travel = simulator.joint_travel(last).unwrap();
+        assert!(travel.is_finite() && travel.abs() < 3.2, "{choice:?}: {travel}");
+    }
 }
