@@ -25,6 +25,42 @@ macro_rules! two_bodies {
     };
 }
 
+/// For the `impl` of a joint with the fields `point` and `axis`: the axis is fixed in the first body, and the second one moves along
+/// it.
+macro_rules! anchor_and_axis {
+    () => {
+        /// The anchor last set, in world coordinates. It does not follow the bodies.
+        pub fn anchor(&self) -> Vector2 {
+            self.point.anchor
+        }
+
+        /// The axis as a unit vector in the coordinates of the first body.
+        pub fn axis(&self) -> Vector2 {
+            self.axis
+        }
+
+        pub(crate) fn set_anchor(&mut self, anchor: Vector2, body1: &Body, body2: &Body) -> Result<()> {
+            self.point.set_anchor(anchor, body1, body2)
+        }
+
+        /// Sets the axis to a direction of the world, at the body's present angle.
+        pub(crate) fn set_axis(&mut self, axis: Vector2, body1: &Body) -> Result<()> {
+            self.axis = local_axis(axis, body1)?;
+            Ok(())
+        }
+
+        /// The first body's position plus its arm in the last update.
+        pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
+            body1.position() + self.point.arm1
+        }
+
+        /// Distance along the axis by which the second body has left its place, in length units.
+        pub(crate) fn travel(&self, body1: &Body, body2: &Body) -> f32 {
+            axis_travel(&self.point, self.axis, body1, body2)
+        }
+    };
+}
+
 /// For the `impl` of a joint with the field `body`.
 macro_rules! one_body {
     () => {
@@ -66,4 +102,4 @@ macro_rules! only_precise {
     };
 }
 
-pub(super) use {one_body, only_precise, two_bodies};
+pub(super) use {anchor_and_axis, one_body, only_precise, two_bodies};

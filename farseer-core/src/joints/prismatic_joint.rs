@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::missing_body::missing_body_id;
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
-use crate::joints::bodies::{only_precise, two_bodies};
+use crate::joints::bodies::{anchor_and_axis, only_precise, two_bodies};
 use crate::joints::joint_body::{JointBodies, JointPose, JointStep};
 use crate::joints::motor_and_limits::MotorAndLimits;
 use crate::joints::shared_point::SharedPoint;
@@ -61,35 +61,7 @@ impl PrismaticJoint {
 
     two_bodies! {}
 
-    /// The anchor last set, in world coordinates. It does not follow the bodies.
-    pub fn anchor(&self) -> Vector2 {
-        self.point.anchor
-    }
-
-    /// The axis as a unit vector in the coordinates of the first body.
-    pub fn axis(&self) -> Vector2 {
-        self.axis
-    }
-
-    pub(crate) fn set_anchor(&mut self, anchor: Vector2, body1: &Body, body2: &Body) -> Result<()> {
-        self.point.set_anchor(anchor, body1, body2)
-    }
-
-    /// Sets the axis to a direction of the world, at the body's present angle.
-    pub(crate) fn set_axis(&mut self, axis: Vector2, body1: &Body) -> Result<()> {
-        self.axis = local_axis(axis, body1)?;
-        Ok(())
-    }
-
-    /// The first body's position plus its arm in the last update.
-    pub(crate) fn current_anchor(&self, body1: &Body) -> Vector2 {
-        body1.position() + self.point.arm1
-    }
-
-    /// Distance along the axis by which the second body has slid, in length units.
-    pub(crate) fn travel(&self, body1: &Body, body2: &Body) -> f32 {
-        axis_travel(&self.point, self.axis, body1, body2)
-    }
+    anchor_and_axis! {}
 
     only_precise! {}
 

@@ -1,7 +1,7 @@
 //! The precise set: motors, limits of revolute joints, and prismatic joints.
 
 use approx::assert_abs_diff_eq;
-use conformance::fixtures::plane::{add_box, add_floor, precise, run, simulator, v};
+use conformance::fixtures::plane::{add_ghost, add_post, precise, run, simulator, v};
 use farseer_core::math::Vector2;
 use farseer_core::{
     BodyId, Error, Event, JointFactory, JointId, JointLimits, JointMotor, Methods, PhysicsSimulator,
@@ -10,22 +10,6 @@ use farseer_core::{
 
 const DT: f32 = 1.0 / 60.0;
 const GRAVITY: f32 = 320.0;
-
-/// A box without drag and without collisions.
-fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) -> BodyId {
-    let (body, geom) = add_box(simulator, size, position);
-    simulator[geom].set_collision_enabled(false);
-    simulator[body].set_linear_drag_coefficient(0.0);
-    simulator[body].set_rotational_drag_coefficient(0.0);
-    body
-}
-
-/// A static box without collisions.
-fn post(simulator: &mut PhysicsSimulator, position: Vector2) -> BodyId {
-    let (body, geom) = add_floor(simulator, (10.0, 10.0), position);
-    simulator[geom].set_collision_enabled(false);
-    body
-}
 
 fn motor(speed: f32, greatest_effort: f32) -> Option<JointMotor> {
     Some(JointMotor { speed, greatest_effort })
@@ -42,8 +26,8 @@ fn pivot(simulator: &mut PhysicsSimulator, body: BodyId, anchor: Vector2) -> Joi
 
 /// A box that slides along an axis of a post.
 fn slider(simulator: &mut PhysicsSimulator, axis: Vector2) -> (BodyId, JointId) {
-    let post = post(simulator, v(0.0, 0.0));
-    let body = ghost(simulator, (16.0, 8.0), v(0.0, 0.0));
+    let post = add_post(simulator, v(0.0, 0.0));
+    let body = add_ghost(simulator, (16.0, 8.0), v(0.0, 0.0));
     let joint = JointFactory::create_prismatic_joint_in(simulator, post, body, v(0.0, 0.0), axis).unwrap();
     (body, joint)
 }
@@ -51,7 +35,7 @@ fn slider(simulator: &mut PhysicsSimulator, axis: Vector2) -> (BodyId, JointId) 
 #[test]
 fn a_wheel_gets_to_its_speed_in_the_time_that_its_torque_allows() {
     let mut simulator = precise(0.0);
-    let wheel = ghost(&mut simulator, (20.0, 20.0), v(5.0, 5.0));
+    let wheel = add_ghost(&mut simulator, (20.0, 20.0), v(5.0, 5.0));
     let axle = pivot(&mut simulator, wheel, v(5.0, 5.0));
     let torque = simulator[wheel].moment_of_inertia() * 6.0 / 0.5;
     simulator.set_joint_motor(axle, motor(6.0, torque)).unwrap();
@@ -70,8 +54,8 @@ fn a_wheel_gets_to_its_speed_in_the_time_that_its_torque_allows() {
 #[test]
 fn a_motor_between_two_bodies_turns_them_against_each_other_and_keeps_angular_momentum() {
     let mut simulator = precise(0.0);
-    let a = ghost(&mut simulator, (24.0, 16.0), v(0.0, 0.0));
-    let b = ghost(&mut simulator, (16.0, 20.0), v(0.0, 0.0));
+    let a = add_ghost(&mut simulator, (24.0, 16.0), v(0.0, 0.0));
+    let b = add_ghost(&mut simulator, (16.0, 20.0), v(0.0, 0.0));
     let joint = JointFactory::create_revolute_joint_in(&mut simulator, a, b, v(0.0, 0.0)).unwrap();
     simulator.set_joint_motor(joint, motor(4.0, 1e9)).unwrap();
     run(&mut simulator, 60);
@@ -84,7 +68,7 @@ fn a_motor_between_two_bodies_turns_them_against_each_other_and_keeps_angular_mo
 /// An arm that is level, its weight and leverage.
 fn arm(part: f32) -> (PhysicsSimulator, BodyId, JointId, f32) {
     let mut simulator = precise(GRAVITY);
-    let body = ghost(&mut simulator, (20.0, 10.0), v(30.0, 0.0));
+    let body = add_ghost(&mut simulator, (20.0, 10.0), v(30.0, 0.0));
     let joint = pivot(&mut simulator, body, v(0.0, 0.0));
     let torque = simulator[body].mass() * GRAVITY * 30.0;
     simulator.set_joint_motor(joint, motor(0.0, part * torque)).unwrap();
@@ -121,7 +105,7 @@ fn a_motor_with_too_great_a_torque_breaks_its_joint() {
 #[test]
 fn a_pendulum_stops_at_its_limit_without_passing_it() {
     let mut simulator = precise(GRAVITY);
-    let body = ghost(&mut simulator, (20.0, 10.0), v(30.0, 0.0));
+    let body = add_ghost(&mut simulator, (20.0, 10.0), v(30.0, 0.0));
     let joint = pivot(&mut simulator, body, v(0.0, 0.0));
     simulator.set_joint_limits(joint, limits(-0.2, 0.7)).unwrap();
     let mut greatest: f32 = 0.0;
@@ -142,8 +126,8 @@ fn a_pendulum_stops_at_its_limit_without_passing_it() {
 #[test]
 fn limits_count_from_the_angle_at_which_bodies_were_joined() {
     let mut simulator = precise(0.0);
-    let a = ghost(&mut simulator, (24.0, 16.0), v(0.0, 0.0));
-    let b = ghost(&mut simulator, (16.0, 20.0), v(20.0, 0.0));
+    let a = add_ghost(&mut simulator, (24.0, 16.0), v(0.0, 0.0));
+    let b = add_ghost(&mut simulator, (16.0, 20.0), v(20.0, 0.0));
     simulator[b].set_rotation(2.0);
     let joint = JointFactory::create_revolute_joint_in(&mut simulator, a, b, v(10.0, 0.0)).unwrap();
     simulator.set_joint_limits(joint, limits(-0.5, 0.25)).unwrap();
@@ -201,7 +185,7 @@ fn two_bodies_that_slide_on_each_other_while_they_turn_keep_momentum_and_energy(
     for (from, to) in [(0, 1), (1, 0)] {
         let mut simulator = precise(0.0);
         let bodies = [((24.0, 16.0), v(0.0, 0.0)), ((16.0, 20.0), v(30.0, 5.0))]
-            .map(|(size, place)| ghost(&mut simulator, size, place));
+            .map(|(size, place)| add_ghost(&mut simulator, size, place));
         let (one, other) = (bodies[from], bodies[to]);
         let anchor = v(12.0, 3.0);
         let joint =
@@ -247,10 +231,10 @@ fn two_bodies_that_slide_on_each_other_while_they_turn_keep_momentum_and_energy(
 /// A crank that a motor turns, a rod and the head of a piston.
 fn engine() -> (PhysicsSimulator, [JointId; 4], [BodyId; 3]) {
     let mut simulator = precise(GRAVITY);
-    let block = post(&mut simulator, v(0.0, 0.0));
-    let crank = ghost(&mut simulator, (20.0, 4.0), v(10.0, 0.0));
-    let rod = ghost(&mut simulator, (60.0, 4.0), v(50.0, 0.0));
-    let head = ghost(&mut simulator, (10.0, 16.0), v(80.0, 0.0));
+    let block = add_post(&mut simulator, v(0.0, 0.0));
+    let crank = add_ghost(&mut simulator, (20.0, 4.0), v(10.0, 0.0));
+    let rod = add_ghost(&mut simulator, (60.0, 4.0), v(50.0, 0.0));
+    let head = add_ghost(&mut simulator, (10.0, 16.0), v(80.0, 0.0));
     let axle = JointFactory::create_revolute_joint_in(&mut simulator, block, crank, v(0.0, 0.0)).unwrap();
     let pin = JointFactory::create_revolute_joint_in(&mut simulator, crank, rod, v(20.0, 0.0)).unwrap();
     let wrist = JointFactory::create_revolute_joint_in(&mut simulator, rod, head, v(80.0, 0.0)).unwrap();
@@ -319,8 +303,8 @@ fn invalid_motors_and_limits_are_refused_without_effect() {
 #[test]
 fn the_faithful_set_refuses_unsupported_joints_by_name() {
     let mut simulator = simulator(GRAVITY);
-    let post = post(&mut simulator, v(0.0, 0.0));
-    let body = ghost(&mut simulator, (16.0, 8.0), v(0.0, 0.0));
+    let post = add_post(&mut simulator, v(0.0, 0.0));
+    let body = add_ghost(&mut simulator, (16.0, 8.0), v(0.0, 0.0));
     let hinge = pivot(&mut simulator, body, v(0.0, 0.0));
     let refused = |what| Err(Error::NotSupported { what, methods: "faithful" });
     assert_eq!(simulator.set_joint_motor(hinge, motor(1.0, 1.0)), refused("motors of joints"));
@@ -368,8 +352,8 @@ fn saves_with_unsupported_joints_or_invalid_values_are_refused() {
 #[test]
 fn a_prismatic_joint_can_be_made_first_and_given_its_bodies_later() {
     let mut simulator = precise(GRAVITY);
-    let post = post(&mut simulator, v(0.0, 0.0));
-    let body = ghost(&mut simulator, (16.0, 8.0), v(20.0, 0.0));
+    let post = add_post(&mut simulator, v(0.0, 0.0));
+    let body = add_ghost(&mut simulator, (16.0, 8.0), v(20.0, 0.0));
     let rail = simulator.create_empty_joint::<PrismaticJoint>();
     assert!(simulator.add(rail).is_err());
     simulator.set_joint_body1(rail, post).unwrap();

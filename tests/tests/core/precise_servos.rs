@@ -1,7 +1,6 @@
 //! The precise set: servos of hinges and prismatic joints.
 
-use conformance::fixtures::plane::{add_box, add_floor, precise, run, simulator, state, v};
-use farseer_core::math::Vector2;
+use conformance::fixtures::plane::{add_box, add_ghost, add_post, precise, run, simulator, state, v};
 use farseer_core::{
     BodyId, Error, Event, JointFactory, JointId, JointLimits, JointServo, Methods, PhysicsSimulator,
     PoseServo, SolverChoice,
@@ -10,21 +9,6 @@ use farseer_core::{
 const GRAVITY: f32 = 320.0;
 const RATES: [f32; 3] = [30.0, 60.0, 240.0];
 const SOLVERS: [SolverChoice; 3] = [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct];
-
-/// A box without drag and without collisions.
-fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) -> BodyId {
-    let (body, geom) = add_box(simulator, size, position);
-    simulator[geom].set_collision_enabled(false);
-    simulator[body].set_linear_drag_coefficient(0.0);
-    simulator[body].set_rotational_drag_coefficient(0.0);
-    body
-}
-
-fn post(simulator: &mut PhysicsSimulator, position: Vector2) -> BodyId {
-    let (body, geom) = add_floor(simulator, (10.0, 10.0), position);
-    simulator[geom].set_collision_enabled(false);
-    body
-}
 
 fn with(choice: SolverChoice, gravity: f32) -> PhysicsSimulator {
     let mut simulator = precise(gravity);
@@ -35,7 +19,7 @@ fn with(choice: SolverChoice, gravity: f32) -> PhysicsSimulator {
 /// A box on a hinge of the world at its centre, and its moment of inertia.
 fn hinge(choice: SolverChoice) -> (PhysicsSimulator, BodyId, JointId, f32) {
     let mut simulator = with(choice, 0.0);
-    let body = ghost(&mut simulator, (20.0, 10.0), v(0.0, 0.0));
+    let body = add_ghost(&mut simulator, (20.0, 10.0), v(0.0, 0.0));
     let joint = JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(0.0, 0.0)).unwrap();
     let inertia = simulator[body].moment_of_inertia();
     (simulator, body, joint, inertia)
@@ -44,8 +28,8 @@ fn hinge(choice: SolverChoice) -> (PhysicsSimulator, BodyId, JointId, f32) {
 /// A box that slides down a post, and its mass.
 fn lift(choice: SolverChoice, gravity: f32) -> (PhysicsSimulator, BodyId, JointId, f32) {
     let mut simulator = with(choice, gravity);
-    let post = post(&mut simulator, v(0.0, 0.0));
-    let body = ghost(&mut simulator, (16.0, 8.0), v(0.0, 0.0));
+    let post = add_post(&mut simulator, v(0.0, 0.0));
+    let body = add_ghost(&mut simulator, (16.0, 8.0), v(0.0, 0.0));
     let joint = JointFactory::create_prismatic_joint_in(&mut simulator, post, body, v(0.0, 0.0), v(0.0, 1.0))
         .unwrap();
     let mass = simulator[body].mass();
@@ -130,8 +114,8 @@ fn a_servo_exerts_at_most_its_greatest_effort() {
 fn a_servo_between_two_bodies_keeps_momentum_and_turns_with_the_first_one() {
     for choice in SOLVERS {
         let mut simulator = with(choice, 0.0);
-        let a = ghost(&mut simulator, (40.0, 20.0), v(0.0, 0.0));
-        let b = ghost(&mut simulator, (10.0, 10.0), v(20.0, 0.0));
+        let a = add_ghost(&mut simulator, (40.0, 20.0), v(0.0, 0.0));
+        let b = add_ghost(&mut simulator, (10.0, 10.0), v(20.0, 0.0));
         simulator[a].set_angular_velocity(2.0);
         simulator[b].set_angular_velocity(2.0);
         simulator[b].set_linear_velocity(v(0.0, 40.0));
@@ -168,11 +152,11 @@ fn a_row_of_servos_carries_a_mass_much_larger_than_its_links_without_shaking() {
     for (choice, mass, strength, most) in cases {
         for rate in RATES {
             let mut simulator = with(choice, GRAVITY);
-            let mut holder = post(&mut simulator, v(0.0, 0.0));
+            let mut holder = add_post(&mut simulator, v(0.0, 0.0));
             let mut joints = Vec::new();
             let mut load = holder;
             for link in 0..5 {
-                load = ghost(&mut simulator, (20.0, 4.0), v(10.0 + 20.0 * link as f32, 0.0));
+                load = add_ghost(&mut simulator, (20.0, 4.0), v(10.0 + 20.0 * link as f32, 0.0));
                 simulator[load].set_mass(if link == 4 { mass } else { 1.0 }).unwrap();
                 let at = v(20.0 * link as f32, 0.0);
                 let joint = JointFactory::create_revolute_joint_in(&mut simulator, holder, load, at).unwrap();
@@ -303,8 +287,8 @@ fn rows_of_servos_that_come_and_go_leave_the_others_and_restored_games_as_they_a
     for choice in SOLVERS {
         let (mut simulator, body, limp, inertia) = hinge(choice);
         simulator.set_sleep_enabled(false);
-        let carried = ghost(&mut simulator, (10.0, 10.0), v(60.0, 0.0));
-        let arm = ghost(&mut simulator, (30.0, 4.0), v(60.0, 0.0));
+        let carried = add_ghost(&mut simulator, (10.0, 10.0), v(60.0, 0.0));
+        let arm = add_ghost(&mut simulator, (30.0, 4.0), v(60.0, 0.0));
         let strength = PoseServo { frequency: 3.0, greatest_force: 400.0, ..PoseServo::default() };
         let motor = JointFactory::create_motor_joint_in(&mut simulator, body, carried, strength).unwrap();
         simulator.set_motor_joint_target(motor, v(60.0, 0.0), 0.0).unwrap();

@@ -1,7 +1,8 @@
 //! The precise set: wheel joints, springs between two angles, and motor joints.
 
-use conformance::fixtures::plane::{add_box, add_circle, add_floor, precise, run, simulator, state, v};
-use farseer_core::math::Vector2;
+use conformance::fixtures::plane::{
+    add_box, add_circle, add_floor, add_ghost, add_post, precise, run, simulator, state, v,
+};
 use farseer_core::{
     AngleSpringJoint, BodyId, Error, Event, JointFactory, JointLimits, JointMotor, JointServo, Methods,
     MotorJoint, PhysicsSimulator, PoseServo, SolverChoice, TypedJointId, WheelJoint,
@@ -15,21 +16,6 @@ fn with(choice: SolverChoice, gravity: f32) -> PhysicsSimulator {
     let mut simulator = precise(gravity);
     simulator.set_solver_choice(choice);
     simulator
-}
-
-/// A box without drag and without collisions.
-fn ghost(simulator: &mut PhysicsSimulator, size: (f32, f32), position: Vector2) -> BodyId {
-    let (body, geom) = add_box(simulator, size, position);
-    simulator[geom].set_collision_enabled(false);
-    simulator[body].set_linear_drag_coefficient(0.0);
-    simulator[body].set_rotational_drag_coefficient(0.0);
-    body
-}
-
-fn post(simulator: &mut PhysicsSimulator, position: Vector2) -> BodyId {
-    let (body, geom) = add_floor(simulator, (10.0, 10.0), position);
-    simulator[geom].set_collision_enabled(false);
-    body
 }
 
 /// A car; half of its chassis' weight sinks the suspension of a wheel by two length units.
@@ -147,8 +133,8 @@ fn a_wheel_stays_on_its_axis_when_the_car_jumps_and_turns() {
 /// Two free boxes with a spring between their angles, and the moments of both.
 fn twins(choice: SolverChoice) -> (PhysicsSimulator, [BodyId; 2], TypedJointId<AngleSpringJoint>, [f32; 2]) {
     let mut simulator = with(choice, 0.0);
-    let a = ghost(&mut simulator, (40.0, 10.0), v(0.0, 0.0));
-    let b = ghost(&mut simulator, (20.0, 10.0), v(100.0, 0.0));
+    let a = add_ghost(&mut simulator, (40.0, 10.0), v(0.0, 0.0));
+    let b = add_ghost(&mut simulator, (20.0, 10.0), v(100.0, 0.0));
     simulator[b].set_rotation(0.5);
     let moments = [a, b].map(|body| simulator[body].moment_of_inertia());
     let spring = JointFactory::create_angle_spring_joint_in(&mut simulator, a, b, 0.0, 0.0).unwrap();
@@ -202,8 +188,8 @@ fn held(
     servo: PoseServo,
 ) -> (PhysicsSimulator, BodyId, TypedJointId<MotorJoint>) {
     let mut simulator = with(choice, gravity);
-    let post = post(&mut simulator, v(0.0, 0.0));
-    let body = ghost(&mut simulator, (20.0, 10.0), v(50.0, 0.0));
+    let post = add_post(&mut simulator, v(0.0, 0.0));
+    let body = add_ghost(&mut simulator, (20.0, 10.0), v(50.0, 0.0));
     let joint = JointFactory::create_motor_joint_in(&mut simulator, post, body, servo).unwrap();
     (simulator, body, joint)
 }
@@ -256,8 +242,8 @@ fn the_force_of_a_motor_joint_is_bounded_in_any_direction_and_its_torque_too() {
 fn a_motor_joint_between_two_bodies_keeps_momentum() {
     for choice in SOLVERS {
         let mut simulator = with(choice, 0.0);
-        let a = ghost(&mut simulator, (30.0, 30.0), v(0.0, 0.0));
-        let b = ghost(&mut simulator, (20.0, 10.0), v(50.0, 0.0));
+        let a = add_ghost(&mut simulator, (30.0, 30.0), v(0.0, 0.0));
+        let b = add_ghost(&mut simulator, (20.0, 10.0), v(50.0, 0.0));
         let joint = JointFactory::create_motor_joint_in(&mut simulator, a, b, PoseServo::default()).unwrap();
         simulator.set_motor_joint_target(joint, v(20.0, 60.0), 0.7).unwrap();
         run(&mut simulator, 240);
@@ -297,10 +283,10 @@ fn restored_wheels_springs_and_motor_joints_go_on_with_the_same_bits() {
         let Car { mut simulator, chassis, axles, .. } = car(choice, 4.0);
         let motor = JointMotor { speed: 10.0, greatest_effort: 600.0 };
         simulator.set_joint_motor(axles[1], Some(motor)).unwrap();
-        let flag = ghost(&mut simulator, (4.0, 30.0), v(0.0, -30.0));
+        let flag = add_ghost(&mut simulator, (4.0, 30.0), v(0.0, -30.0));
         let servo = PoseServo { greatest_force: 3000.0, ..PoseServo::default() };
         let grip = JointFactory::create_motor_joint_in(&mut simulator, chassis, flag, servo).unwrap();
-        let spinner = ghost(&mut simulator, (10.0, 10.0), v(0.0, -90.0));
+        let spinner = add_ghost(&mut simulator, (10.0, 10.0), v(0.0, -90.0));
         simulator[spinner].set_ignore_gravity(true);
         let spring =
             JointFactory::create_angle_spring_joint_in(&mut simulator, flag, spinner, 900.0, 3.0).unwrap();
