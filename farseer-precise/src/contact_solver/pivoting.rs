@@ -8,7 +8,7 @@
 //! Substeps resolve neither: a wheel of 96 vertices has several impacts in one substep. An impact that comes late by a fraction
 //! of a substep changes the energy by about as much as the impact itself.
 
-use crate::math::plane::{Vector, cross, difference, dot, length, rotate, scaled, sum};
+use crate::math::plane::{Rot, Vector, cross, difference, dot, length, rotate, rotate_inverse, scaled, sum};
 use crate::math::scalar;
 use crate::parameters::contacts::{PIVOT_MAX_IMPACTS_PER_STEP, PIVOT_MAX_SLIP, PIVOT_MIN_SUBSTEP};
 use crate::shape::ShapeRef;
@@ -19,7 +19,7 @@ pub(crate) struct PivotingPolygon<'a> {
     /// Convex polygon in the frame of its body.
     pub(crate) outline: ShapeRef<'a>,
     /// Cosine and sine of the polygon's rotation in the world frame, at the beginning of the step.
-    pub(crate) rotation: [f32; 2],
+    pub(crate) rotation: Rot,
     /// Unit normal of the face, towards the polygon, in world axes.
     pub(crate) normal: Vector,
     /// Square of the polygon's radius of gyration, I / m, length units^2.
@@ -43,6 +43,8 @@ pub(crate) struct PivotState {
     arm: Vector,
     /// Rotation of the polygon since the beginning of the step, radians.
     pub(crate) delta_rotation: f32,
+    /// Cosine and sine of the polygon's rotation in the world frame.
+    rotation: Rot,
     /// Angular velocity of the polygon, rad/s.
     pub(crate) angular_velocity: f32,
     /// Displacement of the centre of mass since the beginning of the step: x, y in length units, world axes.
@@ -103,6 +105,7 @@ impl PivotingPolygon<'_> {
             vertex: corner,
             arm,
             delta_rotation: 0.0,
+            rotation: self.rotation,
             angular_velocity: spin,
             delta_position: [0.0; 2],
             reaction: [0.0; 2],
@@ -116,10 +119,7 @@ impl PivotingPolygon<'_> {
         let count = self.outline.vertices.len();
         let (side, ahead) = if state.angular_velocity > 0.0 { (1.0, count - 1) } else { (-1.0, 1) };
         let corner = (state.vertex + ahead) % count;
-        let edge = difference(self.outline.vertices[corner], self.outline.vertices[state.vertex]);
-        let edge = rotate(self.rotation, edge);
-        let (sine, cosine) = scalar::sin_cos(state.delta_rotation);
-        let edge = rotate([cosine, sine], edge);
+        let edge = self.edge_to(corner, state);
         let along = scaled(perpendicular(self.normal), side);
         let angle = scalar::atan2(dot(edge, self.normal), dot(edge, along));
         (angle > -PIVOT_MAX_SLIP).then_some(VertexImpact { vertex: corner, angle: scalar::max(angle, 0.0) })
@@ -152,7 +152,8 @@ impl PivotingPolygon<'_> {
                 state.angular_velocity * t + 0.5 * self.angular_acceleration_about_vertex(state) * t * t;
             let is_impact = (turned_by + free) * side >= angle;
             let to = if is_impact { side * angle } else { turned_by + free };
-            let change = difference(rotated(first.arm, to), first.arm);
+            let (sine, cosine) = scalar::sin_cos(to);
+            let change = difference(rotate([cosine, sine], first.arm), first.arm);
             let work =
                 dot(self.acceleration, change) + self.gyration_squared * self.angular_acceleration * to;
             let squared = first.angular_velocity * first.angular_velocity + 2.0 * work / inertia;
@@ -163,6 +164,7 @@ impl PivotingPolygon<'_> {
             remaining -= scalar::max(scalar::min(elapsed, t), 0.0);
             turned_by = to;
             (state.delta_rotation, state.angular_velocity) = (first.delta_rotation + to, spin);
+            state.rotation = rotate([cosine, sine], first.rotation);
             (state.arm, state.delta_position) = (sum(first.arm, change), sum(first.delta_position, change));
             state.reaction = self.reaction_if_admissible(state)?;
             if remaining <= PIVOT_MIN_SUBSTEP * h {
@@ -177,9 +179,7 @@ impl PivotingPolygon<'_> {
     /// Applies the impact of the vertex with index `corner` on the face: from now on the polygon pivots about this vertex, with
     /// its angular momentum about the vertex conserved. `None` if the polygon bounces or slides.
     fn apply_impact(&self, state: &mut PivotState, corner: usize) -> Option<()> {
-        let edge = difference(self.outline.vertices[corner], self.outline.vertices[state.vertex]);
-        let (sine, cosine) = scalar::sin_cos(state.delta_rotation);
-        let edge = rotate([cosine, sine], rotate(self.rotation, edge));
+        let edge = self.edge_to(corner, state);
         (state.angular_velocity.abs() * length(edge) <= self.restitution_threshold).then_some(())?;
         let (before, arm) = (state.velocity(), difference(state.arm, edge));
         let momentum_ratio =
@@ -188,6 +188,24 @@ impl PivotingPolygon<'_> {
         (state.vertex, state.arm, state.angular_velocity) =
             (corner, arm, momentum_ratio * state.angular_velocity);
         self.is_in_friction_cone(difference(state.velocity(), before)).then_some(())
+    }
+
+    /// Returns the vector from the vertex on the face to the vertex with index `corner`, in world axes, length units.
+    fn edge_to(&self, corner: usize, state: &PivotState) -> Vector {
+        let edge = difference(self.outline.vertices[corner], self.outline.vertices[state.vertex]);
+        rotate(state.rotation, edge)
+    }
+
+    /// Returns both ends of the edge that faces the plane, relative to the centre of mass, in world axes, length units. Of the
+    /// two edges at the vertex on the face it is the one whose normal is more opposed to the normal of the face.
+    pub(crate) fn facing_edge(&self, state: &PivotState) -> [Vector; 2] {
+        let count = self.outline.vertices.len();
+        let away_from_face = rotate_inverse(state.rotation, self.normal);
+        let [before, after] = [(state.vertex + count - 1) % count, state.vertex];
+        let [along_before, along_after] =
+            [before, after].map(|edge| dot(self.outline.normals[edge], away_from_face));
+        let edge = if along_before < along_after { before } else { after };
+        [edge, (edge + 1) % count].map(|end| rotate(state.rotation, self.outline.vertices[end]))
     }
 
     /// Returns the angular acceleration of the polygon about the vertex on the face by forces and torques, rad/s^2.

@@ -4,11 +4,12 @@
 //! The contact constraints of such a body stay in the iterative solver, so that a body which it meets in the next step has a
 //! warm start. After the substeps the pose and velocity from `PivotingPolygon` replace the pose and velocity of the body.
 
+use crate::constraint_graph::ContactConstraint;
 use crate::contact_solver::pivoting::{PivotState, PivotingPolygon};
 use crate::contact_solver::rolling::{FaceExtent, RollingContact, RollingSolver, StaticPlane, incident_edge};
 use crate::index::{BodyIndex, PairIndex, ProxyIndex};
 use crate::math::plane::{
-    Rot, Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
+    Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar;
 use crate::parameters::contacts::{PIVOT_MAX_PENETRATION, PIVOT_PLANE_TOLERANCE};
@@ -37,14 +38,10 @@ impl RollingSolver<'_> {
         let pair = self.pairs.pairs_of(at_b).find(|&at| self.pairs.proxies_of(at) == roll.proxies)?;
         roll.pair = pair;
         let b = self.proxies.body_of(at_b);
-        let state = self.pairs.state(pair);
-        let constraint = self.constraints.get(state.kind, state.constraint?);
         let outline = self.proxies.shape_of(at_b);
         let ([x, y, spin, z], force_delta) = (self.bodies.states[b].velocity, self.bodies.force_delta[b]);
-        let is_in_plane =
-            [z, force_delta[3], constraint.depth.normal_z] == [0.0; 3] && outline.shape.radius == 0.0;
-        let can_turn = constraint.inverse_masses[1] > 0.0 && constraint.inverse_inertias[1] > 0.0;
-        if !(is_in_plane && can_turn && outline.vertices.len() > 2) || self.joints.has_joint(b) {
+        let is_in_plane = [z, force_delta[3]] == [0.0; 2] && outline.shape.radius == 0.0;
+        if !(is_in_plane && outline.vertices.len() > 2) || self.joints.has_joint(b) {
             return None;
         }
         let pose_a = self.bodies.poses[self.proxies.body_of(at_a)];
@@ -52,7 +49,11 @@ impl RollingSolver<'_> {
         let offset = contact_plane.offset
             + dot(difference(translation(pose_a), translation(self.bodies.poses[b])), contact_plane.normal);
         let plane = StaticPlane { normal: contact_plane.normal, offset };
-        let friction = self.min_coplanar_friction(b, at_b, &plane)?;
+        let (constraint, friction) = self.coplanar_contact(b, roll, &plane)?;
+        let can_turn = constraint.inverse_masses[1] > 0.0 && constraint.inverse_inertias[1] > 0.0;
+        if !can_turn {
+            return None;
+        }
         let [ax, ay, turning, _] = force_delta.map(|push| push / step.h);
         let pivoting = PivotingPolygon {
             outline,
@@ -81,24 +82,29 @@ impl RollingSolver<'_> {
         self.are_supported(at_b, &plane, &points).then_some(after)
     }
 
-    /// Returns the least friction coefficient (dimensionless) of the contacts of body `b`. `None` if the closed form does not
-    /// apply.
+    /// Returns the constraint of the rolling contact of body `b`, and the least friction coefficient (dimensionless) of all its
+    /// contacts. `None` if the closed form does not apply.
     ///
-    /// It applies if all contacts of `b` are contacts of the proxy `at_b` with static shapes that do not reach above `plane`. A
-    /// polygon that pivots on the plane then meets no other face of these shapes. The offset of the plane is measured from the
+    /// It applies if all contacts of `b` are contacts of the rolling polygon with static shapes that do not reach above `plane`.
+    /// A polygon that pivots on the plane then meets no other face of these shapes. The offset of the plane is measured from the
     /// origin of `b`.
-    fn min_coplanar_friction(&self, b: BodyIndex, at_b: ProxyIndex, plane: &StaticPlane) -> Option<f32> {
-        let mut friction = f32::MAX;
+    fn coplanar_contact(
+        &self,
+        b: BodyIndex,
+        roll: &RollingContact,
+        plane: &StaticPlane,
+    ) -> Option<(ContactConstraint, f32)> {
+        let (mut rolling, mut friction) = (None, f32::MAX);
         for pair in self.pairs.pairs_of_body(self.proxies, b) {
             let state = self.pairs.state(pair);
             let Some(handle) = state.constraint else { continue };
-            let (constraint, [_, other]) =
-                (self.constraints.get(state.kind, handle), self.pairs.proxies_of(pair));
+            let constraint = self.constraints.get(state.kind, handle);
+            let [_, other] = self.pairs.proxies_of(pair);
             let is_still =
                 [constraint.tangent_speed, constraint.depth.across_speed, constraint.depth.normal_z]
                     == [0.0; 3];
             let is_static =
-                state.kind.is_static && other == at_b && self.constraints.parked(handle).is_none();
+                state.kind.is_static && other == roll.proxies[1] && self.constraints.parked(handle).is_none();
             if !(is_static
                 && is_still
                 && self.height_above_plane(pair, plane)
@@ -107,8 +113,11 @@ impl RollingSolver<'_> {
                 return None;
             }
             friction = scalar::min(friction, constraint.friction);
+            if pair == roll.pair {
+                rolling = Some(constraint);
+            }
         }
-        Some(friction)
+        Some((rolling?, friction))
     }
 
     /// Returns the height of the highest point of shape A of a pair above `plane`, length units; negative below it. `f32::MAX`
@@ -141,13 +150,10 @@ impl RollingSolver<'_> {
             let apart = difference(translation(self.bodies.poses[b]), translation(pose_a));
             let q = rotation(pose_a);
             let direction = rotate_inverse(q, plane.normal);
-            let has_face = face.normals.iter().any(|&normal| {
-                cross(normal, direction).abs() <= PIVOT_PLANE_TOLERANCE && dot(normal, direction) > 0.0
-            });
-            if has_face {
-                let extent = FaceExtent::of(face, direction);
+            let top = FaceExtent::of(face, direction);
+            if top.is_normal_to(direction, PIVOT_PLANE_TOLERANCE) {
                 for (is_supported, &point) in is_supported.iter_mut().zip(points) {
-                    *is_supported |= extent.contains(rotate_inverse(q, sum(apart, point)));
+                    *is_supported |= top.contains(rotate_inverse(q, sum(apart, point)));
                 }
             }
         }
@@ -216,11 +222,7 @@ impl RollingSolver<'_> {
 /// Returns both ends of the edge that faces the plane, before and after the step. `ends`: vertices of that edge before the step.
 /// The points are relative to the origin of the body before the step, in world axes, length units.
 fn ends_before_and_after(pivoting: &PivotingPolygon<'_>, ends: [u32; 2], after: &PivotState) -> [Vector; 4] {
-    let (sine, cosine) = scalar::sin_cos(after.delta_rotation);
-    let turned = rotate([cosine, sine], pivoting.rotation);
-    let last_ends = incident_edge(pivoting.outline, rotate_inverse(turned, pivoting.normal));
-    let vertex = |q: Rot, end: u32| rotate(q, pivoting.outline.vertices[end as usize]);
-    let [first, second] = ends.map(|end| vertex(pivoting.rotation, end));
-    let [third, fourth] = last_ends.map(|end| sum(after.delta_position, vertex(turned, end)));
+    let [first, second] = ends.map(|end| rotate(pivoting.rotation, pivoting.outline.vertices[end as usize]));
+    let [third, fourth] = pivoting.facing_edge(after).map(|end| sum(after.delta_position, end));
     [first, second, third, fourth]
 }

@@ -364,13 +364,21 @@ pub(crate) struct FaceExtent {
     start: Vector,
     /// Vector from the first end to the second. Unit: length units.
     along: Vector,
+    /// Outward unit normal.
+    normal: Vector,
 }
 
 impl FaceExtent {
     /// Returns the face of `face` whose normal is most in the direction of `normal`.
     pub(crate) fn of(face: ShapeRef<'_>, normal: Vector) -> Self {
-        let ends = incident_edge(face, scaled(normal, -1.0)).map(|end| face.vertices[end as usize]);
-        FaceExtent { start: ends[0], along: difference(ends[1], ends[0]) }
+        let [first, edge] = incident_edge(face, scaled(normal, -1.0)).map(|end| end as usize);
+        let (start, end) = (face.vertices[first], face.vertices[edge]);
+        FaceExtent { start, along: difference(end, start), normal: face.normals[edge] }
+    }
+
+    /// Returns whether the normal of the face is the unit vector `direction`, up to an angle whose sine is `tolerance`.
+    pub(crate) fn is_normal_to(&self, direction: Vector, tolerance: f32) -> bool {
+        cross(self.normal, direction).abs() <= tolerance && dot(self.normal, direction) > 0.0
     }
 
     /// Returns whether `point` projects onto the face.
