@@ -221,13 +221,17 @@ impl IslandSystem {
             if !plan.has_cycles {
                 self.recompute_velocity_changes();
             }
+            let before = if index == 0 { tolerances.initial_residual } else { stats.residual };
             let improves = self.keep_best(&mut stats);
             if is_over || self.is_finished(&plan, &round, (stats.residual, improves), tolerances) {
                 break;
             }
             // In contact cycles the friction limits of the first round come from the first guess: a round of one Newton step
-            // there does not yet confirm the set.
-            if self.compliance > LEAST_COMPLIANCE && round.steps == 1 && !(plan.has_cycles && index == 0) {
+            // there does not yet confirm the set. Where one more round with the same reduction should reach the goal, rows stay
+            // as stiff as they are: their factors, half of the cost of a round, remain valid.
+            let is_confirmed = round.steps == 1 && !(plan.has_cycles && index == 0);
+            let is_last = stats.residual * stats.residual <= tolerances.exact * before;
+            if self.compliance > LEAST_COMPLIANCE && is_confirmed && !is_last {
                 self.set_compliance(COMPLIANCE_FACTOR * self.compliance);
             }
         }
