@@ -4,10 +4,18 @@
 //! outline, for the ghost filter. Vertices and normals of all shapes are in one [`VertexPool`].
 
 use crate::edge_adjacency::{self, Seam};
+use crate::index::{DenseIndex, index_type};
 use crate::math::plane::{Vector, difference, dot, length, rotate, sum};
 use crate::math::scalar;
 use crate::pieces::{Piece, simplified};
 use crate::reusing_clone;
+use std::ops::Range;
+use wide::f32x4;
+
+index_type! {
+    /// Index of [`EdgeLanes`] in the [`VertexPool`].
+    struct LaneIndex;
+}
 
 /// Kind of a shape. It selects the collision routine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,6 +39,8 @@ pub struct Shape {
     vertex_start: u32,
     /// Index of the shape's first edge adjacency in the [`VertexPool`]; unused unless the shape is a linked polygon.
     adjacency_start: u32,
+    /// Index of the shape's first [`EdgeLanes`] in the [`VertexPool`].
+    lane_start: LaneIndex,
     /// Number of vertices: 0 for a circle, 2 for a capsule or an edge of a chain, else at least 3.
     pub(crate) vertex_count: u32,
     /// Whether the shape is a rectangle about the origin of its body, with sides along the axes of the body.
@@ -56,6 +66,16 @@ impl Shape {
         self.kind == ShapeKind::LinkedPolygon
     }
 
+    /// Returns the range of the shape's vertices in the [`VertexPool`].
+    fn vertex_range(self) -> Range<usize> {
+        self.vertex_start as usize..(self.vertex_start + self.vertex_count) as usize
+    }
+
+    /// Returns the number of [`EdgeLanes`] of the shape.
+    fn lane_count(self) -> usize {
+        self.vertex_range().len().div_ceil(4)
+    }
+
     /// Returns the shape with half extents and `max_extent` enlarged by `distance`, in length units. Vertices and radius stay.
     pub(crate) fn expanded(self, distance: f32) -> Self {
         let [x, y] = self.half_extents;
@@ -75,9 +95,32 @@ pub struct VertexPool {
     normals: Vec<Vector>,
     /// Adjacency of each edge of the linked polygons: the normals of the adjacent edges of the outline.
     adjacency: Vec<Seam>,
+    /// The edges of all shapes in SIMD lanes.
+    edge_lanes: Vec<EdgeLanes>,
 }
 
-reusing_clone! { VertexPool { vertices, normals, adjacency } }
+reusing_clone! { VertexPool { vertices, normals, adjacency, edge_lanes } }
+
+/// Four consecutive edges of a shape in SIMD lanes, in the frame of its body. The last edge of the shape fills the lanes beyond it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EdgeLanes {
+    /// Coordinates x and y of the first vertex of each edge, length units.
+    pub(crate) starts: [f32x4; 2],
+    /// Components x and y of the outward unit normals.
+    pub(crate) normals: [f32x4; 2],
+}
+
+impl EdgeLanes {
+    /// Returns the edges of a closed outline from the index `first` on. `vertices` are in length units.
+    fn new(first: usize, vertices: &[Vector], normals: &[Vector]) -> Self {
+        let lanes = |vectors: &[Vector]| {
+            let last = vectors.len() - 1;
+            let four: [Vector; 4] = std::array::from_fn(|lane| vectors[(first + lane).min(last)]);
+            [0, 1].map(|axis| f32x4::new(four.map(|vector| vector[axis])))
+        };
+        EdgeLanes { starts: lanes(vertices), normals: lanes(normals) }
+    }
+}
 
 /// A shape with slices of its vertices (length units) and outward unit edge normals, in the frame of its body. Edge i runs from
 /// vertex i to the next one.
@@ -86,8 +129,8 @@ pub struct ShapeRef<'a> {
     pub(crate) shape: Shape,
     pub(crate) vertices: &'a [Vector],
     pub(crate) normals: &'a [Vector],
-    /// Edge adjacencies of all shapes of the [`VertexPool`].
-    all_adjacency: &'a [Seam],
+    /// Vertices, normals and edges of all shapes.
+    pool: &'a VertexPool,
 }
 
 impl<'a> ShapeRef<'a> {
@@ -99,10 +142,16 @@ impl<'a> ShapeRef<'a> {
         points.iter().map(|&point| dot(point, direction)).fold(f32::MIN, scalar::max)
     }
 
+    /// Returns the edges, four at a time.
+    #[inline(always)]
+    pub(crate) fn edge_lanes(&self) -> &'a [EdgeLanes] {
+        &self.pool.edge_lanes[self.shape.lane_start.position()..][..self.shape.lane_count()]
+    }
+
     /// Returns for each edge the adjacent edges of the whole outline; an empty slice if the shape itself is a whole outline.
     pub(crate) fn adjacency(&self) -> &'a [Seam] {
         if self.shape.is_linked() {
-            &self.all_adjacency[self.shape.adjacency_start as usize..][..self.shape.vertex_count as usize]
+            &self.pool.adjacency[self.shape.adjacency_start as usize..][..self.shape.vertex_count as usize]
         } else {
             &[]
         }
@@ -115,17 +164,14 @@ impl VertexPool {
         self.vertices.clear();
         self.normals.clear();
         self.adjacency.clear();
+        self.edge_lanes.clear();
     }
 
     /// Returns a shape with slices of its vertices and normals.
+    #[inline]
     pub fn shape_ref(&self, shape: Shape) -> ShapeRef<'_> {
-        let range = shape.vertex_start as usize..(shape.vertex_start + shape.vertex_count) as usize;
-        ShapeRef {
-            shape,
-            vertices: &self.vertices[range.clone()],
-            normals: &self.normals[range],
-            all_adjacency: &self.adjacency,
-        }
+        let range = shape.vertex_range();
+        ShapeRef { shape, vertices: &self.vertices[range.clone()], normals: &self.normals[range], pool: self }
     }
 
     /// Returns the smallest distance from the centre of a shape's AABB to the shape's surface, in length units, >= 0.
@@ -216,7 +262,16 @@ impl VertexPool {
         let edge = self.add_polygon(ends.to_vec());
         let normals = &mut self.normals[edge.vertex_start as usize..];
         (normals[0], normals[1]) = (normal, [-normal[0], -normal[1]]);
+        self.edge_lanes.truncate(edge.lane_start.position());
+        self.add_edge_lanes(edge.vertex_range().start);
         self.link_polygon(edge, [seam, Seam::INTERNAL].into_iter())
+    }
+
+    /// Adds the edges of the last shape to the SIMD lanes. `start`: index of its first vertex.
+    fn add_edge_lanes(&mut self, start: usize) {
+        let (vertices, normals) = (&self.vertices[start..], &self.normals[start..]);
+        let firsts = (0..vertices.len()).step_by(4);
+        self.edge_lanes.extend(firsts.map(|first| EdgeLanes::new(first, vertices, normals)));
     }
 
     /// Adds the edge adjacencies of a polygon to the pool, and returns its shape as a linked polygon.
@@ -237,6 +292,9 @@ impl VertexPool {
         let points = &self.vertices[start..];
         let normal = |i: usize| edge_normal(points[i], points[(i + 1) % points.len()]);
         self.normals.extend((0..points.len()).map(normal));
+        let lane_start = LaneIndex::new(self.edge_lanes.len());
+        self.add_edge_lanes(start);
+        let points = &self.vertices[start..];
         let bound = |axis: usize, better: fn(f32, f32) -> bool| {
             points.iter().map(|p| p[axis]).reduce(|a, b| if better(a, b) { a } else { b }).unwrap_or(0.0)
         };
@@ -254,6 +312,7 @@ impl VertexPool {
             kind: family,
             vertex_start: start as u32,
             adjacency_start: 0,
+            lane_start,
             vertex_count: count,
             is_box,
             radius: 0.0,

@@ -119,7 +119,7 @@ impl JointImport<'_> {
     fn spring_constraint(self, spring: &Spring) -> Option<SpringConstraint> {
         let (ends, rest_length) = self.spring_anchors(spring)?;
         let is_linear = matches!(spring.kind(), SpringKind::Linear(_) | SpringKind::FixedLinear(_));
-        let distance = anchor_distance(&ends);
+        let distance = if is_linear { anchor_distance(&ends) } else { 0.0 };
         // A spring with rest length 0 has the same stiffness in all directions, so that it needs no direction at distance 0.
         if is_linear && distance == 0.0 && rest_length != 0.0 {
             return None;

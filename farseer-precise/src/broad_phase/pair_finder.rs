@@ -86,7 +86,10 @@ impl PairFinder<'_> {
             }
             pairs.partners(proxy).for_each(|partner| seen[partner] = false);
             self.retain_new(first, seen, found);
+            // In the plane, overlaps are found from both sides: the pairs with this proxy are complete.
+            seen[proxy] = depth.is_none();
         }
+        refitted.iter().for_each(|&proxy| seen[proxy] = false);
         sort_by_number(found, |&pair| proxies.creation_numbers(pair));
         found.dedup();
         found.len()

@@ -154,11 +154,6 @@ impl Proxy {
         *hit_count += usize::from(self.wants_hits());
     }
 
-    /// Returns the index of the body if the proxy is a box about the origin of its body; else `None`.
-    fn box_body(&self) -> Option<BodyIndex> {
-        self.shape.is_box.then_some(self.body)
-    }
-
     /// Returns whether the position has no proxy.
     pub fn is_empty(&self) -> bool {
         self.body == BodyIndex::PLACEHOLDER
@@ -211,8 +206,6 @@ pub struct Proxies {
     pub vertices: VertexPool,
     /// AABB of each shape in the frame of its body, without its radius: centre x, y, then half extents x, y, in length units.
     local_aabbs: IndexedVec<ProxyIndex, [f32; 4]>,
-    /// For each proxy, the index of its body if the proxy is a box about the origin of the body; else `None`.
-    box_bodies: IndexedVec<ProxyIndex, Option<BodyIndex>>,
     /// Fat AABB of each proxy: [min x, min y, max x, max y] in length units, world axes.
     fat_aabbs: IndexedVec<ProxyIndex, PackedAabb>,
     /// Path length of each proxy since it was added: a bound for all of its points, in 2^-26 length units. The counter wraps.
@@ -227,7 +220,7 @@ pub struct Proxies {
 
 reusing_clone! {
     Proxies {
-        all, summaries, movable_end, first_fixed, live_count, one_way_count, hit_count, vertices, local_aabbs, box_bodies, fat_aabbs, travel, refitted, heads, next
+        all, summaries, movable_end, first_fixed, live_count, one_way_count, hit_count, vertices, local_aabbs, fat_aabbs, travel, refitted, heads, next
     }
 }
 
@@ -378,23 +371,12 @@ impl Proxies {
         self.refitted = searched;
     }
 
-    /// Returns whether a proxy is a box about the origin of its body.
+    /// Returns the bounding boxes of four shapes in the frames of their bodies, one shape in each lane: centre x, y and half
+    /// extents x, y without the radius, then the radii. Length units.
     #[inline(always)]
-    pub(crate) fn is_centred_box(&self, proxy: ProxyIndex) -> bool {
-        self.box_bodies[proxy].is_some()
-    }
-
-    /// Returns the bodies of four proxies; 0 for a proxy that is no box about the origin of its body.
-    #[inline(always)]
-    pub(crate) fn box_bodies_of(&self, proxies: [ProxyIndex; 4]) -> [BodyIndex; 4] {
-        proxies.map(|proxy| self.box_bodies[proxy].unwrap_or(BodyIndex::PLACEHOLDER))
-    }
-
-    /// Returns the half extents x and y of four proxies without their radii, one proxy in each lane, length units.
-    #[inline(always)]
-    pub(crate) fn half_extents_of(&self, proxies: &[ProxyIndex; 4]) -> [f32x4; 2] {
-        let [.., half_x, half_y] = gather(&self.local_aabbs, proxies);
-        [half_x, half_y]
+    pub(crate) fn local_bounds_of(&self, proxies: &[ProxyIndex; 4]) -> ([f32x4; 4], f32x4) {
+        let radii = proxies.map(|proxy| self.summaries[proxy].radius);
+        (gather(&self.local_aabbs, proxies), f32x4::new(radii))
     }
 
     /// Sets the [wanted events](Proxy::events) of a proxy.
@@ -415,7 +397,6 @@ impl Proxies {
         (self.live_count, self.one_way_count, self.hit_count) = (0, 0, 0);
         self.vertices.clear();
         self.local_aabbs.clear();
-        self.box_bodies.clear();
         self.fat_aabbs.clear();
         self.travel.clear();
         self.refitted.clear();
@@ -428,7 +409,6 @@ impl Proxies {
         self.all.reserve(capacity);
         self.summaries.reserve(capacity);
         self.local_aabbs.reserve(capacity);
-        self.box_bodies.reserve(capacity);
         self.fat_aabbs.reserve(capacity);
         self.travel.reserve(capacity);
     }
@@ -451,7 +431,6 @@ impl Proxies {
         self.all.push(proxy);
         self.summaries.push(ProxySummary::of(&proxy));
         self.local_aabbs.push([x, y, hx, hy]);
-        self.box_bodies.push(proxy.box_body());
         self.fat_aabbs.push(UNBOUNDED_AABB);
         self.travel.push(0);
         self.live_count += usize::from(!proxy.is_empty());
@@ -471,7 +450,6 @@ impl Proxies {
             let Shape { centre: [x, y], half_extents: [hx, hy], .. } = proxy.shape;
             (self.all[at], self.local_aabbs[at], self.travel[at]) = (proxy, [x, y, hx, hy], 0);
             self.summaries[at] = ProxySummary::of(&proxy);
-            self.box_bodies[at] = proxy.box_body();
             (self.movable_end, self.live_count) = (self.movable_end.max(at.next()), self.live_count + 1);
             self.one_way_count += usize::from(proxy.one_way.is_some());
             self.hit_count += usize::from(proxy.wants_hits());
@@ -506,7 +484,6 @@ impl Proxies {
         self.hit_count -= usize::from(self.all[at].wants_hits());
         (self.all[at], self.local_aabbs[at], self.fat_aabbs[at]) = (Proxy::empty(), [0.0; 4], UNBOUNDED_AABB);
         self.summaries[at] = ProxySummary::of(&self.all[at]);
-        self.box_bodies[at] = None;
         self.live_count -= 1;
     }
 

@@ -9,10 +9,12 @@
 //! The target is a small penetration and not the first touch, so that the next step finds a contact and a grazing shape does
 //! not stop.
 
-use crate::math::plane::{Pose, Vector, difference, dot, length, rotate, rotation, scaled, sum, translation};
+use crate::math::lanes::{greater, select};
+use crate::math::plane::{Pose, Rot, Vector, difference, dot, rotate, rotation, sum, translation};
 use crate::math::scalar;
 use crate::parameters::narrow_phase::TOI_MAX_ITERATIONS;
 use crate::shape::ShapeRef;
+use wide::f32x4;
 
 /// A convex shape on its path through a step: initial pose and displacement of its body.
 #[derive(Clone, Copy)]
@@ -47,14 +49,8 @@ impl SweptShape<'_> {
     /// Returns the support function: the largest world coordinate of the shape along the unit vector `direction`, radius
     /// included, length units.
     pub(crate) fn support(&self, pose: Pose, direction: Vector) -> f32 {
-        self.support_vertex(pose, direction).0 + self.shape.shape.radius
-    }
-
-    /// Returns the largest world coordinate of the vertices along the unit vector `direction` (length units, without the
-    /// radius), and the vertex with this coordinate.
-    fn support_vertex(&self, pose: Pose, direction: Vector) -> (f32, Vector) {
-        let along = self.vertices(pose).map(|corner| (dot(corner, direction), corner));
-        along.fold((f32::MIN, [0.0; 2]), |most, one| if one.0 > most.0 { one } else { most })
+        let along = self.vertices(pose).map(|corner| dot(corner, direction));
+        along.fold(f32::MIN, |most, one| if one > most { one } else { most }) + self.shape.shape.radius
     }
 
     /// Returns the centre of the shape's AABB in world coordinates, length units.
@@ -73,66 +69,23 @@ impl SweptPair<'_> {
     /// Returns the separation of A and B at a fraction of the step (length units, negative for penetration), and its axis, a
     /// unit vector from A to B in world axes.
     ///
-    /// The separation along any axis is at most that of two single vertices. This bound, with the vertices that were nearest on
-    /// the previous axis, skips most axes.
+    /// The axes along which the separation may be largest are the face normals and, with round shapes, the directions between
+    /// two vertices. They are tested four at a time.
     pub(crate) fn separation(&self, fraction: f32) -> (f32, Vector) {
         let poses = [self.a.pose_at(fraction), self.b.pose_at(fraction)];
-        let radii = [self.a.shape.shape.radius, self.b.shape.shape.radius];
-        let separation_along = |axis: Vector| {
-            let (of_a, near_a) = self.a.support_vertex(poses[0], axis);
-            let (of_b, near_b) = self.b.support_vertex(poses[1], scaled(axis, -1.0));
-            (-(of_b + radii[1]) - (of_a + radii[0]), [near_a, near_b])
-        };
-        let upper_bound = |[near_a, near_b]: [Vector; 2], axis: Vector| {
-            -(dot(near_b, scaled(axis, -1.0)) + radii[1]) - (dot(near_a, axis) + radii[0])
-        };
-
-        // The separation along the axis with the largest bound is a lower limit for the result.
-        let mut nearest = separation_along(difference(self.b.centre(poses[1]), self.a.centre(poses[0]))).1;
-        let mut best_bound = (f32::MIN, [0.0, 1.0]);
-        self.for_each_axis(poses, &mut |axis| {
-            let most = upper_bound(nearest, axis);
-            if most > best_bound.0 {
-                best_bound = (most, axis);
-            }
-        });
-        let (least, of_likely) = separation_along(best_bound.1);
-        nearest = of_likely;
-        let mut best = (f32::MIN, [0.0, 1.0]);
-        self.for_each_axis(poses, &mut |axis| {
-            let most = upper_bound(nearest, axis);
-            if most < least || most <= best.0 {
-                return;
-            }
-            let (apart, of_axis) = separation_along(axis);
-            nearest = of_axis;
-            if apart > best.0 {
-                best = (apart, axis);
-            }
-        });
-        best
-    }
-
-    /// Calls `consider` with each axis along which the separation may be largest, a unit vector from A to B. These are the face
-    /// normals and, with round shapes, the directions between two vertices.
-    fn for_each_axis(&self, [pose_a, pose_b]: [Pose; 2], consider: &mut dyn FnMut(Vector)) {
-        for &normal in self.a.shape.normals {
-            consider(rotate(rotation(pose_a), normal));
+        let [a, b] = [PosedVertices::new(&self.a, poses[0]), PosedVertices::new(&self.b, poses[1])];
+        let mut best = BestAxis { separation: f32::MIN, axis: [0.0, 1.0] };
+        for axes in rotated_normals(&self.a.shape, rotation(poses[0])) {
+            best.include(separations(&a, &b, axes), axes);
         }
-        for &normal in self.b.shape.normals {
-            consider(scaled(rotate(rotation(pose_b), normal), -1.0));
+        for axes in rotated_normals(&self.b.shape, rotation(poses[1])) {
+            let axes = axes.map(|side| -side);
+            best.include(separations(&a, &b, axes), axes);
         }
-        if self.a.shape.shape.radius > 0.0 || self.b.shape.shape.radius > 0.0 {
-            for from in self.a.vertices(pose_a) {
-                for to in self.b.vertices(pose_b) {
-                    let offset = difference(to, from);
-                    let distance = length(offset);
-                    if distance > 0.0 {
-                        consider(scaled(offset, 1.0 / distance));
-                    }
-                }
-            }
+        if a.radius > 0.0 || b.radius > 0.0 {
+            best.include_vertex_directions(&a, &b);
         }
+        (best.separation, best.axis)
     }
 
     /// Returns the separation of A and B at a fraction of the step (length units, negative for penetration), and the closing
@@ -165,6 +118,111 @@ impl SweptPair<'_> {
             difference(translation(self.b.displacement), translation(self.a.displacement));
         dot(difference(centre, on_edge), normal) < 0.0
             || (dot(relative_displacement, normal) >= 0.0 && self.b.displacement[2] == 0.0)
+    }
+}
+
+/// Number of vertices of a shape whose world coordinates are computed once for all axes, a count. Most shapes have at most as
+/// many.
+const STORED_VERTICES: usize = 8;
+
+/// The vertices of a shape in world coordinates, length units.
+struct PosedVertices<'a> {
+    /// Vertices in the frame of the body, length units.
+    local: &'a [Vector],
+    pose: Pose,
+    /// World coordinates of the first vertices, length units.
+    stored: [Vector; STORED_VERTICES],
+    /// Radius of the shape, length units, >= 0.
+    radius: f32,
+}
+
+impl<'a> PosedVertices<'a> {
+    /// Returns the vertices of a shape in the given pose of its body; for a circle its centre.
+    #[inline(always)]
+    fn new(shape: &'a SweptShape<'_>, pose: Pose) -> Self {
+        let ShapeRef { shape, vertices, .. } = &shape.shape;
+        let local = if vertices.is_empty() { std::slice::from_ref(&shape.centre) } else { vertices };
+        let mut stored = [[0.0; 2]; STORED_VERTICES];
+        for (stored, &point) in stored.iter_mut().zip(local) {
+            *stored = sum(translation(pose), rotate(rotation(pose), point));
+        }
+        PosedVertices { local, pose, stored, radius: shape.radius }
+    }
+
+    /// Returns a vertex in world coordinates, length units.
+    #[inline(always)]
+    fn vertex(&self, at: usize) -> Vector {
+        match self.stored.get(at) {
+            Some(&vertex) => vertex,
+            None => sum(translation(self.pose), rotate(rotation(self.pose), self.local[at])),
+        }
+    }
+
+    /// Returns the largest world coordinates of the vertices along four directions, without the radius, length units.
+    #[inline(always)]
+    fn max_projections(&self, [x, y]: [f32x4; 2]) -> f32x4 {
+        (0..self.local.len()).map(|at| self.vertex(at)).fold(f32x4::splat(f32::MIN), |most, vertex| {
+            greater(f32x4::splat(vertex[0]) * x + f32x4::splat(vertex[1]) * y, most)
+        })
+    }
+}
+
+/// Returns the separations of A and B along four axes, unit vectors from A to B: length units, negative for penetration.
+#[inline(always)]
+fn separations(a: &PosedVertices<'_>, b: &PosedVertices<'_>, axes: [f32x4; 2]) -> f32x4 {
+    let (of_a, of_b) = (a.max_projections(axes), b.max_projections(axes.map(|side| -side)));
+    -(of_b + f32x4::splat(b.radius)) - (of_a + f32x4::splat(a.radius))
+}
+
+/// Returns the edge normals of a shape in world axes, four at a time. `q` is the rotation of its body: cosine and sine.
+#[inline(always)]
+fn rotated_normals<'a>(shape: &ShapeRef<'a>, [c, s]: Rot) -> impl Iterator<Item = [f32x4; 2]> + use<'a> {
+    let (c, s) = (f32x4::splat(c), f32x4::splat(s));
+    shape.edge_lanes().iter().map(move |edges| {
+        let [x, y] = edges.normals;
+        [c * x - s * y, s * x + c * y]
+    })
+}
+
+/// The axis with the largest separation so far.
+struct BestAxis {
+    /// Separation along the axis, length units, negative for penetration.
+    separation: f32,
+    /// Unit vector from A to B in world axes.
+    axis: Vector,
+}
+
+impl BestAxis {
+    /// Takes the best of four axes if its separation (length units) is larger than that so far. The first of equal ones counts.
+    #[inline(always)]
+    fn include(&mut self, separations: f32x4, axes: [f32x4; 2]) {
+        if separations.simd_gt(f32x4::splat(self.separation)).none() {
+            return;
+        }
+        let [x, y] = axes.map(f32x4::to_array);
+        for (lane, separation) in separations.to_array().into_iter().enumerate() {
+            if separation > self.separation {
+                (self.separation, self.axis) = (separation, [x[lane], y[lane]]);
+            }
+        }
+    }
+
+    /// Tests the directions from each vertex of A to each vertex of B. Coincident vertices have no direction.
+    fn include_vertex_directions(&mut self, a: &PosedVertices<'_>, b: &PosedVertices<'_>) {
+        for from in (0..a.local.len()).map(|at| a.vertex(at).map(f32x4::splat)) {
+            for first in (0..b.local.len()).step_by(4) {
+                let last = b.local.len() - 1;
+                let to: [Vector; 4] = std::array::from_fn(|lane| b.vertex((first + lane).min(last)));
+                let [to_x, to_y] = [0, 1].map(|axis| f32x4::new(to.map(|vertex| vertex[axis])));
+                let (x, y) = (to_x - from[0], to_y - from[1]);
+                let distance = (x * x + y * y).sqrt();
+                let inverse = f32x4::ONE / distance;
+                let axes = [x * inverse, y * inverse];
+                let is_direction = distance.simd_gt(f32x4::ZERO);
+                let separations = select(is_direction, separations(a, b, axes), f32x4::splat(f32::MIN));
+                self.include(separations, axes);
+            }
+        }
     }
 }
 

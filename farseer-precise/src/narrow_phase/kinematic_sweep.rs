@@ -10,7 +10,7 @@
 
 use super::stage::{NarrowPhase, ProxyPair};
 use crate::broad_phase::fat_aabbs::is_fast_kinematic;
-use crate::broad_phase::hash_grid::overlap;
+use crate::broad_phase::hash_grid::{PackedAabb, overlap};
 use crate::broad_phase::proxies::{BodyType, Proxy};
 use crate::continuous_collision::time_of_impact::{
     SweptPair as Flyers, SweptShape, conservative_advancement,
@@ -53,10 +53,10 @@ impl<'a> NarrowPhase<'a> {
     /// [`find_contacts_ahead_of_kinematic`](Self::find_contacts_ahead_of_kinematic).
     fn find_contacts_ahead_of_any(&mut self) {
         let mut ahead = std::mem::take(self.dirty_pairs);
-        let NarrowPhase { bodies, proxies, pairs, parameters, dt, .. } = self;
+        let NarrowPhase { bodies, proxies, parameters, dt, .. } = *self;
         for proxy in bodies.kinematic.iter().flat_map(|&number| proxies.proxies_of(number)) {
-            if is_fast_kinematic(proxies.proxy(proxy), bodies, parameters, *dt) {
-                ahead.extend(pairs.pairs_of(proxy));
+            if is_fast_kinematic(proxies.proxy(proxy), bodies, parameters, dt) {
+                self.list_pairs_ahead_of(proxy, &mut ahead);
             }
         }
         // In the order of pair indices, which snapshots preserve: the order of contact constraints depends on it.
@@ -65,17 +65,39 @@ impl<'a> NarrowPhase<'a> {
         *self.dirty_pairs = ahead;
     }
 
-    /// Adds the contact of a kinematic body A with a dynamic body B that A will hit within the step. Pairs that have a contact
-    /// already are skipped.
-    fn add_swept_contact(&mut self, pair: PairIndex) {
-        let is_candidate = self.pairs.state(pair).has_response()
-            && self.proxies.body_type_of(self.pairs.proxies_of(pair)[1]) == BodyType::Dynamic
-            && self.pairs.manifold(pair).count == 0;
-        if !is_candidate {
-            return;
+    /// Appends to `ahead` the pairs of a kinematic proxy A with dynamic proxies that A may hit within the step. Pairs that have a
+    /// contact already are left out, and in the plane those whose swept AABBs do not overlap. The swept AABBs exceed the shapes by
+    /// the speculative distance, so that rounding excludes no impact.
+    fn list_pairs_ahead_of(&self, proxy: ProxyIndex, ahead: &mut Vec<PairIndex>) {
+        let is_candidate = |pair: PairIndex, partner: ProxyIndex| {
+            self.proxies.body_type_of(partner) == BodyType::Dynamic
+                && self.pairs.state(pair).has_response()
+                && self.pairs.manifold(pair).count == 0
+        };
+        let pairs = self.pairs.pairs_and_partners(proxy);
+        if self.depth.is_some() {
+            return ahead
+                .extend(pairs.filter(|&(pair, partner)| is_candidate(pair, partner)).map(|(pair, _)| pair));
         }
+        let swept = self.predicted_sweep(proxy);
+        let may_meet = |partner: ProxyIndex| overlap(&swept, &self.predicted_sweep(partner));
+        ahead.extend(
+            pairs
+                .filter(|&(pair, partner)| is_candidate(pair, partner) && may_meet(partner))
+                .map(|(pair, _)| pair),
+        );
+    }
+
+    /// Returns the swept AABB of a proxy for the predicted displacement of its body in this step: length units, world axes.
+    fn predicted_sweep(&self, proxy: ProxyIndex) -> PackedAabb {
+        let displacement = self.predicted_displacement(self.proxies.proxy(proxy));
+        self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters)
+    }
+
+    /// Adds the contact of a kinematic body A with a dynamic body B that A will hit within the step.
+    fn add_swept_contact(&mut self, pair: PairIndex) {
         let two = self.proxy_pair(pair);
-        if !self.may_meet_in_step(pair, two) || self.is_carried_equally(pair, two) {
+        if self.is_carried_equally(pair, two) {
             return;
         }
         let Some(SweptContact { poses: then, mut manifold, approach }) = self.find_swept_contact(pair, two)
@@ -90,20 +112,6 @@ impl<'a> NarrowPhase<'a> {
         self.pairs.set_motion_at_check(pair, self.total_travel(self.pairs.trigger(pair)));
         self.store_manifold(pair, then, &manifold, approach);
         self.update_touch_state(pair, then);
-    }
-
-    /// Returns whether the swept AABBs of A and B overlap; always true in three axes. They exceed the shapes by the speculative
-    /// distance, so that rounding excludes no impact.
-    fn may_meet_in_step(&self, pair: PairIndex, two: ProxyPair<'_>) -> bool {
-        if self.depth.is_some() {
-            return true;
-        }
-        let displacements = [two.a, two.b].map(|proxy| self.predicted_displacement(proxy));
-        let [at_a, at_b] = self.pairs.proxies_of(pair);
-        let [a, b] = [(at_a, displacements[0]), (at_b, displacements[1])].map(|(proxy, displacement)| {
-            self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters)
-        });
-        overlap(&a, &b)
     }
 
     /// Returns whether B already touches another kinematic body that moves like A. B then slides or rolls on both as on static

@@ -4,12 +4,14 @@
 //! Circles have closed forms. Polygons use the separating axis test over edge normals: the edge of largest separation is the
 //! reference edge, and the incident edge of the other polygon is clipped to it.
 
+use crate::math::lanes::smaller;
 use crate::math::plane::{
     Pose, Rot, Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::parameters::broad_phase::COLLISION_MAX_COORDINATE;
 use crate::parameters::narrow_phase::REFERENCE_EDGE_HYSTERESIS;
 use crate::shape::ShapeRef;
+use wide::f32x4;
 
 /// Contact manifold of two shapes A and B that touch or nearly touch: at most two points with one normal.
 #[derive(Debug, Clone, Copy, Default)]
@@ -181,7 +183,7 @@ pub(super) fn polygon_and_circle(
             (best, edge) = (separation, i);
         }
     }
-    let ends = [a.vertices[edge], a.vertices[(edge + 1) % a.vertices.len()]];
+    let ends = [a.vertices[edge], a.vertices[next_index(edge, a.vertices.len())]];
     let along = difference(ends[1], ends[0]);
     let [from_first, from_second] = ends.map(|end| difference(centre, end));
     // In the Voronoi region of a vertex the vertex is closest, unless the centre is inside of the polygon or on its edge.
@@ -220,17 +222,32 @@ pub(crate) fn find_max_separation(
     if a.shape.is_box && b.shape.is_box {
         return find_max_box_separation(a, b, position, rotation_of_b);
     }
+    let ([x, y], [c, s]) = (position.map(f32x4::splat), rotation_of_b.map(f32x4::splat));
     let (mut best, mut edge) = (f32::MIN, 0);
-    for (i, (&point, &normal)) in a.vertices.iter().zip(a.normals).enumerate() {
-        let normal_in_b = rotate_inverse(rotation_of_b, normal);
-        let nearest =
-            b.vertices.iter().map(|&v| dot(normal_in_b, v)).fold(f32::MAX, |a, b| if b < a { b } else { a });
-        let separation = nearest + dot(normal, difference(position, point));
-        if separation > best {
-            (best, edge) = (separation, i);
+    // Four edges of A at a time.
+    for (four, edges) in a.edge_lanes().iter().enumerate() {
+        let ([start_x, start_y], [normal_x, normal_y]) = (edges.starts, edges.normals);
+        let (x_in_b, y_in_b) = (c * normal_x + s * normal_y, c * normal_y - s * normal_x);
+        let nearest = b.vertices.iter().fold(f32x4::splat(f32::MAX), |nearest, v| {
+            smaller(x_in_b * f32x4::splat(v[0]) + y_in_b * f32x4::splat(v[1]), nearest)
+        });
+        let separations = nearest + (normal_x * (x - start_x) + normal_y * (y - start_y));
+        if separations.simd_gt(f32x4::splat(best)).none() {
+            continue;
+        }
+        for (lane, separation) in separations.to_array().into_iter().enumerate() {
+            if separation > best {
+                (best, edge) = (separation, 4 * four + lane);
+            }
         }
     }
     (best, edge)
+}
+
+/// Returns the index of the edge or vertex after `index` in a closed outline of `count` edges.
+#[inline(always)]
+pub(crate) fn next_index(index: usize, count: usize) -> usize {
+    if index + 1 < count { index + 1 } else { 0 }
 }
 
 /// Returns the largest separation of box B along the face normals of box A, and the index of that edge of A. Separations are in
@@ -310,7 +327,7 @@ pub(crate) fn clip_to_edge(
 ) -> Manifold {
     let normal = a.normals[edge];
     let other = find_incident_edge(b, rotate_inverse(rotation_of_b, normal));
-    let (next, other_next) = ((edge + 1) % a.vertices.len(), (other + 1) % b.vertices.len());
+    let (next, other_next) = (next_index(edge, a.vertices.len()), next_index(other, b.vertices.len()));
     let (start, end) = (a.vertices[edge], a.vertices[next]);
     let in_a = |point: Vector| sum(rotate(rotation_of_b, point), position);
     let (upper, lower) = (in_a(b.vertices[other]), in_a(b.vertices[other_next]));

@@ -205,13 +205,20 @@ impl<'a> NarrowPhase<'a> {
     }
 
     /// Removes the contact of a pair, and emits an end-touch event if the pair touched. The separation exceeds the contact
-    /// margin by `extra_distance`, in length units. The next update of the pair follows after its bodies have moved that far.
+    /// margin by `extra_distance`, in length units.
     fn end_contact(&mut self, pair: PairIndex, extra_distance: f32) {
         self.record_separation(pair);
         self.remove_constraint(pair);
         if self.pairs.is_touching(pair) {
             self.emit_touch_event(pair, false);
         }
+        self.clear_manifold(pair, extra_distance);
+    }
+
+    /// Clears the cached manifold of a pair without a constraint. The separation exceeds the contact margin by `extra_distance`,
+    /// in length units. The next update of the pair follows after its bodies have moved that far.
+    #[inline(always)]
+    fn clear_manifold(&mut self, pair: PairIndex, extra_distance: f32) {
         // Most of these pairs had no contacts, and their cached manifold is default already.
         if self.pairs.manifold(pair).count > 0 {
             *self.pairs.manifold_mut(pair) = CachedManifold::default();

@@ -7,7 +7,7 @@
 use crate::math::plane::{
     Pose, Rot, Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
-use crate::narrow_phase::manifold::{Manifold, clip_to_edge, find_max_separation};
+use crate::narrow_phase::manifold::{Manifold, clip_to_edge, find_max_separation, next_index};
 use crate::parameters::narrow_phase::REFERENCE_EDGE_HYSTERESIS;
 use crate::shape::ShapeRef;
 
@@ -193,41 +193,36 @@ struct EdgePoint {
 /// Returns the edge of `one` and the vertex of `other` with the smallest distance, among the edges that face the vertex. `None`
 /// if no edge faces a vertex.
 fn closest_edge(one: &PairSide<'_>, other: &PairSide<'_>) -> Option<EdgePoint> {
-    let mut nearest: Option<EdgePoint> = None;
+    let ShapeRef { vertices, normals, .. } = one.shape_ref;
+    // Distance, indices of edge and vertex, and the end of the edge: the vector of the closest pair follows at the end.
+    let (mut min_distance, mut nearest) = (f32::INFINITY, None);
     for (vertex, &point) in other.shape_ref.vertices.iter().enumerate() {
         let point = one.to_local(point);
-        for edge in 0..one.shape_ref.vertices.len() {
-            let candidate =
-                edge_to_point(one.shape_ref, edge, point).map(|candidate| EdgePoint { vertex, ..candidate });
-            if let Some(candidate) = candidate
-                .filter(|candidate| nearest.as_ref().is_none_or(|best| candidate.distance < best.distance))
-            {
-                nearest = Some(candidate);
+        for (edge, (&start, &normal)) in vertices.iter().zip(normals).enumerate() {
+            let from_start = difference(point, start);
+            let height = dot(normal, from_start);
+            if height < 0.0 {
+                continue;
+            }
+            let next = next_index(edge, vertices.len());
+            let (end, along) = (vertices[next], difference(vertices[next], start));
+            let from_end = difference(point, end);
+            let (distance, edge_end) = if dot(from_start, along) <= 0.0 {
+                (dot(from_start, from_start).sqrt(), Some(edge))
+            } else if dot(from_end, along) >= 0.0 {
+                (dot(from_end, from_end).sqrt(), Some(next))
+            } else {
+                (height, None)
+            };
+            if distance < min_distance || nearest.is_none() {
+                (min_distance, nearest) = (distance, Some((edge, edge_end, vertex, point)));
             }
         }
     }
-    nearest
-}
-
-/// Returns the distance and vector from an edge of a shape to `point`, which is in the frame of the shape; `None` if the point
-/// is behind the edge. The vertex index of the result is 0, and the caller sets it.
-fn edge_to_point(shape: ShapeRef<'_>, edge: usize, point: Vector) -> Option<EdgePoint> {
-    let next = (edge + 1) % shape.vertices.len();
-    let (start, end) = (shape.vertices[edge], shape.vertices[next]);
-    let (from_start, from_end) = (difference(point, start), difference(point, end));
-    let along = difference(end, start);
-    let height = dot(shape.normals[edge], from_start);
-    let candidate = |end: Option<usize>, offset: Vector| {
-        let distance = if end.is_some() { dot(offset, offset).sqrt() } else { height };
-        EdgePoint { distance, edge, edge_end: end, vertex: 0, offset }
+    let (edge, edge_end, vertex, point) = nearest?;
+    let offset = match edge_end {
+        Some(end) => difference(point, vertices[end]),
+        None => scaled(normals[edge], min_distance),
     };
-    if height < 0.0 {
-        None
-    } else if dot(from_start, along) <= 0.0 {
-        Some(candidate(Some(edge), from_start))
-    } else if dot(from_end, along) >= 0.0 {
-        Some(candidate(Some(next), from_end))
-    } else {
-        Some(candidate(None, scaled(shape.normals[edge], height)))
-    }
+    Some(EdgePoint { distance: min_distance, edge, edge_end, vertex, offset })
 }

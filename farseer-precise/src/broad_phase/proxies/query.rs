@@ -1,12 +1,13 @@
 //! Quick tests of queries against shapes: by the AABB of a shape in the frame of its body, at the present pose.
 
-use super::{Proxies, Proxy};
+use super::{Proxies, ProxySummary};
 use crate::bodies::BodySet;
 use crate::broad_phase::hash_grid::PackedAabb;
 use crate::index::ProxyIndex;
 use crate::math::plane::{Vector, rotate, rotate_inverse, rotation};
 use crate::parameters::broad_phase::PIECE_MAX_SHORTFALL_RATIO;
 use crate::scaled_parameters::Parameters;
+use crate::shape::Shape;
 
 /// Least distance of the sides of a polygon that stands for a circle from the centre, as a fraction of the radius, dimensionless:
 /// that of a triangle.
@@ -27,27 +28,28 @@ impl Proxies {
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> Option<bool> {
-        let Proxy { body, shape, .. } = self.proxy(proxy);
-        let pose = bodies.poses[*body];
+        let ProxySummary { body, radius, .. } = self.summaries[proxy];
+        let [cx, cy, hx, hy] = self.local_aabbs[proxy];
+        let pose = bodies.poses[body];
         let q = rotation(pose);
-        let centre = rotate(q, shape.centre);
+        let centre = rotate(q, [cx, cy]);
         let centre = [pose[0] + centre[0], pose[1] + centre[1]];
         let (c, s) = (q[0].abs(), q[1].abs());
-        let [hx, hy] = shape.half_extents;
         let turned = [c * hx + s * hy, s * hx + c * hy];
         let overlaps = |half: Vector| {
             (0..2).all(|axis| {
                 centre[axis] - half[axis] <= query[axis + 2] && centre[axis] + half[axis] >= query[axis]
             })
         };
-        let beyond = shape.radius + parameters.speculative_distance + tolerance;
+        let beyond = radius + parameters.speculative_distance + tolerance;
         if !overlaps(turned.map(|half| half + beyond)) {
             return Some(false);
         }
         let within = tolerance + PIECE_MAX_SHORTFALL_RATIO * parameters.speculative_distance;
-        let inner = match (shape.is_box, shape.vertex_count) {
+        let Shape { is_box, vertex_count, .. } = self.all[proxy].shape;
+        let inner = match (is_box, vertex_count) {
             (true, _) => turned,
-            (false, 0) => [INSCRIBED_RADIUS_RATIO * shape.radius; 2],
+            (false, 0) => [INSCRIBED_RADIUS_RATIO * radius; 2],
             // The outline of a capsule contains the core, here along an axis of the body.
             (false, 2) if hx == 0.0 || hy == 0.0 => turned,
             _ => [0.0; 2],
@@ -67,14 +69,15 @@ impl Proxies {
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> bool {
-        let Proxy { body, shape, .. } = self.proxy(proxy);
-        let pose = bodies.poses[*body];
+        let ProxySummary { body, radius, .. } = self.summaries[proxy];
+        let [cx, cy, hx, hy] = self.local_aabbs[proxy];
+        let pose = bodies.poses[body];
         let q = rotation(pose);
         let half = rotate_inverse(q, displacement.map(|part| 0.5 * part));
         let from = rotate_inverse(q, [start[0] - pose[0], start[1] - pose[1]]);
-        let [x, y] = [0, 1].map(|axis| from[axis] + half[axis] - shape.centre[axis]);
-        let beyond = shape.radius + parameters.speculative_distance + reach;
-        let [hx, hy] = shape.half_extents.map(|half| half + beyond);
+        let (x, y) = (from[0] + half[0] - cx, from[1] + half[1] - cy);
+        let beyond = radius + parameters.speculative_distance + reach;
+        let (hx, hy) = (hx + beyond, hy + beyond);
         let (along_x, along_y) = (half[0].abs(), half[1].abs());
         x.abs() <= hx + along_x
             && y.abs() <= hy + along_y
