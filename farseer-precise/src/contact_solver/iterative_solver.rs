@@ -24,7 +24,9 @@ use crate::contact_solver::warm_start::accumulate_warm_start;
 use crate::depth::feature_gate::FeatureGate;
 use crate::depth::state::DepthState;
 use crate::index::{IndexedVec, ProxyIndex};
-use crate::integration::{apply_midpoint_correction, apply_warm_start, integrate_positions, resolve_bounce};
+use crate::integration::{
+    apply_midpoint_correction, apply_warm_start, integrate_free_flight, integrate_positions, resolve_bounce,
+};
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
 use crate::parameters::contacts::{JOINTED_RESTITUTION_MAX_SWEEPS, JOINTED_RESTITUTION_TOLERANCE};
@@ -62,7 +64,7 @@ impl IterativeSolver<'_> {
         if is_planar {
             self.prepare_rolling(step);
             if self.has_only_pivots() {
-                self.integrate_without_contacts(step);
+                self.integrate_beside_pivots(step);
                 return false;
             }
         }
@@ -110,14 +112,13 @@ impl IterativeSolver<'_> {
         rolling_solver.count_pivot_constraints(rolling) == constraint_count
     }
 
-    /// Moves all bodies through the substeps of a step without contacts and joints in the iterative solver.
-    fn integrate_without_contacts(&mut self, step: &StepContext) {
-        self.clear_warm_start();
-        for substep in 0..step.substeps {
-            apply_warm_start(self.bodies, self.awake_body_runs, substep == 0);
-            integrate_positions(self.bodies, self.awake_body_runs, step.h, substep == 0);
-        }
-        self.correct_displacements(step);
+    /// Moves all bodies through a step in which no contact or joint of the iterative solver acts: pivoting polygons as the closed
+    /// form says, all other bodies in free flight.
+    fn integrate_beside_pivots(&mut self, step: &StepContext) {
+        integrate_free_flight(self.bodies, self.awake_body_runs, step);
+        let (mut rolling_solver, rolling) = self.rolling_solver();
+        rolling_solver.save_delta_poses(rolling);
+        rolling_solver.restore_delta_poses(rolling);
     }
 
     /// Sets the sums of the warm start of all awake bodies to 0.
