@@ -1,7 +1,5 @@
 //! Saving of all objects but the geoms, of which only the transforms are saved.
 
-use std::borrow::Cow;
-
 use serde::{Deserialize, Serialize};
 
 use super::Objects;
@@ -17,50 +15,60 @@ use crate::springs::{Spring, SpringId};
 use crate::storage::collection::Collection;
 use crate::{Error, Result};
 
-/// All objects but the geoms, which stay those of the simulator.
+/// All objects but the geoms, which stay those of the simulator. The lists of objects are references for a writer: a reader that
+/// might clone them would have the code for it.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct MovingObjects<'a> {
+pub(crate) struct MovingObjects<B, C, J, S> {
     /// [Hash](Collection::membership_hash) of the geoms that exist and take part.
     geoms: u64,
     /// Motions of all geoms, by their slots.
     motions: Vec<GeomMotion>,
-    bodies: Cow<'a, Bodies>,
-    controllers: Cow<'a, Collection<Controller, ControllerId>>,
-    joints: Cow<'a, Collection<Joint, JointId>>,
-    springs: Cow<'a, Collection<Spring, SpringId>>,
+    bodies: B,
+    controllers: C,
+    joints: J,
+    springs: S,
     next_geom_number: u32,
-    touched_bodies: Cow<'a, [BodyId]>,
-    touched_geoms: Cow<'a, [GeomId]>,
-    pending: Cow<'a, [PendingEvent]>,
+    touched_bodies: Vec<BodyId>,
+    touched_geoms: Vec<GeomId>,
+    pending: Vec<PendingEvent>,
     methods: Methods,
     has_new_members: bool,
     has_new_structure: bool,
-    separated_bodies: Cow<'a, [(BodyId, BodyId)]>,
+    separated_bodies: Vec<(BodyId, BodyId)>,
 }
+
+type Joints = Collection<Joint, JointId>;
+type Springs = Collection<Spring, SpringId>;
+type Controllers = Collection<Controller, ControllerId>;
+
+/// The objects of a simulator, to be written.
+pub(crate) type MovingObjectsView<'a> = MovingObjects<&'a Bodies, &'a Controllers, &'a Joints, &'a Springs>;
+/// Objects that were read.
+pub(crate) type LoadedMovingObjects = MovingObjects<Bodies, Controllers, Joints, Springs>;
 
 impl Objects {
     /// Returns all but the geoms.
-    pub(crate) fn moving(&self) -> MovingObjects<'_> {
+    pub(crate) fn moving(&self) -> MovingObjectsView<'_> {
         MovingObjects {
             geoms: self.geoms.membership_hash(),
             motions: self.geoms.iter().map(|(_, geom)| geom.motion()).collect(),
-            bodies: Cow::Borrowed(&self.bodies),
-            controllers: Cow::Borrowed(&self.controllers),
-            joints: Cow::Borrowed(&self.joints),
-            springs: Cow::Borrowed(&self.springs),
+            bodies: &self.bodies,
+            controllers: &self.controllers,
+            joints: &self.joints,
+            springs: &self.springs,
             next_geom_number: self.next_geom_number,
-            touched_bodies: Cow::Borrowed(&self.touched_bodies),
-            touched_geoms: Cow::Borrowed(&self.touched_geoms),
-            pending: Cow::Borrowed(&self.pending),
+            touched_bodies: self.touched_bodies.clone(),
+            touched_geoms: self.touched_geoms.clone(),
+            pending: self.pending.clone(),
             methods: self.methods,
             has_new_members: self.has_new_members,
             has_new_structure: self.has_new_structure,
-            separated_bodies: Cow::Borrowed(&self.separated_bodies),
+            separated_bodies: self.separated_bodies.clone(),
         }
     }
 }
 
-impl MovingObjects<'_> {
+impl LoadedMovingObjects {
     /// Returns these objects with the geoms of a simulator.
     ///
     /// # Errors
@@ -77,18 +85,18 @@ impl MovingObjects<'_> {
         }
         Ok(Objects {
             geoms,
-            bodies: self.bodies.into_owned(),
-            controllers: self.controllers.into_owned(),
-            joints: self.joints.into_owned(),
-            springs: self.springs.into_owned(),
+            bodies: self.bodies,
+            controllers: self.controllers,
+            joints: self.joints,
+            springs: self.springs,
             next_geom_number: self.next_geom_number,
-            touched_bodies: self.touched_bodies.into_owned(),
-            touched_geoms: self.touched_geoms.into_owned(),
-            pending: self.pending.into_owned(),
+            touched_bodies: self.touched_bodies,
+            touched_geoms: self.touched_geoms,
+            pending: self.pending,
             methods: self.methods,
             has_new_members: self.has_new_members,
             has_new_structure: self.has_new_structure,
-            separated_bodies: self.separated_bodies.into_owned(),
+            separated_bodies: self.separated_bodies,
             limits: objects.limits,
             grids: objects.grids.clone(),
             ..Objects::empty()

@@ -8,8 +8,6 @@
 //! The [events](PhysicsSimulator::events), counters and times of the last update are not saved: the next one overwrites
 //! them and does not depend on them.
 
-use std::borrow::Cow;
-
 use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 
 use super::game_settings::GameSettings;
@@ -17,7 +15,7 @@ use super::{PhysicsSimulator, Settings};
 use crate::broad_phase::BroadPhase;
 use crate::contacts::arbiter::ArbiterList;
 use crate::limits::Limits;
-use crate::objects::{MovingObjects, Objects, SavedObjects};
+use crate::objects::{LoadedMovingObjects, MovingObjectsView, Objects, SavedObjects};
 use crate::pipeline::Pipeline;
 use crate::report::Report;
 use crate::{Error, Result};
@@ -72,21 +70,24 @@ impl<'de> Deserialize<'de> for SavedSimulator {
 
 /// All of a simulator but its geoms.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct MovingSimulator<'a> {
+pub(crate) struct MovingSimulator<O, A, P> {
     settings: Settings,
-    objects: MovingObjects<'a>,
-    contacts: Cow<'a, ArbiterList>,
-    pipeline: Cow<'a, Pipeline>,
+    objects: O,
+    contacts: A,
+    pipeline: P,
 }
 
-impl MovingSimulator<'_> {
+/// A simulator without geoms that was read.
+pub(crate) type LoadedMovingSimulator = MovingSimulator<LoadedMovingObjects, ArbiterList, Pipeline>;
+
+impl LoadedMovingSimulator {
     /// Returns a simulator with the geoms and limits of another one.
     pub(crate) fn load_with_geoms_of(self, simulator: &PhysicsSimulator) -> Result<PhysicsSimulator> {
         let loaded = PhysicsSimulator {
             settings: self.settings,
             objects: self.objects.with_geoms_of(&simulator.objects)?,
-            contacts: self.contacts.into_owned(),
-            pipeline: self.pipeline.into_owned(),
+            contacts: self.contacts,
+            pipeline: self.pipeline,
             report: Report::default(),
             game_settings: GameSettings::default(),
         };
@@ -118,12 +119,12 @@ impl SavedSimulator {
 
 impl PhysicsSimulator {
     /// Returns all but the geoms.
-    pub(crate) fn moving(&self) -> MovingSimulator<'_> {
+    pub(crate) fn moving(&self) -> MovingSimulator<MovingObjectsView<'_>, &ArbiterList, &Pipeline> {
         MovingSimulator {
             settings: self.settings,
             objects: self.objects.moving(),
-            contacts: Cow::Borrowed(&self.contacts),
-            pipeline: Cow::Borrowed(&self.pipeline),
+            contacts: &self.contacts,
+            pipeline: &self.pipeline,
         }
     }
 

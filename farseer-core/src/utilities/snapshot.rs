@@ -16,7 +16,7 @@ use serde::de::DeserializeOwned;
 
 use super::checksum::crc32;
 use super::packed;
-use crate::simulator::{MovingSimulator, PhysicsSimulator, SavedSimulator};
+use crate::simulator::{LoadedMovingSimulator, PhysicsSimulator, SavedSimulator};
 use crate::{Error, Result};
 
 const MAGIC_LENGTH: usize = 8;
@@ -103,7 +103,7 @@ fn checksum(bytes: &[u8]) -> u32 {
 
 const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 20 };
 
-/// Content: a [`MovingSimulator`].
+/// Content: all of a simulator but its geoms.
 const MOVING: SnapshotFormat = SnapshotFormat { magic: *b"FarsMove", version: 1 };
 
 impl PhysicsSimulator {
@@ -182,7 +182,7 @@ impl PhysicsSimulator {
     /// As [`restore`](Self::restore); [`Error::DamagedSave`] if geoms were made, added, removed or disposed since, or the methods
     /// changed. The simulator is unchanged then.
     pub fn restore_moving(&mut self, moving: &[u8]) -> Result<()> {
-        let loaded = MOVING.read::<MovingSimulator<'static>>(moving)?.load_with_geoms_of(self)?;
+        let loaded = MOVING.read::<LoadedMovingSimulator>(moving)?.load_with_geoms_of(self)?;
         self.replace_by(loaded);
         Ok(())
     }
