@@ -4,7 +4,7 @@ use farseer_core::{BodyId, GeomId, JointId};
 
 use crate::boundary::{Answer, Outcome, exports, leave_numbers};
 use crate::fields::Fields;
-use crate::world::Simulator;
+use crate::world::{Simulator, stale};
 
 exports! {
     /// Adds the body whose options were left as numbers, followed by the count of its geoms and their options. Leaves the ids
@@ -34,7 +34,11 @@ exports! {
 
     /// Puts a body to sleep.
     fn body_sleep(simulator: Simulator, body: BodyId) {
-        simulator.plane(|plane| { plane.sleep(body); Ok(()) })
+        simulator.plane(|plane| {
+            plane.body(body).ok_or_else(|| stale("body"))?;
+            plane.sleep(body);
+            Ok(())
+        })
     }
 
     /// Leaves the contacts of a body in rows: its geom, the other geom, point, normal, separation, impulse.
