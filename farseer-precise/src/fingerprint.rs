@@ -25,7 +25,7 @@ impl Fingerprint {
     }
 
     /// Adds a 32-bit word to the hash.
-    fn add_word(&mut self, word: u32) {
+    pub fn add_word(&mut self, word: u32) {
         let mut mixed = (self.0 ^ u64::from(word)).wrapping_add(SPLITMIX64_INCREMENT);
         mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);

@@ -5,8 +5,9 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use examples::Result;
+use farseer_core::Recording;
 use gallery::film::Film;
-use gallery::scenes::{GalleryScene, scenes};
+use gallery::scenes::{GalleryScene, is_recording, scenes};
 use gallery::{Layers, bench, film, hashes, window};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -14,8 +15,14 @@ use indicatif::{ProgressBar, ProgressStyle};
 #[derive(Debug, Parser)]
 #[command(name = "gallery")]
 struct Arguments {
-    /// The scene to begin with, by its name, or a file of JSON in the format of the tests
+    /// The scene to begin with, by its name, or a file: a recording, or JSON in the format of the tests
     scene: Option<String>,
+    /// Shows another recording beside that of `scene` or `--headless`, and says where the two runs part
+    #[arg(long, value_name = "FILE")]
+    compare: Option<PathBuf>,
+    /// The step of a recording to begin with
+    #[arg(long, default_value_t = 0)]
+    step: usize,
     /// Lists the scenes
     #[arg(long)]
     list: bool,
@@ -68,7 +75,7 @@ fn obey(arguments: &Arguments) -> Result<()> {
         return list(&all);
     }
     if let Some(name) = &arguments.headless {
-        return film_scene(arguments, &find(all, name)?);
+        return film_scene(arguments, &chosen(all, name, arguments)?);
     }
     if arguments.bench {
         return bench_all(&all, arguments.seconds);
@@ -88,13 +95,30 @@ fn open_window(mut all: Vec<GalleryScene>, arguments: &Arguments) -> Result<()> 
         Some(name) => match all.iter().position(|scene| scene.name == name) {
             Some(at) => at,
             None => {
-                all.push(find(Vec::new(), name)?);
+                all.push(chosen(Vec::new(), name, arguments)?);
                 all.len() - 1
             }
         },
     };
     window::open(all, first, arguments.times, arguments.samples);
     Ok(())
+}
+
+/// A scene by its name, from a file, or from one or two recordings.
+fn chosen(all: Vec<GalleryScene>, name: &str, arguments: &Arguments) -> Result<GalleryScene> {
+    let is_run = std::fs::read(name).is_ok_and(|bytes| is_recording(&bytes));
+    if !is_run {
+        return match arguments.compare {
+            Some(_) => Err(format!("{name} is no recording, which can be compared with another").into()),
+            None => find(all, name),
+        };
+    }
+    let files = [PathBuf::from(name)].into_iter().chain(arguments.compare.clone());
+    let runs = files.map(|file| Ok(Recording::from_bytes(&std::fs::read(file)?)?)).collect::<Result<_>>()?;
+    let stem = PathBuf::from(name).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into());
+    let scene = GalleryScene::from_recordings(&stem, runs, arguments.step)?;
+    println!("{}", scene.about);
+    Ok(scene)
 }
 
 /// A scene by its name, or from a file.

@@ -99,12 +99,153 @@ export class Body implements Thing, Required<BodyOptions> {
   applyImpulse(amount: Vector2): void;
   applyAngularImpulse(amount: number): void;
   wake(): void;
+  /** Puts it to sleep in the next step, with its island; precise set. */
+  sleep(): void;
+  /** Sets mass and moment of inertia from its geoms: mass per square of the unit of length. */
+  set density(value: number);
+  /** The points at which it touched others in the last step, without sensors; precise set. {@link Simulator} only. */
+  contacts(): BodyContact[];
   /** Converts a point from the world to the frame of the body. */
   getLocalPosition(worldPosition: Vector2): Vector2;
   /** Converts a point from the frame of the body to the world. */
   getWorldPosition(localPosition: Vector2): Vector2;
   /** Removes it, with its geoms, in the next step. */
   dispose(): void;
+}
+
+/** A shape; its offset and rotation offset belong to the geom or query. */
+export type Shape =
+  | { rectangle: { width: number; height: number } }
+  | { circle: { radius: number } }
+  /** Upright: `height` from tip to tip, `endRadius` less than half of it. */
+  | { capsule: { height: number; endRadius: number } }
+  /** Any simple outline, in the frame of its body. */
+  | { polygon: readonly Vector2[] }
+  /** Edges as terrain on a static body: points from left to right make a floor. Closed if the last is the first. */
+  | { chain: readonly Vector2[] };
+
+/** Options of {@link Simulator.addBody}; the same names as those of the Rust crate's `BodyBuilder`. */
+export interface AddBodyOptions {
+  /** Default `dynamic`. A fixed body is static. */
+  type?: 'dynamic' | 'kinematic' | 'fixed';
+  position?: Vector2;
+  /** Clockwise on the screen, rad. */
+  rotation?: number;
+  linearVelocity?: Vector2;
+  /** rad/s. */
+  angularVelocity?: number;
+  /** Decay of the velocity per second, >= 0. Default 0. */
+  linearDamping?: number;
+  /** Decay of the angular velocity per second, >= 0. Default 0. */
+  angularDamping?: number;
+  /** Factor of gravity. Default 1. */
+  gravityScale?: number;
+  /** Default: from the geoms. */
+  mass?: number;
+  /** Default: from the geoms. */
+  momentOfInertia?: number;
+  /** Default false. */
+  lockRotation?: boolean;
+  /** Whether it does not tunnel through dynamic bodies, either. Default false. */
+  bullet?: boolean;
+  /** Default true. */
+  sleepAllowed?: boolean;
+  /** Default false. */
+  startsAsleep?: boolean;
+  /** Whether falling asleep and waking are events. Default true. */
+  sleepEvents?: boolean;
+  /** Default true. */
+  enabled?: boolean;
+  /** Data of the game. */
+  userData?: unknown;
+}
+
+/** Settings of a geom in {@link AddGeomOptions}; the same names as those of the Rust crate's `GeomBuilder`. */
+export interface GeomSettings {
+  /** Position on the body, in its frame. Default its origin. */
+  offset?: Vector2;
+  /** Rotation relative to the body, rad. Default 0. */
+  rotationOffset?: number;
+  /** Mass per square of the unit of length. Default: a square with sides of one length unit has mass 1. */
+  density?: number;
+  mass?: number;
+  /** Friction coefficient, >= 0. Default 0.6. */
+  friction?: number;
+  /** Coefficient of restitution. Default 0. */
+  restitution?: number;
+  /** The categories that it belongs to as bits, 31 of them: `1 << 3`. Default all. */
+  categories?: number;
+  /** The categories that it collides with. Two collide if both masks have a category of the other. Default all. */
+  collidesWith?: number;
+  /** Geoms of the same group do not collide; 0 is no group. Default 0. */
+  group?: number;
+  /** A sensor has events and exerts no impulse, on bodies of all types. Default false. */
+  sensor?: boolean;
+  /** The events that it wants. Default touches and sensors. */
+  events?: ('touch' | 'sensor' | 'hit')[];
+  /** Direction in the frame of the body out of the only solid side: other shapes pass from all other sides. */
+  oneWay?: Vector2;
+  /** Data of the game. */
+  userData?: unknown;
+}
+
+/** Shape and settings of a geom. */
+export type AddGeomOptions = Shape & GeomSettings;
+
+/** A point at which a body touches another. */
+export interface BodyContact {
+  /** The geom of the body. */
+  geom: Geom;
+  other: Geom;
+  point: Vector2;
+  /** Unit vector from the other geom to that of the body: up for a body that stands on it. */
+  normal: Vector2;
+  /** Distance along the normal, negative for penetration. */
+  separation: number;
+  /** Impulse along the normal in the last step or its last substep. */
+  normalImpulse: number;
+}
+
+/** The geoms that a query finds. */
+export interface QueryFilter {
+  /** Geoms of at least one of these categories. Default all. */
+  categories?: number;
+  /** Categories of the query itself: geoms that collide with none of them are not found. Default all. */
+  asCategories?: number;
+  /** Whether geoms of static bodies are found. Default true. */
+  fixed?: boolean;
+  /** Default true. */
+  kinematic?: boolean;
+  /** Default true. */
+  dynamic?: boolean;
+  /** Default false. */
+  sensors?: boolean;
+  excludeBody?: Body;
+  excludeGeom?: Geom;
+  /** A further test. Not for `nearestPoint`, explosions and radial forces. */
+  accepts?: (geom: Geom) => boolean;
+}
+
+/** The nearest point of a geom. */
+export interface NearestPoint {
+  geom: Geom;
+  /** The given point if that is inside. */
+  point: Vector2;
+  /** Unit vector from the geom to the given point; zero if that is inside. */
+  normal: Vector2;
+  distance: number;
+}
+
+/** A push away from a point. */
+export interface Explosion {
+  position: Vector2;
+  /** Distance of a geom up to which the strength is full. Default 0. */
+  radius?: number;
+  /** Distance beyond the radius over which it falls to 0. Default 0. */
+  falloff?: number;
+  /** Impulse, or force, per length of the width that a geom turns to the point; negative to pull. */
+  strength: number;
+  filter?: Omit<QueryFilter, 'accepts'>;
 }
 
 /** Options of a new geom. */
@@ -146,6 +287,8 @@ export class Geom implements Thing {
   collisionGroup: number;
   collisionEnabled: boolean;
   isSensor: boolean;
+  /** Makes it a sensor, or an ordinary geom, and leaves its body as it is; {@link isSensor} makes the body static. */
+  set sensor(value: boolean);
   /** The geoms that it touches; of a sensor, the geoms in it. */
   overlaps(): Geom[];
   ignoreCollisionWith(other: Geom): void;
@@ -153,8 +296,38 @@ export class Geom implements Thing {
   dispose(): void;
 }
 
+/** A spring with a damper that a joint has for a motor. */
+export interface JointServo {
+  /** The travel that it seeks: rad, or length along an axis. */
+  target: number;
+  /** Torque per rad, or force per length, >= 0. */
+  stiffness: number;
+  /** Torque per angular velocity, or force per velocity, >= 0. */
+  damping: number;
+  /** Greatest torque or force. Default no bound. */
+  greatestEffort?: number;
+}
+
+/** Strength of a motor joint. */
+export interface PoseServo {
+  /** Hz, >= 0. Default 4. */
+  frequency?: number;
+  /** 1 for critical damping. Default 1. */
+  dampingRatio?: number;
+  /** Default no bound. */
+  greatestForce?: number;
+  /** Default no bound. */
+  greatestTorque?: number;
+}
+
 /** Options of a new joint. */
 export interface JointOptions {
+  /** Precise set, joints with an axis or an angle: a target that it seeks. `null`: none. */
+  servo?: JointServo | null;
+  /** Precise set, motor joints: the pose that it seeks: the place of the second body in the frame of the first, and the angle. */
+  targetPose?: { offset: Vector2; angle: number };
+  /** Whether the joined bodies collide. Default true. */
+  bodiesCollide?: boolean;
   /** Precise set, revolute and prismatic joints: target speed, and greatest torque or force for it. `null`: none. */
   motor?: { speed: number; greatestEffort: number } | null;
   /** Precise set, revolute and prismatic joints: limits of its travel, rad or length. `null`: none. */
@@ -188,6 +361,12 @@ export class Joint implements Thing {
   enabled: boolean;
   set motor(value: { speed: number; greatestEffort: number } | null);
   set limits(value: { lower: number; upper: number } | null);
+  set servo(value: JointServo | null);
+  /** Of a motor joint. */
+  set poseServo(value: PoseServo);
+  /** Of a motor joint. */
+  set targetPose(value: { offset: Vector2; angle: number });
+  set bodiesCollide(value: boolean);
   set breakpoint(value: number);
   set greatestForce(value: number);
   set greatestTorque(value: number);
@@ -236,6 +415,8 @@ interface World<AnyBody extends Body, Partner> {
   step(dt: number): void;
   /** Begins and ends of touches, breaks and failures since the last call, in order; at most the last 65,536. */
   drainEvents(): Event<AnyBody, Partner>[];
+  /** Hash of the motion of all bodies: equal runs have equal hashes on all machines. */
+  stateHash(): bigint;
   /** The complete state, for a restore later, here or on another machine, with the same bits. */
   snapshot(): Uint8Array;
   /**
@@ -300,6 +481,26 @@ interface World<AnyBody extends Body, Partner> {
     axis: Vector2,
     options?: JointOptions,
   ): Joint;
+  /** Precise set: `body2` turns freely and moves along an axis of `body1`, against a spring with a damper. */
+  createWheelJoint(
+    body1: AnyBody,
+    body2: AnyBody,
+    anchor: Vector2,
+    axis: Vector2,
+    stiffness: number,
+    damping: number,
+    options?: JointOptions,
+  ): Joint;
+  /** Precise set: a spring with a damper between the angles of two bodies. */
+  createAngleSpringJoint(
+    body1: AnyBody,
+    body2: AnyBody,
+    stiffness: number,
+    damping: number,
+    options?: JointOptions,
+  ): Joint;
+  /** Precise set: `body2` seeks a pose relative to `body1`, that which it has now or {@link JointOptions.targetPose}. */
+  createMotorJoint(body1: AnyBody, body2: AnyBody, servo?: PoseServo, options?: JointOptions): Joint;
   createAngleJoint(body1: AnyBody, body2: AnyBody, options?: JointOptions): Joint;
   createFixedAngleJoint(body: AnyBody, options?: JointOptions): Joint;
   createAngleLimitJoint(
@@ -348,9 +549,16 @@ interface World<AnyBody extends Body, Partner> {
   collideAll(point: Vector2): Geom[];
 }
 
-/** An event. Of two geoms that touch each other only one is `geom`. */
+/**
+ * An event. Of two geoms that touch each other only one is `geom`. Geoms of `addBody` have the events that they want, and those of
+ * sensors are `sensorBegin` and `sensorEnd`; all other geoms have `touchBegin` and `touchEnd`, also with sensors.
+ */
 export type Event<AnyBody extends Body = Body, Partner = Geom> =
   | { type: 'touchBegin' | 'touchEnd'; geom: Geom; partner: Partner }
+  | { type: 'sensorBegin' | 'sensorEnd'; sensor: Geom; visitor: Geom }
+  /** A touch that began faster than {@link Simulator.hitSpeed}; the normal points from `geom` to `partner`. */
+  | { type: 'hit'; geom: Geom; partner: Geom; point: Vector2; normal: Vector2; speed: number }
+  | { type: 'bodySlept' | 'bodyWoke'; body: AnyBody }
   | { type: 'jointBroke'; joint: Joint }
   | { type: 'springBroke'; spring: Spring }
   /** The state of the body overflowed; it was restored and, unless the body is static, the body was disabled. */
@@ -394,9 +602,191 @@ export class Simulator {
   rayCast(start: Vector2, end: Vector2, options?: { categories?: number }): RayCastHit | null;
   /** The geoms whose AABBs overlap a box. */
   queryAabb(min: Vector2, max: Vector2): Geom[];
+
+  /**
+   * Adds a body with its geoms. Mass, centre and moment of inertia follow from the geoms.
+   * @throws {PhysicsError} for values that are not possible; {TypeError} for unknown names. Nothing is added then.
+   */
+  addBody(options?: AddBodyOptions, geoms?: readonly AddGeomOptions[]): { body: Body; geoms: Geom[] };
+  /** Adds a geom to a body, whose mass stays. */
+  addGeom(body: Body, options: AddGeomOptions): Geom;
+  /** Largest speed of dynamic bodies, `null` for none; precise set. Not in snapshots. */
+  set largestSpeed(value: number | null);
+  /** Speed from which on a touch of geoms that want hits is one. Not in snapshots. */
+  set hitSpeed(value: number);
+  /** Pushes dynamic bodies near a point by impulses; returns the number of geoms. */
+  explode(explosion: Explosion): number;
+  /** Pushes dynamic bodies near a point by forces in the next step; returns the number of geoms. */
+  applyRadialForce(explosion: Explosion): number;
+  /** All of a {@link snapshot} but the geoms, in less than half of the bytes: for rollback. */
+  snapshotMoving(): Uint8Array;
+  /**
+   * Puts back such a state. Geoms keep the settings that they have now.
+   * @throws {PhysicsError} if other geoms exist than then.
+   */
+  restoreMoving(moving: Uint8Array): void;
+
+  /** The first geom that a ray enters, or null. */
+  castRay(start: Vector2, end: Vector2, filter?: QueryFilter): RayCastHit | null;
+  /** All geoms that a ray enters, by distance. */
+  castRayAll(start: Vector2, end: Vector2, filter?: QueryFilter): RayCastHit[];
+  /** Any geom on the way: the cheapest test of a line of sight. */
+  castRayAny(start: Vector2, end: Vector2, filter?: QueryFilter): RayCastHit | null;
+  /** The first geom that a shape touches on its way from a position by a motion; it touches at `position + fraction * motion`. */
+  castShape(
+    shape: AddGeomOptions,
+    position: Vector2,
+    rotation: number,
+    motion: Vector2,
+    filter?: QueryFilter,
+  ): RayCastHit | null;
+  castShapeAll(
+    shape: AddGeomOptions,
+    position: Vector2,
+    rotation: number,
+    motion: Vector2,
+    filter?: QueryFilter,
+  ): RayCastHit[];
+  /** The geoms that a shape touches or overlaps. */
+  overlapShape(shape: AddGeomOptions, position: Vector2, rotation?: number, filter?: QueryFilter): Geom[];
+  /** Any geom that a shape touches or overlaps: whether there is room for it. */
+  overlapAny(shape: AddGeomOptions, position: Vector2, rotation?: number, filter?: QueryFilter): Geom | null;
+  /** The geoms that contain a point. */
+  geomsAt(point: Vector2, filter?: QueryFilter): Geom[];
+  /** The nearest geom within a distance. */
+  nearestPoint(point: Vector2, maxDistance: number, filter?: Omit<QueryFilter, 'accepts'>): NearestPoint | null;
 }
 
 export interface Simulator extends World<Body, Geom> {}
+
+/** Options of a {@link CharacterMover}: lengths in px, times in s, angles in rad. */
+export interface MoverOptions {
+  /** Greatest acceleration on the ground. Default 1500. */
+  acceleration?: number;
+  /** Greatest acceleration in the air. Default 600. */
+  airAcceleration?: number;
+  /** Default 1. */
+  gravityScale?: number;
+  /** Height of a jump whose key is held. Default 60. */
+  jumpHeight?: number;
+  /** Fraction of the upward velocity that stays when the key is released. Default 0.5. */
+  jumpCut?: number;
+  /** Time after an edge in which a jump is still possible. Default 0.1. */
+  coyoteTime?: number;
+  /** Time before landing in which the press of the key is remembered. Default 0.1. */
+  jumpBuffer?: number;
+  /** Slope of the steepest ground. Default 50 degrees. */
+  maxSlope?: number;
+  /** Height of the highest edge that is stepped up. Default 8. */
+  stepUp?: number;
+  /** Greatest gap below the soles that is closed without a fall. Default 8. */
+  snap?: number;
+  /** Greatest force that pushes dynamic bodies. Default 3000. */
+  pushForce?: number;
+  /** Mass whose weight acts on dynamic bodies under it. Default 2. */
+  mass?: number;
+  /** Geoms of at least one of these categories are obstacles. Default all. */
+  categories?: number;
+  /** Categories of the mover. Default all. */
+  asCategories?: number;
+}
+
+/** Input of a {@link CharacterMover}. */
+export interface MoverInput {
+  /** Wanted speed along X, relative to the ground. Default 0. */
+  x?: number;
+  /** Whether the jump key is down. A jump begins when it goes down. Default false. */
+  jump?: boolean;
+  /** Whether to drop through one-way ground. Default false. */
+  drop?: boolean;
+}
+
+/** A contact of a {@link CharacterMover}. */
+export interface MoverTouch {
+  geom: Geom;
+  point: Vector2;
+  /** Unit vector from the geom to the mover. */
+  normal: Vector2;
+}
+
+/** The outcome of a move. */
+export interface MoverReport {
+  ground: MoverTouch | null;
+  left: MoverTouch | null;
+  right: MoverTouch | null;
+  ceiling: MoverTouch | null;
+  /** A body that is in the mover and cannot push it out of itself. */
+  crushedBy: Body | null;
+  jumped: boolean;
+  landed: boolean;
+  landingSpeed: number;
+}
+
+/** A character of the 2D engine that walks, jumps and falls by casts; `update` it once after each step. */
+export class CharacterMover {
+  constructor(simulator: Simulator, shape: AddGeomOptions, position: Vector2, options?: MoverOptions);
+  /** Overwrites the given options. */
+  set options(value: MoverOptions);
+  update(input: MoverInput, dt: number): MoverReport;
+  position: Vector2;
+  readonly velocity: Vector2;
+  /** Throws it off the ground. */
+  launch(velocity: Vector2): void;
+  readonly isGrounded: boolean;
+  /** A kinematic body that follows it, so that queries, sensors and dynamic bodies meet it. */
+  body: Body | null;
+  /** State between two moves, for saves and rollback. */
+  state: Uint8Array;
+  dispose(): void;
+}
+
+/** Steps of a fixed length for frames of any length, with poses between two steps. */
+export class FixedStepRunner {
+  constructor(simulator: Simulator, options?: { updatesPerSecond?: number; maxUpdates?: number });
+  /** Length of a step in s. */
+  readonly dt: number;
+  /** Greatest number of steps of a frame; the rest is dropped. Default 5. */
+  maxUpdates: number;
+  /** Makes the steps that are due after `elapsed` s; returns their number. `update` must make a step. */
+  advance(elapsed: number, update?: (simulator: Simulator, dt: number) => void): number;
+  /** Fraction of a step since the last one, 0 to 1. */
+  readonly interpolation: number;
+  /** The pose between the last two steps, or null for a body that was not there. */
+  pose(body: Body): { position: Vector2; rotation: number } | null;
+  /** Lets the next step not interpolate a body that was put elsewhere. */
+  markTeleport(body: Body): void;
+  /** Forgets waiting time and poses: after a restore. */
+  reset(): void;
+}
+
+/** Makes the calls of the game for a step, by its input, and the step itself. */
+export type Play = (simulator: Simulator, input: Uint8Array, dt: number) => void;
+
+/** A run in one file: a state every so many steps, and of each step its length, the input of the game and a hash. */
+export class Recording {
+  /** Begins with the present state. `keyframeInterval`: steps from one saved state to the next; default 60. */
+  constructor(simulator: Simulator, keyframeInterval?: number);
+  /** @throws {PhysicsError} for bytes that are no recording of this version. */
+  static fromBytes(file: Uint8Array): Recording;
+  toBytes(): Uint8Array;
+  /** Records a step, after it. */
+  record(simulator: Simulator, dt: number, input?: Uint8Array): void;
+  /** Number of recorded steps. */
+  readonly length: number;
+  readonly keyframeInterval: number;
+  dt(step: number): number;
+  input(step: number): Uint8Array;
+  /** Hash of the state after a step. */
+  stateHash(step: number): bigint;
+  /** Puts the simulator to the state after a number of steps. `play` is not called at a keyframe. */
+  restore(simulator: Simulator, steps: number, play: Play): void;
+  /** Replays the run; the first step with other bits than recorded, or null. */
+  firstDivergence(simulator: Simulator, play: Play): number | null;
+  /** The first step in which two recordings differ, or null. */
+  firstDifference(other: Recording): number | null;
+  /** Frees its memory, as garbage collection does. */
+  free(): void;
+}
 
 /** Settings of walking figures: lengths in px, times in s. */
 export interface WalkSettings {

@@ -54,7 +54,7 @@ function text() {
 }
 
 /** Memory moves to another buffer when it grows. */
-function memory() {
+export function memory() {
   if (buffer !== functions.memory.buffer) {
     buffer = functions.memory.buffer;
     numbers = new Float64Array(buffer);
@@ -83,6 +83,12 @@ export function vector3(name, ...values) {
   return { x: at[start], y: at[start + 1], z: at[start + 2] };
 }
 
+/** The 64 bits that a function leaves behind in two halves, the upper one first. */
+export function hash(name, ...values) {
+  const [upper, lower] = list(name, ...values);
+  return (BigInt(upper) << 32n) | BigInt(lower);
+}
+
 /** Leaves points for the next function. */
 export function leavePoints(points) {
   const start = call('reserve_numbers', 2 * points.length) / 8;
@@ -101,7 +107,7 @@ export function bytes(name, ...values) {
 
 /** Leaves bytes for the next function. */
 export function leaveBytes(value) {
-  if (!(value instanceof Uint8Array)) throw new TypeError('a snapshot is a Uint8Array');
+  if (!(value instanceof Uint8Array)) throw new TypeError('a Uint8Array is needed');
   const start = call('reserve_bytes', value.length);
   new Uint8Array(functions.memory.buffer, start, value.length).set(value);
 }

@@ -5,6 +5,9 @@ import { call, list, vector } from './module.js';
 /** Slots and generations share a number; see `id_number.rs`. */
 const SLOTS = 2 ** 24;
 
+/** The greatest number of 32 bits: no bound. */
+const MAX = 3.4028234663852886e38;
+
 /** Everything that a simulator has under an id. */
 export class Thing {
   #simulator;
@@ -136,6 +139,28 @@ export class Body extends Thing {
     this.call('body_wake');
   }
 
+  sleep() {
+    this.call('body_sleep');
+  }
+
+  set density(density) {
+    this.call('body_set_density', density);
+  }
+
+  /** The points at which it touched others in the last step. */
+  contacts() {
+    const { simulator } = this;
+    const numbers = list('body_contacts', simulator.handle, this.id);
+    return rows(numbers, 8).map(([geom, other, x, y, normalX, normalY, separation, normalImpulse]) => ({
+      geom: simulator.geomOf(geom),
+      other: simulator.geomOf(other),
+      point: { x, y },
+      normal: { x: normalX, y: normalY },
+      separation,
+      normalImpulse,
+    }));
+  }
+
   getLocalPosition({ x, y }) {
     return this.vector('body_local_position', x, y);
   }
@@ -183,6 +208,10 @@ export class Geom extends Thing {
     return ids.map((id) => this.simulator.geomOf(id));
   }
 
+  set sensor(value) {
+    this.call('geom_set_sensor', value);
+  }
+
   ignoreCollisionWith(other) {
     this.call('geom_ignore_collision_with', this.simulator.idOf(other, Geom));
   }
@@ -205,6 +234,16 @@ define(Geom, 'geom', [
   'collisionEnabled',
   'isSensor',
 ]);
+
+/** Numbers in rows of a length. */
+export function rows(numbers, length) {
+  return Array.from({ length: numbers.length / length }, (_, at) => numbers.slice(length * at, length * (at + 1)));
+}
+
+/** The strength of a motor joint as numbers, with the defaults of the engine. */
+export function poseServoNumbers({ frequency = 4, dampingRatio = 1, greatestForce = MAX, greatestTorque = MAX }) {
+  return [frequency, dampingRatio, greatestForce, greatestTorque];
+}
 
 /** Pairs of numbers as points. */
 export function points(numbers) {
@@ -238,6 +277,23 @@ export class Joint extends Thing {
     else this.call('joint_set_limits', limits.lower, limits.upper);
   }
 
+  set servo(servo) {
+    if (servo === null) {
+      this.call('joint_remove_servo');
+    } else {
+      const { target, stiffness, damping, greatestEffort = MAX } = servo;
+      this.call('joint_set_servo', target, stiffness, damping, greatestEffort);
+    }
+  }
+
+  set poseServo(servo) {
+    this.call('joint_set_pose_servo', ...poseServoNumbers(servo));
+  }
+
+  set targetPose({ offset, angle }) {
+    this.call('joint_set_target_pose', offset.x, offset.y, angle);
+  }
+
   get travel() {
     return this.call('joint_travel');
   }
@@ -257,6 +313,7 @@ export class Joint extends Thing {
 
 define(Joint, 'joint', ['enabled']);
 defineSetters(Joint, 'joint', [
+  'bodiesCollide',
   'breakpoint',
   'greatestForce',
   'greatestTorque',

@@ -1,9 +1,23 @@
 // The base class of both simulators, and the one in 2D.
 
-import { bytes, call, leaveBytes, leavePoints, list, vector, view } from './module.js';
-import { Body, Geom, Joint, Spring, assign, finish } from './objects.js';
+import { bytes, call, hash, leaveBytes, leavePoints, list, vector, view } from './module.js';
+import { Body, Geom, Joint, Spring, assign, finish, poseServoNumbers, rows } from './objects.js';
+import { bodyNumbers, explosionNumbers, filterNumbers, geomNumbers, leave, pointNumbers } from './options.js';
 
-const EVENT_TYPES = ['touchBegin', 'touchEnd', 'jointBroke', 'springBroke', 'notFinite'];
+const EVENT_TYPES = [
+  'touchBegin',
+  'touchEnd',
+  'jointBroke',
+  'springBroke',
+  'notFinite',
+  'sensorBegin',
+  'sensorEnd',
+  'hit',
+  'bodySlept',
+  'bodyWoke',
+];
+/** Numbers of an event. */
+const EVENT_LENGTH = 9;
 const registry = new FinalizationRegistry((handle) => call('simulator_free', handle));
 /** Number of handles from which on those of disposed objects are removed. */
 const FEWEST_TO_SWEEP = 1024;
@@ -109,12 +123,17 @@ export class World {
 
   drainEvents() {
     const numbers = list('simulator_drain_events', this.#handle);
-    return Array.from({ length: numbers.length / 4 }, (_, at) => this.#event(numbers.slice(4 * at, 4 * at + 4)));
+    return rows(numbers, EVENT_LENGTH).map((row) => this.#event(row));
   }
 
-  #event([kind, id, partnerKind, partnerId]) {
+  #event([kind, id, partnerKind, partnerId, x, y, normalX, normalY, speed]) {
     const type = EVENT_TYPES[kind];
     if (kind < 2) return { type, geom: this.geomOf(id), partner: this.partner(partnerKind, partnerId) };
+    if (kind === 5 || kind === 6) return { type, sensor: this.geomOf(id), visitor: this.geomOf(partnerId) };
+    if (kind === 7) {
+      const [point, normal] = [{ x, y }, { x: normalX, y: normalY }];
+      return { type, geom: this.geomOf(id), partner: this.geomOf(partnerId), point, normal, speed };
+    }
     if (kind === 2) return { type, joint: this.thing(Joint, id) };
     if (kind === 3) return { type, spring: this.thing(Spring, id) };
     return { type, body: this.bodyOf(id) };
@@ -124,13 +143,22 @@ export class World {
     return this.geomOf(id);
   }
 
+  stateHash() {
+    return hash('simulator_state_hash', this.#handle);
+  }
+
   snapshot() {
     return bytes('simulator_snapshot', this.#handle);
   }
 
   restore(snapshot) {
+    this.goBack('simulator_restore', snapshot);
+  }
+
+  /** Restores bytes by a function of the module. */
+  goBack(name, snapshot) {
     leaveBytes(snapshot);
-    call('simulator_restore', this.#handle);
+    call(name, this.#handle);
     this.#forgetDisposed();
   }
 
@@ -225,6 +253,20 @@ export class World {
     return this.#joint('joint_prismatic', options, first, second, anchor.x, anchor.y, axis.x, axis.y);
   }
 
+  createWheelJoint(body1, body2, anchor, axis, stiffness, damping, options = {}) {
+    const [first, second] = this.#pair(body1, body2);
+    const place = [anchor.x, anchor.y, axis.x, axis.y];
+    return this.#joint('joint_wheel', options, first, second, ...place, stiffness, damping);
+  }
+
+  createAngleSpringJoint(body1, body2, stiffness, damping, options = {}) {
+    return this.#joint('joint_angle_spring', options, ...this.#pair(body1, body2), stiffness, damping);
+  }
+
+  createMotorJoint(body1, body2, servo = {}, options = {}) {
+    return this.#joint('joint_motor', options, ...this.#pair(body1, body2), ...poseServoNumbers(servo));
+  }
+
   createAngleJoint(body1, body2, options = {}) {
     return this.#joint('joint_angle', options, ...this.#pair(body1, body2));
   }
@@ -279,6 +321,11 @@ Joint.kind = 'joint';
 Spring.kind = 'spring';
 World.Body = Body;
 
+/** Hits of geoms that a filter accepts. */
+function accepted(hits, { accepts }) {
+  return accepts ? hits.filter(({ geom }) => accepts(geom)) : hits;
+}
+
 /** All 31 categories. */
 const ALL_CATEGORIES = 0x7fffffff;
 
@@ -299,6 +346,124 @@ export class Simulator extends World {
       throw new TypeError('methods are precise, or faithful with the narrowPhase distanceGrid or sat');
     }
     assign(this, settings);
+  }
+
+  addBody(options = {}, geoms = []) {
+    leave([...bodyNumbers(options), geoms.length, ...geoms.flatMap(geomNumbers)]);
+    const [bodyId, ...geomIds] = list('add_body', this.handle);
+    const body = this.bodyOf(bodyId);
+    body.userData = options.userData;
+    const made = geomIds.map((id, at) => {
+      const geom = this.geomOf(id);
+      geom.userData = geoms[at].userData;
+      return geom;
+    });
+    return { body, geoms: made };
+  }
+
+  addGeom(body, options) {
+    leave(geomNumbers(options));
+    const geom = this.geomOf(call('add_geom', this.handle, this.idOf(body, Body)));
+    geom.userData = options.userData;
+    return geom;
+  }
+
+  set largestSpeed(speed) {
+    if (speed === null) call('simulator_remove_largest_speed', this.handle);
+    else call('simulator_set_largest_speed', this.handle, speed);
+  }
+
+  set hitSpeed(speed) {
+    call('simulator_set_hit_speed', this.handle, speed);
+  }
+
+  explode(explosion) {
+    leave(explosionNumbers(this, explosion));
+    return call('simulator_explode', this.handle);
+  }
+
+  applyRadialForce(explosion) {
+    leave(explosionNumbers(this, explosion));
+    return call('simulator_apply_radial_force', this.handle);
+  }
+
+  snapshotMoving() {
+    return bytes('simulator_snapshot_moving', this.handle);
+  }
+
+  restoreMoving(moving) {
+    this.goBack('simulator_restore_moving', moving);
+  }
+
+  #hits(name, mode) {
+    return rows(list(name, this.handle, mode), 6).map(([id, x, y, normalX, normalY, fraction]) => ({
+      geom: this.geomOf(id),
+      point: { x, y },
+      normal: { x: normalX, y: normalY },
+      fraction,
+    }));
+  }
+
+  castRay(start, end, filter = {}) {
+    if (filter.accepts) return this.castRayAll(start, end, filter)[0] ?? null;
+    leave([...pointNumbers(start), ...pointNumbers(end), ...filterNumbers(this, filter)]);
+    return this.#hits('query_cast_ray', 0)[0] ?? null;
+  }
+
+  castRayAll(start, end, filter = {}) {
+    leave([...pointNumbers(start), ...pointNumbers(end), ...filterNumbers(this, filter)]);
+    return accepted(this.#hits('query_cast_ray', 1), filter);
+  }
+
+  castRayAny(start, end, filter = {}) {
+    if (filter.accepts) return this.castRay(start, end, filter);
+    leave([...pointNumbers(start), ...pointNumbers(end), ...filterNumbers(this, filter)]);
+    return this.#hits('query_cast_ray', 2)[0] ?? null;
+  }
+
+  #leaveCast(shape, position, rotation, motion, filter) {
+    const place = [...pointNumbers(position), rotation, ...pointNumbers(motion)];
+    leave([...place, ...filterNumbers(this, filter), ...geomNumbers(shape)]);
+  }
+
+  castShape(shape, position, rotation, motion, filter = {}) {
+    if (filter.accepts) return this.castShapeAll(shape, position, rotation, motion, filter)[0] ?? null;
+    this.#leaveCast(shape, position, rotation, motion, filter);
+    return this.#hits('query_cast_shape', 0)[0] ?? null;
+  }
+
+  castShapeAll(shape, position, rotation, motion, filter = {}) {
+    this.#leaveCast(shape, position, rotation, motion, filter);
+    return accepted(this.#hits('query_cast_shape', 1), filter);
+  }
+
+  #overlaps(shape, position, rotation, filter, mode) {
+    leave([...pointNumbers(position), rotation, ...filterNumbers(this, filter), ...geomNumbers(shape)]);
+    return list('query_overlap_shape', this.handle, mode).map((id) => this.geomOf(id));
+  }
+
+  overlapShape(shape, position, rotation = 0, filter = {}) {
+    const geoms = this.#overlaps(shape, position, rotation, filter, 0);
+    return filter.accepts ? geoms.filter(filter.accepts) : geoms;
+  }
+
+  overlapAny(shape, position, rotation = 0, filter = {}) {
+    if (filter.accepts) return this.overlapShape(shape, position, rotation, filter)[0] ?? null;
+    return this.#overlaps(shape, position, rotation, filter, 1)[0] ?? null;
+  }
+
+  geomsAt(point, filter = {}) {
+    leave([...pointNumbers(point), ...filterNumbers(this, filter)]);
+    const geoms = list('query_geoms_at', this.handle).map((id) => this.geomOf(id));
+    return filter.accepts ? geoms.filter(filter.accepts) : geoms;
+  }
+
+  nearestPoint(point, maxDistance, filter = {}) {
+    if (filter.accepts) throw new TypeError('nearestPoint has no accepts');
+    leave([...pointNumbers(point), maxDistance, ...filterNumbers(this, filter)]);
+    const [id, x, y, normalX, normalY, distance] = list('query_nearest_point', this.handle);
+    if (id === undefined) return null;
+    return { geom: this.geomOf(id), point: { x, y }, normal: { x: normalX, y: normalY }, distance };
   }
 
   rayCast(start, end, { categories = ALL_CATEGORIES } = {}) {

@@ -98,6 +98,11 @@ pub(crate) fn with_bytes<T>(look: impl FnOnce(&[u8]) -> T) -> T {
     BUFFERS.with_borrow(|buffers| look(&buffers.bytes))
 }
 
+/// Reads the numbers that JavaScript has left.
+pub(crate) fn with_numbers<T>(look: impl FnOnce(&[f64]) -> T) -> T {
+    BUFFERS.with_borrow(|buffers| look(&buffers.numbers))
+}
+
 /// The points that JavaScript has left as numbers, x and y in turns.
 pub(crate) fn points() -> Outcome<Vertices> {
     BUFFERS.with_borrow(|buffers| {

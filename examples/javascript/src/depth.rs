@@ -15,7 +15,7 @@ pub(crate) struct Depth {
 }
 
 /// A snapshot in 2.5D, with the character controllers.
-pub const WITH_WALKERS: SnapshotFormat = SnapshotFormat { magic: *b"Walkers2", version: 1 };
+pub const WITH_WALKERS: SnapshotFormat = SnapshotFormat { magic: *b"Walkers2", version: 2 };
 
 impl Depth {
     pub(crate) fn update(&mut self, dt: f32) {

@@ -9,6 +9,7 @@ pub mod boundary;
 #[cfg(feature = "depth")]
 mod depth;
 pub mod exports;
+mod fields;
 mod id_number;
 mod touches;
 mod world;

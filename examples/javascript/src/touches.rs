@@ -2,7 +2,9 @@
 
 use std::collections::VecDeque;
 
-use farseer_core::{BodyId, GeomId, JointId, ObjectId, PhysicsSimulator, SpringId};
+use farseer_core::{
+    BodyId, GeomId, Hit, JointId, Methods, ObjectId, PhysicsSimulator, SpringId, WantedEvents,
+};
 use farseer_precise::storage::order::{packed_key, sort_by_number};
 #[cfg(feature = "depth")]
 use twohalf::{PlatformId, TwoHalfPhysicsSimulator};
@@ -37,10 +39,16 @@ impl From<twohalf::ContactTarget> for Partner {
 type Touch = (GeomId, Partner);
 
 /// An event for the game.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Happening {
     TouchBegin(GeomId, Partner),
     TouchEnd(GeomId, Partner),
+    /// Sensor and visitor.
+    SensorBegin(GeomId, GeomId),
+    SensorEnd(GeomId, GeomId),
+    Hit(Hit),
+    BodySlept(BodyId),
+    BodyWoke(BodyId),
     JointBroke(JointId),
     SpringBroke(SpringId),
     /// The body left the numbers that there are, and was put back and, if it can move, disabled.
@@ -125,8 +133,20 @@ impl Log {
         use farseer_core::Event;
         for &event in simulator.events() {
             match event {
-                Event::Collision { this, other, .. } => self.begin(ordered(this, Partner::Geom(other))),
+                Event::Collision { this, other, .. } if !are_typed(simulator, this, other) => {
+                    self.begin(ordered(this, Partner::Geom(other)));
+                }
                 Event::Separation { this, other } => self.end(ordered(this, Partner::Geom(other))),
+                Event::TouchBegin { geom1, geom2 } => {
+                    self.tell(Happening::TouchBegin(geom1, Partner::Geom(geom2)));
+                }
+                Event::TouchEnd { geom1, geom2 } => {
+                    self.tell(Happening::TouchEnd(geom1, Partner::Geom(geom2)))
+                }
+                Event::SensorBegin { sensor, visitor } => self.tell(Happening::SensorBegin(sensor, visitor)),
+                Event::SensorEnd { sensor, visitor } => self.tell(Happening::SensorEnd(sensor, visitor)),
+                Event::BodySlept { body } => self.tell(Happening::BodySlept(body)),
+                Event::BodyWoke { body } => self.tell(Happening::BodyWoke(body)),
                 Event::JointBroke { joint } => self.tell(Happening::JointBroke(joint)),
                 Event::SpringBroke { spring } => self.tell(Happening::SpringBroke(spring)),
                 Event::NotFinite { body, .. } => self.tell_not_finite(body),
@@ -134,6 +154,7 @@ impl Log {
                 _ => {}
             }
         }
+        simulator.hits().iter().for_each(|&hit| self.tell(Happening::Hit(hit)));
     }
 
     /// The events of the 2.5D engine have in them those of the 2D engine below that mean the same to a game.
@@ -154,13 +175,27 @@ impl Log {
     }
 }
 
+/// Whether the engine has typed events for the touches of two geoms: geoms that options describe want them.
+fn are_typed(simulator: &PhysicsSimulator, one: GeomId, other: GeomId) -> bool {
+    let wanted = WantedEvents::TOUCH | WantedEvents::SENSOR;
+    matches!(simulator.methods(), Methods::Precise { .. })
+        && [one, other].into_iter().any(|geom| {
+            simulator.geom(geom).is_some_and(|geom| geom.wanted_events() & wanted != WantedEvents::NONE)
+        })
+}
+
 fn touching_now(engine: &Engine) -> Vec<Touch> {
     let mut now = Vec::new();
     let mut note = |touch| now.push(touch);
     match engine {
         Engine::Plane(simulator) => {
             let touching = simulator.arbiters().filter(|arbiter| arbiter.contacts().len() > 0);
-            touching.for_each(|arbiter| note(ordered(arbiter.geom_a(), Partner::Geom(arbiter.geom_b()))));
+            for arbiter in touching {
+                let (one, other) = (arbiter.geom_a(), arbiter.geom_b());
+                if !are_typed(simulator, one, other) {
+                    note(ordered(one, Partner::Geom(other)));
+                }
+            }
         }
         #[cfg(feature = "depth")]
         Engine::Depth(depth) => {

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use farseer_core::{Body, BodyId, Error, Geom, GeomId, GeomRef, Objects, PhysicsSimulator};
+use farseer_core::{Body, BodyId, CharacterMover, Error, Geom, GeomId, GeomRef, Objects, PhysicsSimulator};
 
 use crate::boundary::{Argument, Failure, Outcome};
 #[cfg(feature = "depth")]
@@ -22,6 +22,7 @@ pub(crate) enum Engine {
 pub(crate) struct World {
     pub(crate) engine: Engine,
     pub(crate) log: Log,
+    pub(crate) movers: Vec<Option<Box<CharacterMover>>>,
     positions: Vec<f32>,
 }
 
@@ -46,7 +47,8 @@ impl Simulator {
     /// Keeps a new one; returns its number.
     #[inline(never)]
     pub(crate) fn keep(engine: Engine) -> f64 {
-        let world = Box::new(World { engine, log: Log::default(), positions: Vec::new() });
+        let world =
+            Box::new(World { engine, log: Log::default(), movers: Vec::new(), positions: Vec::new() });
         WORLDS.with_borrow_mut(|worlds| {
             let free = worlds.iter().position(Option::is_none).unwrap_or(worlds.len());
             if free == worlds.len() {
@@ -135,7 +137,7 @@ impl Simulator {
         self.with(|world| match &mut world.engine {
             Engine::Plane(simulator) => act(simulator),
             #[cfg(feature = "depth")]
-            Engine::Depth(_) => Err(Failure::because(&"only a Simulator can do that, not a DepthSimulator")),
+            Engine::Depth(_) => Err(not_in_depth()),
         })
     }
 }
@@ -163,6 +165,13 @@ pub(crate) use either;
 #[inline(never)]
 pub(crate) fn stale(argument: &'static str) -> Failure {
     Error::StaleId { argument }.into()
+}
+
+#[cfg(feature = "depth")]
+#[cold]
+#[inline(never)]
+pub(crate) fn not_in_depth() -> Failure {
+    Failure::because(&"only a Simulator can do that, not a DepthSimulator")
 }
 
 #[cold]
@@ -228,6 +237,17 @@ impl World {
 
     pub(crate) fn restore(&mut self, snapshot: &[u8]) -> Outcome {
         self.engine.restore(snapshot)?;
+        self.log.begin_anew(&self.engine);
+        Ok(())
+    }
+
+    /// Puts back a snapshot without geoms.
+    pub(crate) fn restore_moving(&mut self, moving: &[u8]) -> Outcome {
+        match &mut self.engine {
+            Engine::Plane(simulator) => simulator.restore_moving(moving)?,
+            #[cfg(feature = "depth")]
+            Engine::Depth(_) => return Err(not_in_depth()),
+        }
         self.log.begin_anew(&self.engine);
         Ok(())
     }

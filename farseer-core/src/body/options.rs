@@ -1,5 +1,6 @@
 //! Options of a body that are on or off, in one byte.
 
+use farseer_precise::storage::words::Words;
 use serde::{Deserialize, Serialize};
 
 /// Options of a body that are on or off, as bit flags.
@@ -10,6 +11,14 @@ use serde::{Deserialize, Serialize};
 pub(super) struct BodyOptions(u8);
 
 impl BodyOptions {
+    /// Writes or reads the flags of a saved body.
+    #[inline(always)]
+    pub(super) fn visit(&mut self, words: &mut impl Words) {
+        let mut word = u32::from(self.0);
+        words.word(&mut word);
+        self.0 = word as u8;
+    }
+
     /// Bit: continuous collision also counts against dynamic bodies.
     pub(super) const BULLET: u8 = 1;
     /// Bit: the body does not rotate.

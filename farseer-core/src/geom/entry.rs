@@ -1,8 +1,11 @@
 //! A geom as the simulator stores it: its outline and its transform (behaviour chapter 05, section 3).
 
+mod save;
+
+pub(crate) use save::GeomMotion;
+
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
 use wide::f32x4;
 
 use crate::body::BodyId;
@@ -194,7 +197,7 @@ pub(crate) struct WorldOutline<'a> {
 pub(crate) type Geoms = Collection<GeomEntry, GeomId>;
 
 /// A geom in the simulator.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug)]
 pub(crate) struct GeomEntry {
     pub(crate) geom: Geom,
     /// Creation number, never reused: decides which geom of a pair is A, and enters contact ids.
@@ -208,27 +211,21 @@ pub(crate) struct GeomEntry {
     /// The shape for which the polygon stands.
     pub(crate) outline: Outline,
     pub(crate) local_vertices: Vertices,
-    #[serde(with = "crate::storage::bits")]
     pub(crate) world_vertices: Vertices,
-    #[serde(with = "crate::storage::bits")]
     pub(crate) aabb: Aabb,
     /// Radius in length units of a disc about the geom's origin whose box is the geom's box, for engines that collide
     /// true circles.
     pub(crate) box_radius: Option<f32>,
-    #[serde(with = "crate::storage::bits")]
     pub(crate) pose: GeomPose,
     /// A matrix set by the user, until the body moves next.
     pub(crate) user_matrix: Option<Box<Matrix>>,
     /// Whether vertices or matrix were set since the body last moved. The transform is then updated even if the body's
     /// pose is unchanged.
     pub(crate) refresh_is_due: bool,
-    #[serde(with = "crate::geom::distance_grid::as_outline")]
     pub(crate) grid: Option<Arc<DistanceGrid>>,
     /// Whether the grid was made from the present outline; the grid stays when the outline is replaced.
-    #[serde(skip)]
     pub(crate) grid_fits_outline: bool,
     /// The convex parts of the outline, computed at the first request.
-    #[serde(skip)]
     pub(crate) pieces: std::sync::OnceLock<Arc<[Piece]>>,
     pub(crate) in_simulation: bool,
     pub(crate) is_sensor: bool,

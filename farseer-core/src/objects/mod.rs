@@ -10,6 +10,7 @@ mod joints;
 mod lifecycle;
 mod ray_cast;
 mod save;
+mod save_moving;
 mod springs;
 mod typed_ids;
 
@@ -36,6 +37,7 @@ pub(crate) use geom_transforms::TransformUpdate;
 pub use ray_cast::RayCastHit;
 pub(crate) use ray_cast::{Ray, is_query_box, ray_segment};
 pub(crate) use save::SavedObjects;
+pub(crate) use save_moving::{LoadedMovingObjects, MovingObjectsView};
 pub use typed_ids::{TypedJointId, TypedSpringId};
 
 /// The bodies, geoms, joints, springs and controllers of a simulator, and all operations on them between updates and in

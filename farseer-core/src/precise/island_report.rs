@@ -96,7 +96,10 @@ impl Precise {
     fn awake_islands(&self, objects: &Objects) -> UnionFind<BodyIndex> {
         let solver = &self.solver;
         let mut islands = UnionFind::default();
-        let links = solver.joints.body_pairs().chain(spring_body_pairs(&self.ids, objects));
+        // Before the first update no body has an index.
+        let springs =
+            spring_body_pairs(&self.ids, objects).filter(|ends| !ends.contains(&BodyIndex::PLACEHOLDER));
+        let links = solver.joints.body_pairs().chain(springs);
         unite_islands(&mut islands, &solver.bodies, &solver.proxies, &solver.pairs, links);
         islands
     }

@@ -4,9 +4,11 @@
 //! Coordinates are in length units, screen y down. *Engine winding* is the order of vertices with negative shoelace
 //! area, counter-clockwise on such a screen: with it `(-edge.y, edge.x)` points outward.
 
+use std::fmt;
 use std::ops::{Deref, DerefMut};
 
-use serde::{Deserialize, Serialize};
+use serde::de::Visitor;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::{Error, Result};
 use crate::math::{Vector2, matrix, vector2};
@@ -29,8 +31,49 @@ pub const MAX_VERTICES: usize = 1 << 24;
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
 #[doc(alias("FarseerGames.FarseerPhysics.Collisions.Vertices", "Vertices.ToString"))]
-#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Default, PartialEq)]
 pub struct Vertices(Vec<Vector2>);
+
+/// A list of points in text formats; in binary ones the bytes of all coordinates, least byte first.
+impl Serialize for Vertices {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if serializer.is_human_readable() {
+            return self.0.serialize(serializer);
+        }
+        let coordinates = self.0.iter().flat_map(|point| [point.x, point.y]);
+        serializer.serialize_bytes(&coordinates.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
+    }
+}
+
+impl<'de> Deserialize<'de> for Vertices {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        if deserializer.is_human_readable() {
+            return Vec::deserialize(deserializer).map(Vertices);
+        }
+        deserializer.deserialize_bytes(PointsVisitor)
+    }
+}
+
+/// Reads points from the bytes of their coordinates.
+struct PointsVisitor;
+
+impl Visitor<'_> for PointsVisitor {
+    type Value = Vertices;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the coordinates of points")
+    }
+
+    fn visit_bytes<E: serde::de::Error>(self, bytes: &[u8]) -> std::result::Result<Vertices, E> {
+        let (coordinates, []) = bytes.as_chunks::<4>() else {
+            return Err(E::custom("a coordinate is cut short"));
+        };
+        let (points, []) = coordinates.as_chunks::<2>() else {
+            return Err(E::custom("a point has one coordinate"));
+        };
+        Ok(points.iter().map(|&[x, y]| Vector2::new(f32::from_le_bytes(x), f32::from_le_bytes(y))).collect())
+    }
+}
 
 /// `clone_from` keeps the capacity of the list.
 impl Clone for Vertices {

@@ -49,6 +49,7 @@ use game_settings::GameSettings;
 pub use body_contacts::BodyContact;
 pub use context::Context;
 pub use handler::EventHandler;
+pub(crate) use save::LoadedMovingSimulator;
 pub use save::SavedSimulator;
 pub use solve::{ExternalConstraints, SolverBodiesView};
 pub use user_controller::UserController;

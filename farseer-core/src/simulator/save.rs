@@ -8,14 +8,14 @@
 //! The [events](PhysicsSimulator::events), counters and times of the last update are not saved: the next one overwrites
 //! them and does not depend on them.
 
-use serde::{Deserialize, Deserializer, de::Error as _};
+use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 
 use super::game_settings::GameSettings;
 use super::{PhysicsSimulator, Settings};
 use crate::broad_phase::BroadPhase;
 use crate::contacts::arbiter::ArbiterList;
 use crate::limits::Limits;
-use crate::objects::{Objects, SavedObjects};
+use crate::objects::{LoadedMovingObjects, MovingObjectsView, Objects, SavedObjects};
 use crate::pipeline::Pipeline;
 use crate::report::Report;
 use crate::{Error, Result};
@@ -68,6 +68,34 @@ impl<'de> Deserialize<'de> for SavedSimulator {
     }
 }
 
+/// All of a simulator but its geoms.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct MovingSimulator<O, A, P> {
+    settings: Settings,
+    objects: O,
+    contacts: A,
+    pipeline: P,
+}
+
+/// A simulator without geoms that was read.
+pub(crate) type LoadedMovingSimulator = MovingSimulator<LoadedMovingObjects, ArbiterList, Pipeline>;
+
+impl LoadedMovingSimulator {
+    /// Returns a simulator with the geoms and limits of another one.
+    pub(crate) fn load_with_geoms_of(self, simulator: &PhysicsSimulator) -> Result<PhysicsSimulator> {
+        let loaded = PhysicsSimulator {
+            settings: self.settings,
+            objects: self.objects.with_geoms_of(&simulator.objects)?,
+            contacts: self.contacts,
+            pipeline: self.pipeline,
+            report: Report::default(),
+            game_settings: GameSettings::default(),
+        };
+        loaded.check()?;
+        SavedSimulator(loaded).load(simulator.limits())
+    }
+}
+
 impl SavedSimulator {
     /// Makes the simulator, which has these limits from then on.
     ///
@@ -90,6 +118,16 @@ impl SavedSimulator {
 }
 
 impl PhysicsSimulator {
+    /// Returns all but the geoms.
+    pub(crate) fn moving(&self) -> MovingSimulator<MovingObjectsView<'_>, &ArbiterList, &Pipeline> {
+        MovingSimulator {
+            settings: self.settings,
+            objects: self.objects.moving(),
+            contacts: &self.contacts,
+            pipeline: &self.pipeline,
+        }
+    }
+
     /// Refuses a simulator that no sequence of calls could have made, or with which a later call would fail.
     fn check(&self) -> Result<()> {
         let damaged = |reason| Err(Error::DamagedSave { reason });

@@ -170,6 +170,11 @@ impl<T, I: Id> Arena<T, I> {
         })
     }
 
+    /// All values, in the order of their slots.
+    pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        self.slots.iter_mut().filter_map(|slot| slot.value.as_mut())
+    }
+
     /// Whether the free list contains exactly the empty slots, once each, without those that are used up. False only
     /// after loading corrupt data.
     pub(crate) fn is_consistent(&self) -> bool {

@@ -1,10 +1,10 @@
-//! Serialisation of derived numbers as bit patterns.
+//! Serialisation of derived numbers: as bit patterns in text formats, as numbers in binary ones.
 //!
 //! They may be infinite, which JSON cannot write, and must be restored to the bit in every text format. All NaN are
 //! saved as the same one: sign and payload of a computed NaN differ between processors, and between builds for the same
 //! processor, and no arithmetic reads them.
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+use serde::{Deserialize, Deserializer, Serializer, de::Error as _};
 
 use crate::math::Vector2;
 use crate::shape::{Aabb, Vertices};
@@ -18,17 +18,26 @@ pub(crate) trait Floats: Sized {
 
 /// For `#[serde(with = "crate::storage::bits")]`.
 pub(crate) fn serialize<T: Floats, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
-    let bits: Vec<u32> = value.to_floats().into_iter().map(saved_bits).collect();
-    bits.serialize(serializer)
+    let numbers = value.to_floats().into_iter().map(saved);
+    if serializer.is_human_readable() {
+        serializer.collect_seq(numbers.map(f32::to_bits))
+    } else {
+        serializer.collect_seq(numbers)
+    }
 }
 
-fn saved_bits(value: f32) -> u32 {
-    if value.is_nan() { f32::NAN.to_bits() } else { value.to_bits() }
+/// Returns a number as it is saved: all NaN as the same one.
+fn saved(number: f32) -> f32 {
+    if number.is_nan() { f32::NAN } else { number }
 }
 
 /// For `#[serde(with = "crate::storage::bits")]`.
 pub(crate) fn deserialize<'de, T: Floats, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
-    let floats: Vec<f32> = Vec::<u32>::deserialize(deserializer)?.into_iter().map(f32::from_bits).collect();
+    let floats: Vec<f32> = if deserializer.is_human_readable() {
+        Vec::<u32>::deserialize(deserializer)?.into_iter().map(f32::from_bits).collect()
+    } else {
+        Vec::deserialize(deserializer)?
+    };
     T::from_floats(&floats).ok_or_else(|| D::Error::custom("a wrong number of bit patterns"))
 }
 
@@ -72,17 +81,17 @@ impl Floats for Vertices {
 
 #[cfg(test)]
 mod tests {
-    use super::saved_bits;
+    use super::saved;
 
     #[test]
     fn every_nan_is_saved_as_the_same_bits() {
         let nans = [0xffc0_0000, 0x7fc0_0001, 0x7f80_0001, 0xffff_ffff].map(f32::from_bits);
-        assert!(nans.iter().all(|&nan| saved_bits(nan) == 0x7fc0_0000));
+        assert!(nans.iter().all(|&nan| saved(nan).to_bits() == 0x7fc0_0000));
     }
 
     #[test]
     fn numbers_are_saved_bit_for_bit() {
         let numbers = [0.0, -0.0, 1.0, -1e-45, f32::INFINITY, f32::NEG_INFINITY];
-        assert!(numbers.iter().all(|&number| saved_bits(number) == number.to_bits()));
+        assert!(numbers.iter().all(|&number| saved(number).to_bits() == number.to_bits()));
     }
 }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::storage::arena::{Arena, Id};
 use crate::storage::order::sort_numbered;
 use crate::{Error, Result};
+use farseer_precise::fingerprint::Fingerprint;
 use farseer_precise::reusing_clone;
 
 /// Number of list entries for each leaving object from which on the object is found by its key, instead of by a walk over the
@@ -375,6 +376,37 @@ impl<T, I: Id + Ord> Collection<T, I> {
         let is_marked = |&id: &I| self.entries.get(id).is_some_and(|entry| mark(&entry.life));
         let marked = self.entries.iter().filter(|(_, entry)| mark(&entry.life)).count();
         list.len() == marked && list.iter().all(is_marked) && has_no_duplicates(list)
+    }
+}
+
+impl<T, I: Id + Ord> Collection<T, I> {
+    /// Returns a hash of the ids and lifecycles of all objects and of the lists that name them: SplitMix64 of each number.
+    pub(crate) fn membership_hash(&self) -> u64 {
+        let lives = self.entries.iter().map(|(id, CollectionEntry { life, .. })| {
+            let LifecycleState { is_listed, is_queued, is_disposed } = *life;
+            (id, 1 + u32::from(is_listed) + 2 * u32::from(is_queued) + 4 * u32::from(is_disposed))
+        });
+        let mut hash = Fingerprint::default();
+        let lists = [&self.list, &self.added, &self.removed, &self.disposed];
+        let listed = (8..).zip(lists).flat_map(|(kind, list)| list.iter().map(move |&id| (id, kind)));
+        for (id, kind) in lives.chain(listed) {
+            [kind, id.index() as u32, id.generation()].iter().for_each(|&word| hash.add_word(word));
+        }
+        hash.bits()
+    }
+
+    /// Calls a function with each existing object, in the order of the slots, and its value. Returns whether there was one value
+    /// for each object.
+    pub(crate) fn give_each<V>(&mut self, values: Vec<V>, mut give: impl FnMut(&mut T, V)) -> bool {
+        let mut values = values.into_iter();
+        let all = self.entries.values_mut().all(|entry| match values.next() {
+            Some(value) => {
+                give(&mut entry.value, value);
+                true
+            }
+            None => false,
+        });
+        all && values.next().is_none()
     }
 }
 

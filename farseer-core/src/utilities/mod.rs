@@ -8,6 +8,7 @@ mod event_log;
 mod fixed_step_clock;
 mod fixed_step_runner;
 mod mouse_picker;
+mod packed;
 mod recording;
 mod secondary_map;
 pub mod snapshot;

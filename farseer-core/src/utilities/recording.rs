@@ -6,7 +6,7 @@ use super::snapshot::SnapshotFormat;
 use crate::simulator::PhysicsSimulator;
 use crate::{Error, Result};
 
-const FORMAT: SnapshotFormat = SnapshotFormat { magic: *b"FarsRecd", version: 1 };
+const FORMAT: SnapshotFormat = SnapshotFormat { magic: Recording::MAGIC, version: 2 };
 
 /// Recording of a run, as one file: the state at the beginning and after every so many updates, and of each update its length,
 /// the game's input and a [hash](PhysicsSimulator::state_hash) of the state. A bug report of a user, a replay of a match, or two
@@ -60,6 +60,9 @@ struct RecordedUpdate {
 }
 
 impl Recording {
+    /// First bytes of the file of a recording.
+    pub const MAGIC: [u8; 8] = *b"FarsRecd";
+
     /// A recording that begins with the present state of a simulator, and keeps a snapshot after every `keyframe_interval`
     /// updates.
     ///
@@ -103,6 +106,17 @@ impl Recording {
     /// Length of an update in seconds, counted from 0; `None` after the last one.
     pub fn dt(&self, update: usize) -> Option<f32> {
         self.updates.get(update).map(|update| update.dt)
+    }
+
+    /// [Hash](PhysicsSimulator::state_hash) of the state after an update, counted from 0; `None` after the last one.
+    pub fn hash(&self, update: usize) -> Option<u64> {
+        self.updates.get(update).map(|update| update.hash)
+    }
+
+    /// The [snapshot](PhysicsSimulator::snapshot) of the state after `index` times
+    /// [`keyframe_interval`](Self::keyframe_interval) updates; `None` after the last one.
+    pub fn keyframe(&self, index: usize) -> Option<&[u8]> {
+        self.keyframes.get(index).map(Vec::as_slice)
     }
 
     /// The state after a number of updates: that of the last keyframe before, and the updates since. `play` makes the calls of

@@ -6,7 +6,7 @@
 //! | 4 | version of the format, least byte first |
 //! | 4 | CRC-32 of everything else |
 //! | 8 | length of the content, least byte first |
-//! | rest | the content, in the format of the crate `postcard` |
+//! | rest | the content, in a format in which zeros take one bit (module `packed`) |
 //!
 //! [`PhysicsSimulator::snapshot`] makes one of a whole simulator. The module is public for engines built on the
 //! simulator, which have more to save.
@@ -15,7 +15,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::checksum::crc32;
-use crate::simulator::{PhysicsSimulator, SavedSimulator};
+use super::packed;
+use crate::simulator::{LoadedMovingSimulator, PhysicsSimulator, SavedSimulator};
 use crate::{Error, Result};
 
 const MAGIC_LENGTH: usize = 8;
@@ -45,7 +46,7 @@ impl SnapshotFormat {
         let mut header = vec![0; HEADER_LENGTH];
         header[..MAGIC_LENGTH].copy_from_slice(&self.magic);
         header[VERSION].copy_from_slice(&self.version.to_le_bytes());
-        let Ok(mut bytes) = postcard::to_extend(value, header) else {
+        let Ok(mut bytes) = packed::write(value, header) else {
             panic!("memory takes everything, and the type can be written without describing itself")
         };
         let length = (bytes.len() - HEADER_LENGTH) as u64;
@@ -82,7 +83,7 @@ impl SnapshotFormat {
         if number(&bytes[CHECKSUM]) != u64::from(checksum(bytes)) {
             return damaged("it was altered: its checksum is wrong");
         }
-        match postcard::take_from_bytes(&bytes[HEADER_LENGTH..]) {
+        match packed::read(&bytes[HEADER_LENGTH..]) {
             Ok((value, [])) => Ok(value),
             Ok(_) => damaged("its content is longer than it should be"),
             Err(_) => damaged("its content cannot be read or contradicts itself"),
@@ -100,7 +101,10 @@ fn checksum(bytes: &[u8]) -> u32 {
     crc32([&bytes[..CHECKSUM.start], &bytes[CHECKSUM.end..]])
 }
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 19 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 20 };
+
+/// Content: all of a simulator but its geoms.
+const MOVING: SnapshotFormat = SnapshotFormat { magic: *b"FarsMove", version: 1 };
 
 impl PhysicsSimulator {
     /// The whole simulator as bytes, to be [restored](Self::restore) later, in this program or another.
@@ -143,6 +147,42 @@ impl PhysicsSimulator {
     #[inline]
     pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
         let loaded = SIMULATOR.read::<SavedSimulator>(snapshot)?.load(self.limits())?;
+        self.replace_by(loaded);
+        Ok(())
+    }
+
+    /// The simulator without its geoms as bytes, to be put [back](Self::restore_moving) into this simulator or a clone: for
+    /// rollback, and for states sent over a network. Less than half of a [`snapshot`](Self::snapshot).
+    ///
+    /// All of a snapshot but shapes, materials, filters and other settings of geoms: bodies, joints, springs, contacts, sleep,
+    /// edits since the last update.
+    pub fn snapshot_moving(&self) -> Vec<u8> {
+        MOVING.write(&self.moving())
+    }
+
+    /// Puts back the state of a [`snapshot_moving`](Self::snapshot_moving). Geoms keep the settings that they have now; if these
+    /// are those of the snapshot, the simulator continues with the same bits. The [limits](Self::limits) stay.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// let (ball, _) = simulator.add_body(BodyBuilder::dynamic(), [GeomBuilder::circle(10.0)])?;
+    /// simulator.update(1.0 / 60.0);
+    ///
+    /// let moving = simulator.snapshot_moving();
+    /// simulator.update(1.0 / 60.0);
+    /// let hash = simulator.state_hash();
+    /// simulator.restore_moving(&moving)?;
+    /// simulator.update(1.0 / 60.0);
+    /// assert_eq!(simulator.state_hash(), hash);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`restore`](Self::restore); [`Error::DamagedSave`] if geoms were made, added, removed or disposed since, or the methods
+    /// changed. The simulator is unchanged then.
+    pub fn restore_moving(&mut self, moving: &[u8]) -> Result<()> {
+        let loaded = MOVING.read::<LoadedMovingSimulator>(moving)?.load_with_geoms_of(self)?;
         self.replace_by(loaded);
         Ok(())
     }

@@ -6,9 +6,11 @@ use super::{COLOR_COUNT, Color, ConstraintGraph, ConstraintHandle, ContactConstr
 use crate::broad_phase::pairs::Pair;
 use crate::index::DenseIndex;
 use crate::math::scalar::nearest_finite;
+use crate::storage::words::{Record, Words};
 
 /// Saved impulses and surface properties of a contact constraint.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(remote = "Self")]
 pub struct SavedConstraint {
     /// Index of the graph colour of the constraint.
     colour: u32,
@@ -45,6 +47,34 @@ pub struct SavedConstraint {
     /// handler has overridden them; else `None`. Not serialised: the next step begins with the values of the geoms.
     #[serde(skip)]
     awake_surface: Option<[f32; 3]>,
+}
+
+crate::saved_record!(SavedConstraint);
+
+impl Record for SavedConstraint {
+    const WORDS: usize = 30;
+
+    #[inline(always)]
+    fn visit(&mut self, words: &mut impl Words) {
+        words.word(&mut self.colour);
+        words.word(&mut self.slot);
+        let mut sleeping_h = self.sleeping_h.map(|h| [h]);
+        words.maybe(&mut sleeping_h);
+        self.sleeping_h = sleeping_h.map(|[h]| h);
+        let mut h = self.direct.map(|(h, _)| [h]);
+        words.maybe(&mut h);
+        let mut exact = self.direct.map_or([0; 3], |(_, exact)| exact.map(f64::to_bits));
+        exact.iter_mut().for_each(|impulse| words.long(impulse));
+        self.direct = h.map(|[h]| (h, exact.map(f64::from_bits)));
+        words.float(&mut self.tangent_impulse);
+        words.floats(&mut self.depth_impulses);
+        words.floats(&mut self.impulses);
+        words.floats(&mut self.load_offsets);
+        let [first, second] = &mut self.are_disabled;
+        words.flags([first, second]);
+        words.floats(&mut self.separations);
+        words.maybe(&mut self.sleeping_surface);
+    }
 }
 
 impl SavedConstraint {

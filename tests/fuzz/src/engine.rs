@@ -18,6 +18,13 @@ pub trait Engine: Clone + Serialize + DeserializeOwned {
     /// # Errors
     /// The text of the error, if the snapshot is refused.
     fn restore(&mut self, snapshot: &[u8]) -> Result<(), String>;
+    /// Returns a copy that was in another state and went back by a snapshot without geoms; a clone if the engine has none.
+    ///
+    /// # Errors
+    /// The text of the error, if the snapshot is refused.
+    fn restored_moving(&self) -> Result<Self, String> {
+        Ok(self.clone())
+    }
     /// Makes an update of `dt` seconds.
     fn update(&mut self, dt: f32);
     /// Returns the limits of the cost of the simulator. No save includes them.
@@ -51,6 +58,17 @@ impl Engine for PhysicsSimulator {
     }
     fn restore(&mut self, snapshot: &[u8]) -> Result<(), String> {
         self.restore(snapshot).map_err(|error| error.to_string())
+    }
+    fn restored_moving(&self) -> Result<Self, String> {
+        let moving = self.snapshot_moving();
+        let mut copy = self.clone();
+        (0..3).for_each(|_| copy.update(0.01));
+        if copy.restore_moving(&moving).is_err() {
+            // Geoms entered or left with these updates.
+            copy = self.clone();
+            copy.restore_moving(&moving).map_err(|error| error.to_string())?;
+        }
+        Ok(copy)
     }
     fn update(&mut self, dt: f32) {
         self.update(dt);

@@ -15,9 +15,10 @@ const CHECK_PERCENT: u64 = 20;
 type Copy<E> = fn(&E, E) -> Result<E, String>;
 
 /// Returns all functions that copy a simulator, with their names.
-fn twins<E: Engine>() -> [(&'static str, Copy<E>); 4] {
+fn twins<E: Engine>() -> [(&'static str, Copy<E>); 5] {
     [
         ("restored", |simulator, _| restored(simulator)),
+        ("gone back without geoms", |simulator, _| same_bytes(simulator, simulator.restored_moving()?)),
         ("cloned", |simulator, _| Ok(simulator.clone())),
         ("cloned over an older one", |simulator, mut older| {
             older.clone_from(simulator);

@@ -18,14 +18,32 @@ const UPDATES: usize = 900;
 /// Number of updates before the measurement of a scene that never comes to rest.
 const MOVING_UPDATES: usize = 60;
 const CALLS: usize = 101;
-const ROWS: [&str; 7] =
-    ["contacts", "bytes of a snapshot", "`snapshot`", "`restore`", "`clone`", "`clone_from`", "`update`"];
+const ROWS: [&str; 11] = [
+    "contacts",
+    "bytes of `snapshot`",
+    "bytes of `snapshot_moving`",
+    "`snapshot`",
+    "`snapshot_moving`",
+    "`restore`",
+    "`restore_moving`",
+    "`clone`",
+    "`clone_from`",
+    "`state_hash`",
+    "`update`",
+];
 
 /// Operations that rollback needs, for either engine.
 trait Engine: Clone {
     fn contacts(&self) -> usize;
     fn snapshot(&self) -> Vec<u8>;
     fn restore(&mut self, snapshot: &[u8]);
+    /// The snapshot without geoms; `None` if the engine has none.
+    fn snapshot_moving(&self) -> Option<Vec<u8>> {
+        None
+    }
+    fn restore_moving(&mut self, _moving: &[u8]) {}
+    /// Hash of the motion of all bodies.
+    fn state_hash(&self) -> u64;
     fn update(&mut self);
 }
 
@@ -38,6 +56,15 @@ impl Engine for PhysicsSimulator {
     }
     fn restore(&mut self, snapshot: &[u8]) {
         self.restore(snapshot).expect("it was just saved");
+    }
+    fn snapshot_moving(&self) -> Option<Vec<u8>> {
+        Some(self.snapshot_moving())
+    }
+    fn restore_moving(&mut self, moving: &[u8]) {
+        self.restore_moving(moving).expect("it was just saved");
+    }
+    fn state_hash(&self) -> u64 {
+        self.state_hash()
     }
     fn update(&mut self) {
         self.update(DT);
@@ -53,6 +80,9 @@ impl Engine for TwoHalfPhysicsSimulator {
     }
     fn restore(&mut self, snapshot: &[u8]) {
         self.restore(snapshot).expect("it was just saved");
+    }
+    fn state_hash(&self) -> u64 {
+        self.core().state_hash()
     }
     fn update(&mut self) {
         self.update(DT);
@@ -99,14 +129,22 @@ fn median(mut call: impl FnMut()) -> String {
 fn column(mut simulator: impl Engine, updates: usize) -> [String; ROWS.len()] {
     (0..updates).for_each(|_| simulator.update());
     let snapshot = simulator.snapshot();
+    let moving = simulator.snapshot_moving();
     let mut copy = simulator.clone();
+    let if_moving = |cell: &mut dyn FnMut(&[u8]) -> String| moving.as_deref().map(cell).unwrap_or_default();
     [
         simulator.contacts().to_string(),
         snapshot.len().to_string(),
+        if_moving(&mut |moving| moving.len().to_string()),
         median(|| drop(black_box(simulator.snapshot()))),
+        if_moving(&mut |_| median(|| drop(black_box(simulator.snapshot_moving())))),
         median(|| copy.restore(&snapshot)),
+        if_moving(&mut |moving| median(|| copy.restore_moving(moving))),
         median(|| drop(black_box(simulator.clone()))),
         median(|| copy.clone_from(&simulator)),
+        median(|| {
+            black_box(simulator.state_hash());
+        }),
         median(|| copy.update()),
     ]
 }

@@ -334,7 +334,8 @@ fn non_finite_placements_of_geoms_are_refused() {
         [("aabb", 2), ("world_vertices", 3), ("pose", 4), ("pose", 10), ("pose", 13), ("pose", 14)]
     {
         let loaded = changed_box(|saved| {
-            saved["objects"]["geoms"]["entries"]["slots"][0]["value"]["value"][what][index] = infinity.clone()
+            let geom = &mut saved["objects"]["geoms"]["entries"]["slots"][0]["value"]["value"];
+            geom["transform"]["Own"][what][index] = infinity.clone()
         });
         let error = loaded.expect_err(what).to_string();
         assert!(error.contains("a geom is not finite"), "{what} {index}: {error}");

@@ -390,3 +390,16 @@ fn each_solver_has_a_colour_of_its_own() {
     colours.dedup();
     assert_eq!((count, colours.len()), (5, 5));
 }
+
+#[test]
+fn islands_can_be_asked_for_between_a_change_of_methods_and_the_next_update() {
+    let mut simulator = simulator(100.0);
+    let [one, other] = [0.0, 40.0].map(|x| add_box(&mut simulator, (10.0, 10.0), v(x, 0.0)).0);
+    SpringFactory::create_angle_spring_in(&mut simulator, one, other, 1.0, 1.0).unwrap();
+    simulator.update(0.01);
+    simulator.set_methods(Methods::PRECISE).unwrap();
+    assert!(simulator.islands().is_empty());
+    simulator.sleep(one);
+    simulator.update(0.01);
+    assert_eq!(simulator.islands().len(), 1, "the spring connects the two");
+}

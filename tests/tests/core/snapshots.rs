@@ -198,6 +198,61 @@ fn a_restored_simulator_goes_on_with_the_same_bits() {
 }
 
 #[test]
+fn a_simulator_goes_back_without_its_geoms_with_the_same_bits() {
+    for methods in [Methods::default(), Methods::PRECISE] {
+        let (simulator, _) = everything(methods, 60);
+        let (moving, mut twin) = (simulator.snapshot_moving(), simulator.clone());
+        assert!(moving.len() < simulator.snapshot().len(), "{methods:?}");
+        (0..30).for_each(|_| twin.update(0.01));
+        assert_ne!(twin.state_hash(), simulator.state_hash(), "{methods:?}");
+        twin.restore_moving(&moving).unwrap();
+        assert_eq!(twin.snapshot(), simulator.snapshot(), "{methods:?}");
+        // Bits of the next updates, of events, too.
+        let mut simulator = simulator;
+        for update in 0..30 {
+            simulator.update(0.01);
+            twin.update(0.01);
+            assert_eq!(twin.events(), simulator.events(), "{methods:?}, update {update}");
+            assert_eq!(twin.snapshot(), simulator.snapshot(), "{methods:?}, update {update}");
+        }
+    }
+}
+
+#[test]
+fn a_snapshot_without_geoms_is_refused_by_other_geoms() {
+    let (mut simulator, _) = everything(Methods::PRECISE, 60);
+    let moving = simulator.snapshot_moving();
+    let refused = |simulator: &mut PhysicsSimulator, moving: &[u8]| {
+        let before = simulator.snapshot();
+        let error = simulator.restore_moving(moving).unwrap_err().to_string();
+        assert!(simulator.snapshot() == before, "{error}");
+        error
+    };
+    assert!(refused(&mut PhysicsSimulator::default(), &moving).contains("other geoms"));
+    let whole = simulator.snapshot();
+    assert!(refused(&mut simulator, &whole).contains("not a snapshot of such"));
+    for end in (0..moving.len()).step_by(997) {
+        refused(&mut simulator, &moving[..end]);
+    }
+    let geom = simulator.geoms().next().unwrap();
+    simulator.dispose(geom).unwrap();
+    simulator.update(0.01);
+    assert!(refused(&mut simulator, &moving).contains("other geoms"));
+}
+
+#[test]
+fn edits_of_geoms_stay_when_the_rest_goes_back() {
+    let (mut simulator, _) = everything(Methods::PRECISE, 60);
+    let moving = simulator.snapshot_moving();
+    let geom = simulator.geoms().next().unwrap();
+    simulator[geom].set_friction_coefficient(0.123);
+    simulator.update(0.01);
+    simulator.restore_moving(&moving).unwrap();
+    assert_eq!(simulator[geom].friction_coefficient(), 0.123);
+    (0..30).for_each(|_| simulator.update(0.01));
+}
+
+#[test]
 fn pending_edits_are_in_the_snapshot() {
     for methods in [Methods::default(), Methods::PRECISE] {
         let (mut original, _) = everything(methods, 30);
@@ -326,7 +381,7 @@ fn contain(magic: &[u8; 8], version: u32, content: &[u8]) -> Vec<u8> {
 }
 
 /// Version of the present layout.
-const VERSION: u32 = 19;
+const VERSION: u32 = 20;
 const MAGIC: &[u8; 8] = b"Farseer2";
 
 #[test]

@@ -90,22 +90,9 @@ impl Play for Blocks {
     }
 
     fn draw(&self, canvas: &mut dyn Canvas) -> Result<()> {
-        canvas.clear(SKY);
-        let mut view = twohalf_render::View::new(canvas).camera(&self.camera);
-        let simulator = self.simulator();
-        for (index, &body) in simulator.body_list().iter().enumerate() {
-            let color = if simulator[body].is_static() { EARTH } else { palette(index) };
-            simulator
-                .geoms_of(body)
-                .iter()
-                .for_each(|&geom| draw_geom(simulator, body, geom, color, &mut view));
-        }
-        if let Motor::Physics(..) = self.motor {
-            // Joints are where links touch.
-            return Ok(());
-        }
-        simulator.joint_list().iter().for_each(|&joint| draw_joint(simulator, joint, &mut view));
-        simulator.spring_list().iter().for_each(|&spring| draw_spring(simulator, spring, &mut view));
+        // Elsewhere joints are where links touch.
+        let shows_joints = matches!(self.motor, Motor::File(_));
+        draw_world(self.simulator(), &self.camera, shows_joints, canvas);
         Ok(())
     }
 
@@ -126,6 +113,26 @@ impl Play for Blocks {
 
     fn copy(&self) -> Box<dyn Play> {
         Box::new(self.clone())
+    }
+}
+
+/// Draws all geoms and, if wanted, joints and springs.
+pub(super) fn draw_world(
+    simulator: &PhysicsSimulator,
+    camera: &Transform,
+    shows_joints: bool,
+    canvas: &mut dyn Canvas,
+) {
+    canvas.clear(SKY);
+    let mut view = twohalf_render::View::new(canvas).camera(camera);
+    for (index, &body) in simulator.body_list().iter().enumerate() {
+        let color = if simulator[body].is_static() { EARTH } else { palette(index) };
+        let geoms = simulator.geoms_of(body);
+        geoms.iter().for_each(|&geom| draw_geom(simulator, body, geom, color, &mut view));
+    }
+    if shows_joints {
+        simulator.joint_list().iter().for_each(|&joint| draw_joint(simulator, joint, &mut view));
+        simulator.spring_list().iter().for_each(|&spring| draw_spring(simulator, spring, &mut view));
     }
 }
 
@@ -153,7 +160,7 @@ fn draw_geom(simulator: &PhysicsSimulator, body: BodyId, id: GeomId, color: Colo
 }
 
 /// Bounds of all geoms, with a margin.
-fn bounds(simulator: &PhysicsSimulator) -> [Point; 2] {
+pub(super) fn bounds(simulator: &PhysicsSimulator) -> [Point; 2] {
     let boxes = simulator.geom_list().iter().filter_map(|&geom| simulator.geom(geom)).map(|geom| geom.aabb());
     let finite = boxes.filter(|all| [all.min, all.max].iter().all(|corner| corner.norm() < 1e5));
     let all = finite.reduce(|a, b| Aabb::from_vertices(&[a.min, a.max, b.min, b.max]));
@@ -164,7 +171,7 @@ fn bounds(simulator: &PhysicsSimulator) -> [Point; 2] {
 }
 
 /// The size of the picture that shows a part of the world, and its camera.
-fn fit([low, high]: [Point; 2]) -> ([f32; 2], Transform) {
+pub(super) fn fit([low, high]: [Point; 2]) -> ([f32; 2], Transform) {
     let [width, height] = [high[0] - low[0], high[1] - low[1]];
     let zoom = LARGEST / width.max(height).max(1e-3);
     // Not thinner than a third, so that its content remains visible.

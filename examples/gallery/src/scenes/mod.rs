@@ -3,6 +3,7 @@
 mod blocks;
 mod crowd;
 mod games;
+mod replay;
 mod samples;
 mod telling;
 mod thesis;
@@ -12,6 +13,7 @@ use std::rc::Rc;
 use conformance::samples::{SAMPLES, sample};
 use conformance::scene::Scene;
 use examples::Result;
+use farseer_core::Recording;
 use twohalf::DepthScheme;
 
 use crate::play::{Play, Set};
@@ -26,6 +28,8 @@ pub enum Game {
     Pinball,
     /// To walk, jump, strike, lift and throw.
     Brawler,
+    /// To go through the steps of a recording.
+    Replay,
 }
 
 /// A scene of the gallery.
@@ -57,12 +61,54 @@ impl GalleryScene {
         (self.build)()
     }
 
-    /// A scene from a file of JSON in the format of the tests.
+    /// A scene from a file: a recording, or JSON in the format of the tests.
     ///
     /// # Errors
     /// A file that cannot be read, or is no such scene.
     pub fn from_file(path: &std::path::Path) -> Result<Self> {
+        let bytes = std::fs::read(path)?;
+        if is_recording(&bytes) {
+            return GalleryScene::from_bytes(&path.display().to_string(), &bytes);
+        }
         GalleryScene::of(Scene::from_file(path)?)
+    }
+
+    /// A scene from the content of a file; `name` replaces the file in errors.
+    ///
+    /// # Errors
+    /// A content that is no such scene.
+    pub fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self> {
+        if is_recording(bytes) {
+            return GalleryScene::from_recordings(name, vec![Recording::from_bytes(bytes)?], 0);
+        }
+        GalleryScene::from_json(name, &String::from_utf8_lossy(bytes))
+    }
+
+    /// A recording after a number of steps, or two beside each other, with the step in which they part.
+    ///
+    /// # Errors
+    /// A recording whose states cannot be restored; more than two, or none.
+    pub fn from_recordings(name: &str, recordings: Vec<Recording>, step: usize) -> Result<Self> {
+        let (parts_at, about) = match recordings.as_slice() {
+            [one] => (None, format!("A run of {} steps.", one.len())),
+            [one, other] => match one.first_difference(other) {
+                None => (None, format!("Two equal runs of {} steps.", one.len())),
+                Some(parting) => (Some(parting), format!("Two runs that part in step {}.", parting + 1)),
+            },
+            _ => return Err("one recording can be shown, or two".into()),
+        };
+        let labels: &[&'static str] = if recordings.len() == 2 { &["one", "other"] } else { &[""] };
+        let runs: Vec<_> = recordings.into_iter().map(Rc::new).zip(labels).collect();
+        let show = move || {
+            let half = |(run, label): &(Rc<Recording>, &&'static str)| {
+                let run = run.clone();
+                let make = build(move |_| Ok(Box::new(replay::Replay::new(run.clone(), step, parts_at)?)));
+                Half::new(label, Set::Precise, false, make)
+            };
+            Ok(Show::new(runs.iter().map(half).collect::<Result<_>>()?))
+        };
+        show()?;
+        Ok(entry(name, &name.replace('_', " "), &about, Game::Replay, show))
     }
 
     /// A scene from a text of JSON in the format of the tests; `name` replaces the file in errors.
@@ -94,6 +140,11 @@ impl GalleryScene {
             build: Rc::new(half),
         })
     }
+}
+
+/// Whether the bytes of a file begin as a recording does.
+pub fn is_recording(bytes: &[u8]) -> bool {
+    bytes.starts_with(&Recording::MAGIC)
 }
 
 /// With depth: the scheme of a set.

@@ -105,6 +105,13 @@ pub(super) fn pad(game: Game, width: f32, bottom: f32) -> Vec<Button> {
             button(Key::Right, "Right", -1.0, 1.0),
             button(Key::Jump, "Launch", -1.0, 2.0),
         ],
+        Game::Replay => vec![
+            button(Key::Left, "<", 0.0, 1.0),
+            button(Key::Right, ">", 1.0, 1.0),
+            button(Key::Down, "<<", -2.0, 1.0),
+            button(Key::Up, ">>", -1.0, 1.0),
+            button(Key::Jump, "Part", -1.0, 2.0),
+        ],
         Game::Brawler => vec![
             button(Key::Left, "<", 0.0, 1.0),
             button(Key::Down, "v", 1.0, 1.0),

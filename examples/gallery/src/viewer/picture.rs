@@ -35,6 +35,7 @@ F               full screen
 H               this help";
 const KEYS_OF_PINBALL: &str = "Left, Right: flippers   Space: launch";
 const KEYS_OF_BRAWLER: &str = "Arrows: walk   Space: jump   X: strike   C: lift, throw";
+const KEYS_OF_REPLAY: &str = "Left, right: step   Down, up: keyframe   Space: where the runs part";
 
 pub(super) fn draw(viewer: &Viewer, canvas: &mut dyn Canvas) -> Result<()> {
     let size = viewer.size;
@@ -97,6 +98,7 @@ fn draw_hints(viewer: &Viewer, canvas: &mut dyn Canvas) {
     let keys = match viewer.scenes[viewer.at].game {
         Game::Pinball => KEYS_OF_PINBALL,
         Game::Brawler => KEYS_OF_BRAWLER,
+        Game::Replay => KEYS_OF_REPLAY,
         Game::None => "",
     };
     let hint = if viewer.message.1 > 0.0 {

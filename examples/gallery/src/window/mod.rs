@@ -155,11 +155,8 @@ fn input(fingers: &mut Fingers) -> Input {
 fn open_dropped(viewer: &mut Viewer) {
     for file in quad::get_dropped_files() {
         let name = file.path.map_or_else(|| "the file".to_owned(), |path| path.display().to_string());
-        let text = match file.bytes {
-            Some(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
-            None => std::fs::read_to_string(&name),
-        };
-        match text.map_err(Into::into).and_then(|text| GalleryScene::from_json(&name, &text)) {
+        let bytes = file.bytes.map_or_else(|| std::fs::read(&name), Ok);
+        match bytes.map_err(Into::into).and_then(|bytes| GalleryScene::from_bytes(&name, &bytes)) {
             Ok(scene) => viewer.add(scene),
             Err(error) => viewer.say(error.to_string()),
         }

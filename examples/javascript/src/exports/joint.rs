@@ -2,7 +2,8 @@
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyId, Error, Joint, JointFactory, JointId, JointKind, JointLimits, JointMotor, Objects, Result,
+    BodyId, Error, Joint, JointFactory, JointId, JointKind, JointLimits, JointMotor, JointServo, Objects,
+    PoseServo, Result,
 };
 
 use crate::boundary::exports;
@@ -52,6 +53,62 @@ exports! {
     ) {
         let (anchor, axis) = (Vector2::new(x, y), Vector2::new(axis_x, axis_y));
         simulator.objects(|objects| JointFactory::create_prismatic_joint_in(objects, body1, body2, anchor, axis))
+    }
+
+    /// A wheel on a suspension.
+    fn joint_wheel(
+        simulator: Simulator, body1: BodyId, body2: BodyId, x: f32, y: f32, axis_x: f32, axis_y: f32,
+        stiffness: f32, damping: f32,
+    ) {
+        let (anchor, axis) = (Vector2::new(x, y), Vector2::new(axis_x, axis_y));
+        simulator.objects(|objects| {
+            let joint =
+                JointFactory::create_wheel_joint_in(objects, body1, body2, anchor, axis, stiffness, damping)?;
+            Ok(joint.id())
+        })
+    }
+
+    /// A damped spring between the angles of two bodies.
+    fn joint_angle_spring(simulator: Simulator, body1: BodyId, body2: BodyId, stiffness: f32, damping: f32) {
+        simulator.objects(|objects| {
+            Ok(JointFactory::create_angle_spring_joint_in(objects, body1, body2, stiffness, damping)?.id())
+        })
+    }
+
+    /// One body seeks a pose relative to another.
+    fn joint_motor(
+        simulator: Simulator, body1: BodyId, body2: BodyId,
+        frequency: f32, damping_ratio: f32, greatest_force: f32, greatest_torque: f32,
+    ) {
+        let servo = PoseServo { frequency, damping_ratio, greatest_force, greatest_torque };
+        simulator.objects(|objects| Ok(JointFactory::create_motor_joint_in(objects, body1, body2, servo)?.id()))
+    }
+
+    /// Sets the pose that a motor joint seeks.
+    fn joint_set_target_pose(simulator: Simulator, joint: JointId, x: f32, y: f32, angle: f32) {
+        simulator.objects(|objects| objects.set_motor_joint_target(joint, Vector2::new(x, y), angle))
+    }
+
+    /// Sets the strength of a motor joint.
+    fn joint_set_pose_servo(
+        simulator: Simulator, joint: JointId,
+        frequency: f32, damping_ratio: f32, greatest_force: f32, greatest_torque: f32,
+    ) {
+        let servo = PoseServo { frequency, damping_ratio, greatest_force, greatest_torque };
+        simulator.objects(|objects| objects.set_motor_joint_servo(joint, servo))
+    }
+
+    /// Lets it seek a target, with the precise set.
+    fn joint_set_servo(
+        simulator: Simulator, joint: JointId, target: f32, stiffness: f32, damping: f32, greatest_effort: f32,
+    ) {
+        let servo = JointServo { target, stiffness, damping, greatest_effort };
+        simulator.objects(|objects| objects.set_joint_servo(joint, Some(servo)))
+    }
+
+    /// Lets it seek no target.
+    fn joint_remove_servo(simulator: Simulator, joint: JointId) {
+        simulator.objects(|objects| objects.set_joint_servo(joint, None))
     }
 
     /// Two bodies keep an angle.

@@ -1,7 +1,7 @@
 //! Making simulators, stepping and saving them.
 
 use farseer_core::math::Vector2;
-use farseer_core::{BroadPhaseCollider, FrictionType, Methods, NarrowPhaseCollider, PhysicsSimulator};
+use farseer_core::{BroadPhaseCollider, FrictionType, Hit, Methods, NarrowPhaseCollider, PhysicsSimulator};
 
 use crate::boundary::{Answer, Outcome, exports, invalid, leave_bytes, leave_numbers, with_bytes};
 use crate::touches::{Happening, Partner};
@@ -78,12 +78,12 @@ exports! {
         simulator.with(|world| Ok(world.positions().as_ptr() as usize as f64))
     }
 
-    /// Leaves the events since the last call as numbers, four each: the kind, the object, the kind of its partner, the partner.
-    /// Kinds: touch begins 0 or ends 1, joint 2 or spring 3 broke, body not finite 4; of partners: geom 0, platform 1, ground
-    /// 2.
+    /// Leaves the events since the last call as numbers, nine each: the kind, the object, the kind of its partner, the partner,
+    /// and of a hit point, normal and speed. Kinds of events: touch begins 0 or ends 1, joint 2 or spring 3 broke, body not
+    /// finite 4, sensor begins 5 or ends 6, hit 7, body slept 8 or woke 9. Kinds of partners: geom 0, platform 1, ground 2.
     fn simulator_drain_events(simulator: Simulator) {
         simulator.with(|world| {
-            let rows: Vec<[f64; 4]> = world.log.drain().map(row).collect::<Result<_, _>>()?;
+            let rows: Vec<[f64; 9]> = world.log.drain().map(row).collect::<Result<_, _>>()?;
             Ok(leave_numbers(rows.into_iter().flatten()))
         })
     }
@@ -99,14 +99,25 @@ exports! {
     }
 }
 
-fn row(happening: Happening) -> Outcome<[f64; 4]> {
-    Ok(match happening {
+fn row(happening: Happening) -> Outcome<[f64; 9]> {
+    let mut row = [0.0; 9];
+    let first = match happening {
         Happening::TouchBegin(geom, partner) => touch(0.0, geom.number()?, partner)?,
         Happening::TouchEnd(geom, partner) => touch(1.0, geom.number()?, partner)?,
         Happening::JointBroke(joint) => [2.0, joint.number()?, 0.0, 0.0],
         Happening::SpringBroke(spring) => [3.0, spring.number()?, 0.0, 0.0],
         Happening::NotFinite(body) => [4.0, body.number()?, 0.0, 0.0],
-    })
+        Happening::SensorBegin(sensor, visitor) => [5.0, sensor.number()?, 0.0, visitor.number()?],
+        Happening::SensorEnd(sensor, visitor) => [6.0, sensor.number()?, 0.0, visitor.number()?],
+        Happening::Hit(Hit { geom1, geom2, point, normal, speed }) => {
+            row[4..].copy_from_slice(&[point.x, point.y, normal.x, normal.y, speed].map(f64::from));
+            [7.0, geom1.number()?, 0.0, geom2.number()?]
+        }
+        Happening::BodySlept(body) => [8.0, body.number()?, 0.0, 0.0],
+        Happening::BodyWoke(body) => [9.0, body.number()?, 0.0, 0.0],
+    };
+    row[..4].copy_from_slice(&first);
+    Ok(row)
 }
 
 fn touch(kind: f64, geom: f64, partner: Partner) -> Outcome<[f64; 4]> {

@@ -2,6 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
+use super::save::{PairStream, saved_with};
 use super::{EditPolicy, Saved};
 use crate::body::{Body, BodyId};
 use crate::math::Vector2;
@@ -12,7 +13,11 @@ use farseer_precise::depth::state::DepthState;
 
 impl Serialize for Precise {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.save().serialize(serializer)
+        match &self.loaded {
+            Some(loaded) => loaded.serialize(serializer),
+            None => saved_with(self, |saved_indices| PairStream { precise: self, saved_indices })
+                .serialize(serializer),
+        }
     }
 }
 

@@ -7,11 +7,13 @@
 //! |---|---|
 //! | `save` | writes the state to [`Saved`] |
 //! | `check` | validates a loaded [`Saved`] |
+//! | `records` | the parts of [`Saved`] of which there are many, as words |
 //! | `load` | serialises the engine, and lists everything anew from a loaded [`Saved`] |
 //! | `restore` | applies a [`Saved`] to rebuilt lists |
 
 mod check;
 mod load;
+mod records;
 mod restore;
 mod save;
 
@@ -33,9 +35,9 @@ use farseer_precise::narrow_phase::{TouchEvent, TouchKind};
 use farseer_precise::scaled_parameters::Parameters;
 use farseer_precise::surface::FrictionType;
 
-/// Saved state of the precise set.
+/// Saved state of the precise set. `Pairs`: the pairs, as a list or as an iterator that only a serializer reads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Saved {
+pub(crate) struct Saved<Pairs = Vec<SavedPair>> {
     tuning: Parameters,
     /// Length of the substep in which the saved contact impulses act, seconds.
     #[serde(rename = "h")]
@@ -49,7 +51,7 @@ pub(crate) struct Saved {
     most_contacts: u32,
     proxies: IndexedVec<SavedProxyIndex, SavedProxy>,
     /// All pairs: first the awake pairs, then the pairs of sleeping bodies.
-    pairs: Vec<SavedPair>,
+    pairs: Pairs,
     /// Number of awake pairs, which come first in `pairs`.
     #[serde(rename = "awake")]
     awake_pair_count: u32,
@@ -88,6 +90,7 @@ pub(crate) struct Saved {
 
 /// Saved form of a sleeping body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(remote = "Self")]
 struct SavedSleepingBody {
     /// Id of the body, or the id that stands for a hinged box.
     body: BodyId,
@@ -111,6 +114,7 @@ struct SavedSleepingBody {
 
 /// Saved form of a proxy of the broad phase.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(remote = "Self")]
 struct SavedProxy {
     geom: GeomId,
     /// Creation number of the geom, which is known even if the geom has been removed when the proxy is restored.
@@ -138,7 +142,7 @@ struct SavedProxy {
 
 /// Properties of a proxy and its body at the last import. If one of them differs from the current property, it was edited
 /// since.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct ImportedState {
     /// Pose of the body in the world frame: x, y (length units), rotation (radians), z (length units).
     #[serde(rename = "place")]
@@ -196,7 +200,7 @@ farseer_precise::index_type! {
 
 /// Saved form of a pair of proxies.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct SavedPair {
+pub(crate) struct SavedPair {
     /// Indices of both proxies.
     proxies: [SavedProxyIndex; 2],
     /// Sum of the travels of both proxies at the last update of the pair, in 2^-26 length units, wrapping.
@@ -226,7 +230,8 @@ struct SavedPair {
 
 /// Contact points as the narrow phase found them, for contact recycling: see
 /// [`CachedManifold`](farseer_precise::broad_phase::pairs::CachedManifold).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(remote = "Self")]
 struct SavedManifold {
     /// Cosine and sine of the rotation of A, then of B, when the manifold was computed. Dimensionless.
     #[serde(rename = "turns")]

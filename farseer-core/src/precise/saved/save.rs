@@ -1,5 +1,8 @@
 //! Writes the state of the precise set to [`Saved`].
 
+use serde::ser::SerializeSeq;
+use serde::{Serialize, Serializer};
+
 use super::{
     ImportedState, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex, SavedSleeperIndex,
     SavedSleepingBody, SavedTouchEvent,
@@ -21,38 +24,9 @@ use farseer_precise::narrow_phase::TouchEvent;
 impl Precise {
     /// Returns the state to save: the current state or, between loading and the next rebuild, the loaded one.
     pub(in crate::precise) fn save(&self) -> Saved {
-        let solver = &self.solver;
-        if let Some(loaded) = &self.loaded {
-            return loaded.clone();
-        }
-        let order = saved_proxy_order(&solver.proxies);
-        let mut saved_indices =
-            IndexedVec::of_copies(SavedProxyIndex::default(), solver.proxies.position_count());
-        (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = SavedProxyIndex(index));
-        let [substep, dt] = solver.step_lengths();
-        Saved {
-            tuning: solver.parameters,
-            substep,
-            dt,
-            has_handled: solver.has_handler_changes,
-            friction: solver.friction,
-            most_contacts: solver.max_contacts,
-            proxies: save_proxies(&solver.proxies, solver.depth.as_deref(), &order, |at| {
-                self.imported_state_of(at)
-            }),
-            pairs: solver.pairs.indices().map(|pair| self.save_pair(pair, &saved_indices)).collect(),
-            awake_pair_count: solver.pairs.awake_count() as u32,
-            gravity: solver.sleep.gravity,
-            rest_times: self.save_rest_times().collect(),
-            sleeping_bodies: self.save_sleeping_bodies(),
-            joints: self.sleeping_joints.clone(),
-            solver_history: self.save_solver_history().collect(),
-            reselection_timer: solver.direct_solver.timer,
-            is_in_space: solver.depth.is_some(),
-            delta_poses: self.save_delta_poses().collect(),
-            woken: self.edits.wake_requests.clone(),
-            wake_requests: wake_requests(&self.ids, &solver.sleep).collect(),
-            touch_events: self.save_touch_events(),
+        match &self.loaded {
+            Some(loaded) => loaded.clone(),
+            None => saved_with(self, |saved_indices| saved_pairs(self, &saved_indices).collect()),
         }
     }
 
@@ -180,6 +154,67 @@ impl Precise {
                 .constraint
                 .map(|handle| SavedConstraint::of(&self.solver.constraints, &state, handle, manifold.count)),
         }
+    }
+}
+
+/// Returns the current state. `pairs` makes the saved pairs from the index of each proxy into `Saved::proxies`.
+pub(super) fn saved_with<Pairs>(
+    precise: &Precise,
+    pairs: impl FnOnce(IndexedVec<ProxyIndex, SavedProxyIndex>) -> Pairs,
+) -> Saved<Pairs> {
+    let solver = &precise.solver;
+    let order = saved_proxy_order(&solver.proxies);
+    let mut saved_indices =
+        IndexedVec::of_copies(SavedProxyIndex::default(), solver.proxies.position_count());
+    (0..).zip(&order).for_each(|(index, &at)| saved_indices[at] = SavedProxyIndex(index));
+    let [substep, dt] = solver.step_lengths();
+    Saved {
+        tuning: solver.parameters,
+        substep,
+        dt,
+        has_handled: solver.has_handler_changes,
+        friction: solver.friction,
+        most_contacts: solver.max_contacts,
+        proxies: save_proxies(&solver.proxies, solver.depth.as_deref(), &order, |at| {
+            precise.imported_state_of(at)
+        }),
+        pairs: pairs(saved_indices),
+        awake_pair_count: solver.pairs.awake_count() as u32,
+        gravity: solver.sleep.gravity,
+        rest_times: precise.save_rest_times().collect(),
+        sleeping_bodies: precise.save_sleeping_bodies(),
+        joints: precise.sleeping_joints.clone(),
+        solver_history: precise.save_solver_history().collect(),
+        reselection_timer: solver.direct_solver.timer,
+        is_in_space: solver.depth.is_some(),
+        delta_poses: precise.save_delta_poses().collect(),
+        woken: precise.edits.wake_requests.clone(),
+        wake_requests: wake_requests(&precise.ids, &solver.sleep).collect(),
+        touch_events: precise.save_touch_events(),
+    }
+}
+
+/// Iterates over the saved forms of all pairs. `saved_indices`: index of each proxy into `Saved::proxies`.
+fn saved_pairs<'a>(
+    precise: &'a Precise,
+    saved_indices: &'a IndexedVec<ProxyIndex, SavedProxyIndex>,
+) -> impl Iterator<Item = SavedPair> + 'a {
+    precise.solver.pairs.indices().map(|pair| precise.save_pair(pair, saved_indices))
+}
+
+/// All pairs, to be serialised one by one: a list of their saved forms would be the greatest part of the memory that a
+/// snapshot needs.
+pub(super) struct PairStream<'a> {
+    pub(super) precise: &'a Precise,
+    /// Index of each proxy into `Saved::proxies`.
+    pub(super) saved_indices: IndexedVec<ProxyIndex, SavedProxyIndex>,
+}
+
+impl Serialize for PairStream<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut pairs = serializer.serialize_seq(Some(self.precise.solver.pairs.indices().count()))?;
+        saved_pairs(self.precise, &self.saved_indices).try_for_each(|pair| pairs.serialize_element(&pair))?;
+        pairs.end()
     }
 }
 
