@@ -6,7 +6,7 @@ use crate::body::missing_body::{check_bodies, missing_body_id};
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
 #[cfg(feature = "precise")]
-use crate::geom::GeomId;
+use crate::geom::{GeomId, filter::are_separated};
 use crate::joints::{
     Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorAndLimits, MotorJoint,
     PoseServo,
@@ -192,7 +192,7 @@ impl Objects {
     pub(crate) fn are_separated_geoms(&self, (one, other): (GeomId, GeomId)) -> bool {
         let bodies = [one, other].map(|geom| self.geoms.get(geom).map(|entry| entry.body));
         let [Some(one), Some(other)] = bodies else { return false };
-        self.separated_bodies.binary_search(&(one.min(other), one.max(other))).is_ok()
+        are_separated(&self.separated_bodies, one, other)
     }
 
     /// Moves the anchor of a revolute, fixed revolute, weld, prismatic or wheel joint to a point of the world, for the bodies'

@@ -313,7 +313,11 @@ impl<'a> JointImport<'a> {
         let enabled = all.filter(|(_, joint)| joint.enabled());
         table.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
         let active = enabled.filter_map(|(id, joint)| {
-            let constraint = self.active_constraint(joint)?;
+            let mut constraint = self.active_constraint(joint)?;
+            if constraint.locked == LockedDofs::Unlocked {
+                // Servos read the anchors of such a joint in each step, since a game may move them without a new import.
+                constraint.clear_arms();
+            }
             table.ids.push(JointIds { joint: id, bodies: joint.constraint_spec().bodies });
             Some(constraint)
         });

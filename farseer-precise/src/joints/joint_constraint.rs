@@ -223,6 +223,13 @@ impl JointConstraint {
         self.axis = rotate([cosine, sine], self.local_axis);
     }
 
+    /// Moves both anchors to the centres of mass of their bodies.
+    pub fn clear_arms(&mut self) {
+        for anchor in &mut self.anchors {
+            (anchor.local_anchor, anchor.arm) = ([0.0; 2], [0.0; 2]);
+        }
+    }
+
     /// Returns whether the joint yields to a force.
     pub(super) fn is_compliant(&self) -> bool {
         self.softness > 0.0

@@ -310,6 +310,29 @@ fn restored_wheels_springs_and_motor_joints_go_on_with_the_same_bits() {
 }
 
 #[test]
+fn a_target_far_away_of_a_motor_joint_without_force_moves_no_body_before_or_after_a_restore() {
+    for choice in SOLVERS {
+        let (mut simulator, body, joint) =
+            held(choice, 0.0, PoseServo { frequency: 0.0, ..PoseServo::default() });
+        let at = simulator[body].position();
+        for target in [0.0, 1e30, f32::MAX] {
+            simulator.set_motor_joint_target(joint, v(target, 0.0), 0.0).unwrap();
+            let mut copy = precise(0.0);
+            copy.restore(&simulator.snapshot()).unwrap();
+            for _ in 0..3 {
+                simulator.update(1.0 / 60.0);
+                copy.update(1.0 / 60.0);
+                assert!(copy.snapshot() == simulator.snapshot(), "{choice:?}, {target}");
+                assert!(
+                    simulator[body].enabled() && simulator[body].position() == at,
+                    "{choice:?}, {target}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn bad_arguments_are_refused_by_name() {
     let Car { mut simulator, chassis, wheels: [wheel, _], axles } = car(SolverChoice::Auto, 4.0);
     let origin = v(0.0, 0.0);
