@@ -269,7 +269,7 @@ impl Objects {
     }
 
     /// Sets the servo of a revolute, fixed revolute, prismatic, wheel or angle spring joint, or removes it. It takes effect with the next update,
-    /// and wakes the bodies. Its target is relative to the reference of the [limits](Self::set_joint_limits), and compared with
+    /// and wakes the bodies if it differs from the present one. Its target is relative to the reference of the [limits](Self::set_joint_limits), and compared with
     /// [`joint_travel`](Self::joint_travel). See [`JointServo`] for an example.
     ///
     /// Force and torque of the servo are part of [`Joint::force`] and [`Joint::torque`], and can break the joint.

@@ -1,4 +1,4 @@
-//! Joints of the precise set with motors, servos and targets, and their edits: for the games of both engines.
+//! Joints of the precise set with motors, servos and targets, their edits, and locks of axes: for the games of both engines.
 
 use farseer_core::math::Vector2;
 use farseer_core::{
@@ -82,6 +82,12 @@ pub(crate) fn create_driven_joint(
 /// Makes a random edit of a joint's drive.
 pub(crate) fn edit_drive(objects: &mut Objects, joint: JointId, random: &mut Random) -> Result<()> {
     random.pick(EDITS)(objects, joint, random)
+}
+
+/// Locks axes of a body at random, or unlocks them.
+pub(crate) fn lock_axes(objects: &mut Objects, body: BodyId, random: &mut Random) -> Result<()> {
+    let axes = [random.chance(35), random.chance(35)];
+    objects.set_axes_locked(body, axes)
 }
 
 /// Returns a point near the middle of two bodies, in world coordinates. Returns a point near the origin for bodies that are gone.

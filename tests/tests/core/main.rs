@@ -73,6 +73,7 @@ mod precise_jointed_islands;
 mod precise_joints;
 mod precise_limit_rows;
 mod precise_loads;
+mod precise_locks;
 mod precise_motion;
 mod precise_movers;
 mod precise_one_way;

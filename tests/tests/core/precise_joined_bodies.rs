@@ -185,6 +185,46 @@ fn a_flag_set_beside_other_edits_before_a_snapshot_acts_in_the_next_update() {
 }
 
 #[test]
+fn a_flag_separates_bodies_that_sleep_and_wakes_them() {
+    let (mut simulator, pair, hinge) = self::pair(SolverChoice::Auto, 300.0);
+    let (floor, _) = add_box(&mut simulator, (400.0, 20.0), v(0.0, 20.0));
+    simulator[floor].set_is_static(true);
+    let weld = JointFactory::create_weld_joint_in(&mut simulator, pair[0].0, pair[1].0, v(5.0, 0.0)).unwrap();
+    run(&mut simulator, 600);
+    assert!(pair.iter().all(|&(body, _)| simulator.is_asleep(body)));
+    assert!(is_touching(&simulator, pair));
+    simulator.set_joint_bodies_collide(hinge, false).unwrap();
+    simulator.update(DT);
+    assert!(!pair.iter().any(|&(body, _)| simulator.is_asleep(body)));
+    assert_eq!(separations(&simulator, pair), 1);
+    assert!(!is_touching(&simulator, pair));
+    run(&mut simulator, 600);
+    assert!(pair.iter().all(|&(body, _)| simulator.is_asleep(body)));
+    simulator.dispose(weld).unwrap();
+    simulator.set_joint_bodies_collide(hinge, true).unwrap();
+    simulator.update(DT);
+    assert!(is_touching(&simulator, pair));
+}
+
+#[test]
+fn the_faithful_methods_forget_which_bodies_were_separated() {
+    let (mut simulator, pair, hinge) = self::pair(SolverChoice::Auto, 0.0);
+    simulator.set_joint_bodies_collide(hinge, false).unwrap();
+    run(&mut simulator, 3);
+    assert!(!is_touching(&simulator, pair));
+    simulator.set_joint_bodies_collide(hinge, true).unwrap();
+    // No update of the precise set has seen that the bodies collide again.
+    simulator.set_methods(farseer_core::Methods::default()).unwrap();
+    run(&mut simulator, 1);
+    simulator.set_methods(farseer_core::Methods::PRECISE).unwrap();
+    run(&mut simulator, 1);
+    assert!(is_touching(&simulator, pair));
+    simulator.set_joint_bodies_collide(hinge, false).unwrap();
+    run(&mut simulator, 1);
+    assert!(!is_touching(&simulator, pair));
+}
+
+#[test]
 fn refused_with_one_body_a_stale_id_or_the_faithful_methods() {
     let (mut simulator, pair, hinge) = self::pair(SolverChoice::Auto, 0.0);
     let pivot = JointFactory::create_fixed_revolute_joint_in(&mut simulator, pair[0].0, v(0.0, 0.0)).unwrap();

@@ -5,7 +5,7 @@ use farseer_core::{BodyId, JointFactory, JointId, Methods, PhysicsSimulator, Res
 
 use super::{any_call, mass, rest};
 use crate::around::GameWrapper;
-use crate::drives::{create_driven_joint, edit_drive};
+use crate::drives::{create_driven_joint, edit_drive, lock_axes};
 use crate::engine::Engine;
 use crate::game::{Call, Game, Outcome};
 use crate::plane::OneWayPlane;
@@ -143,6 +143,12 @@ const SETTINGS: &[fn(&mut PhysicsSimulator, &mut Random)] = &[
     |simulator, random| {
         let methods = if random.chance(30) { Methods::default() } else { Methods::PRECISE };
         simulator.set_methods(methods).ok();
+    },
+    |simulator, random| {
+        let all: Vec<BodyId> = simulator.bodies().collect();
+        if !all.is_empty() {
+            lock_axes(simulator, random.pick(&all), random).ok();
+        }
     },
     |simulator, random| simulator.set_gravity(random.vector(200.0)).unwrap_or_default(),
     |simulator, random| simulator.set_iterations(1 + random.below(8) as i32),

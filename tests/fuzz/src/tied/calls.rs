@@ -7,7 +7,7 @@ use twohalf_factories::{Rope, RopeEnd, spawn_rope};
 use super::Tied;
 use super::links::{JOINTS, Make, SPRINGS};
 use crate::depth::Depth;
-use crate::drives::{create_driven_joint, edit_drive};
+use crate::drives::{create_driven_joint, edit_drive, lock_axes};
 use crate::game::{Call, Game, Outcome, draw};
 use crate::plane::{JOINT_EDITS, SPRING_EDITS};
 use crate::random::Random;
@@ -53,6 +53,11 @@ pub(super) const CALLS: &[Call<Tied>] = &[
         let (simulator, random) = game.depth.parts();
         simulator.edit_objects(|objects| drop(edit_drive(objects, joint, random)));
         Outcome::Changed
+    }),
+    call("lock axes", 1, |game| {
+        let body = game.depth.body();
+        let (simulator, random) = game.depth.parts();
+        Outcome::of(simulator.edit_objects(|objects| lock_axes(objects, body, random)))
     }),
     call("edit a spring", 1, |game| {
         let Some(spring) = pick(&game.springs, game.depth.random()) else { return Outcome::Queried };
