@@ -108,6 +108,8 @@ impl Methods {
             JointKind::Wheel(_) => self.only_precise("wheel joints"),
             JointKind::AngleSpring(_) => self.only_precise("angle spring joints"),
             JointKind::Motor(_) => self.only_precise("motor joints"),
+            JointKind::Gear(_) => self.only_precise("gear joints"),
+            JointKind::Pulley(_) => self.only_precise("pulley joints"),
             _ => self.check_driven(joint),
         }
     }

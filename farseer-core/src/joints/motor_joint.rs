@@ -17,7 +17,7 @@ use crate::math::scalar::nearest_finite;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PoseServo {
     /// Frequency of the free oscillation about the pose, Hz, 0 or more. Stiffness and damping follow from it and from the
-    /// masses of the two bodies, as for centres on each other: with an offset from a light first body, which turns too, the
+    /// masses of the two bodies, as for centres on each other. With an offset from a light first body, which turns too, the
     /// oscillation is faster. 0 is friction, which seeks no pose. Default 4.
     pub frequency: f32,
     /// Damping ratio, 0 or more; 1 is critical damping. Without a frequency any ratio above 0 is dry friction, and 0 no force.
@@ -37,8 +37,8 @@ impl Default for PoseServo {
 
 impl PoseServo {
     /// Dry friction between two bodies: it stops their relative motion with at most these forces and torques, and seeks no pose.
-    /// For things that slide on the floor of a game that is seen from above: with the normal force m g the greatest force is μ m g,
-    /// with the coefficient μ, and the greatest torque of a disk of radius r is ⅔ μ m g r.
+    /// For things that slide on the floor of a game that is seen from above. With the coefficient μ the greatest force is μ m g. The
+    /// greatest torque of a disk of radius r is ⅔ μ m g r.
     ///
     /// ```
     /// use farseer_core::{BodyFactory, JointFactory, Methods, PhysicsSimulator, PoseServo, math::Vector2};

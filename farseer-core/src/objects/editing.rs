@@ -192,8 +192,9 @@ impl Objects {
         Ok(())
     }
 
-    /// Locks the x or the y coordinate of a body, or both, or unlocks them: a locked coordinate keeps its bits, whatever acts on
-    /// the body, as with infinite mass along that axis of the world. Velocities and forces along a locked axis end with the next
+    /// Locks the x or the y coordinate of a body, or both, or unlocks them. A locked coordinate keeps its bits, whatever acts on the
+    /// body, as with infinite mass along that axis of the world. In the [iterative solver](crate::guide::solvers) an oblique impact
+    /// may be stronger than with infinite mass, by a tenth. Velocities and forces along a locked axis end with the next
     /// update; [`set_position`](crate::Body::set_position) still moves the body. A change wakes it. Kinematic bodies move as
     /// before. For rotation there is [`set_rotation_locked`](crate::Body::set_rotation_locked).
     ///

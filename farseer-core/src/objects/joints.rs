@@ -416,7 +416,7 @@ impl Objects {
     }
 
     /// A joint with its bodies; the same body twice if it has one.
-    fn joint_and_bodies(&mut self, joint: JointId) -> Result<(&mut Joint, &Body, &Body)> {
+    pub(crate) fn joint_and_bodies(&mut self, joint: JointId) -> Result<(&mut Joint, &Body, &Body)> {
         self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
         check_bodies("joint", joint.body1(), joint.body2())?;

@@ -20,8 +20,8 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id. [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies.
-    /// [`Error::NotSupported`](crate::Error::NotSupported) under the faithful methods for a body with locked axes, a chain, a
-    /// one-way geom, a prismatic, wheel, angle spring or motor joint, a joint whose bodies do not collide, or a motor, servo or
+    /// [`Error::NotSupported`](crate::Error::NotSupported) under the faithful methods: a body with locked axes, a chain, a one-way
+    /// geom. Of joints: a prismatic, wheel, angle spring, motor, gear or pulley joint; bodies that do not collide; a motor, servo or
     /// limits of a revolute joint.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {

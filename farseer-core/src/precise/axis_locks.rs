@@ -1,10 +1,9 @@
 //! Adapter: bodies that keep their x or y coordinate.
 //!
 //! A lock is infinite mass along an axis of the world. In the solvers it is a joint to the world that keeps one coordinate, or both:
-//! rows beside those of contacts and joints. Velocity and forces along a locked axis are 0 when a step begins. What rounding and
-//! position corrections leave along the axis is removed when it ends, so that a locked coordinate keeps its bits.
+//! rows beside those of contacts and joints. Velocity and forces along a locked axis are 0 when a step begins. The step's end
+//! removes the remainders of rounding and position corrections along the axis, so that a locked coordinate keeps its bits.
 
-use super::Precise;
 use super::ids::IdTable;
 use crate::body::{Body, BodyId};
 use crate::objects::Objects;
@@ -69,6 +68,24 @@ impl AxisLocks {
             }
         }
     }
+
+    /// Removes velocities and forces along locked axes, when a step begins.
+    pub(super) fn stop(&self, ids: &IdTable, solver: &mut Solver) {
+        self.for_each(ids, solver, |Solver { bodies, .. }, index, axis| {
+            bodies.states[index].velocity[axis] = 0.0;
+            bodies.initial_velocity[index][axis] = 0.0;
+            bodies.force_delta[index][axis] = 0.0;
+            bodies.force_position_delta[index][axis] = 0.0;
+        });
+    }
+
+    /// Removes velocities and displacements along locked axes, when a step ends.
+    pub(super) fn hold(&self, ids: &IdTable, solver: &mut Solver) {
+        self.for_each(ids, solver, |Solver { bodies, .. }, index, axis| {
+            bodies.states[index].velocity[axis] = 0.0;
+            bodies.delta_pose[index][axis] = 0.0;
+        });
+    }
 }
 
 /// Returns the joint to the world that keeps the locked `axes` of the body with this anchor at its centre of mass, at the present
@@ -85,29 +102,10 @@ pub(super) fn lock_constraint(body: JointAnchor, axes: [bool; 2]) -> JointConstr
     JointConstraint { axis, local_axis: axis, is_axis_lock: true, ..joint }
 }
 
-/// Moves the anchor on the world to the present place of the body, and removes the force of the last step: a lock has neither
-/// errors nor a warm start, so that a restored simulator continues with the same bits.
+/// Moves the anchor on the world to the present place of the body, and removes the force of the last step.
+///
+/// So a lock has neither errors nor a warm start, and a restored simulator continues with the same bits.
 pub(super) fn begin_lock(constraint: &mut JointConstraint) {
     constraint.anchors[0].arm = constraint.anchors[1].position;
     constraint.force = [0.0; 3];
-}
-
-impl Precise {
-    /// Removes velocities and forces along locked axes, when a step begins.
-    pub(super) fn stop_locked_axes(&mut self) {
-        self.axis_locks.for_each(&self.ids, &mut self.solver, |Solver { bodies, .. }, index, axis| {
-            bodies.states[index].velocity[axis] = 0.0;
-            bodies.initial_velocity[index][axis] = 0.0;
-            bodies.force_delta[index][axis] = 0.0;
-            bodies.force_position_delta[index][axis] = 0.0;
-        });
-    }
-
-    /// Removes velocities and displacements along locked axes, when a step ends.
-    pub(super) fn hold_locked_axes(&mut self) {
-        self.axis_locks.for_each(&self.ids, &mut self.solver, |Solver { bodies, .. }, index, axis| {
-            bodies.states[index].velocity[axis] = 0.0;
-            bodies.delta_pose[index][axis] = 0.0;
-        });
-    }
 }

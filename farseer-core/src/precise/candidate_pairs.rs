@@ -18,17 +18,6 @@ impl Precise {
         self.geoms_of_proxies(self.solver.new_pairs[at])
     }
 
-    /// Returns whether the search of pairs has tested all filters of the candidate pair `at`, an index into `new_pairs`, and no
-    /// joint keeps its bodies from colliding. `separated` are the pairs of bodies that joints keep from it, sorted.
-    pub(crate) fn has_plain_filters(&self, at: usize, separated: &[BodyPair]) -> bool {
-        let (pair, proxies) = (self.solver.new_pairs[at], &self.solver.proxies);
-        let are_apart = || {
-            let [one, other] = pair.map(|proxy| self.ids.bodies[proxies.body_of(proxy)]);
-            one.zip(other).is_some_and(|(one, other)| are_separated(separated, one, other))
-        };
-        proxies.have_plain_filters(pair) && (separated.is_empty() || !are_apart())
-    }
-
     /// Adds the candidate pair `at`, an index into `new_pairs`, to the pairs. Sensor pairs without a body that can move go to
     /// the sleeping pairs.
     pub(crate) fn add_candidate_pair(&mut self, at: usize) {
@@ -61,4 +50,15 @@ impl Precise {
             (geom_of(b), geom_of(a))
         }
     }
+}
+
+/// Returns whether the search of pairs has tested all filters of the candidate pair `at`, an index into `new_pairs`, and no joint
+/// keeps its bodies from colliding. `separated` are the pairs of bodies that joints keep from it, sorted.
+pub(crate) fn has_plain_filters(precise: &Precise, at: usize, separated: &[BodyPair]) -> bool {
+    let (pair, proxies) = (precise.solver.new_pairs[at], &precise.solver.proxies);
+    let are_apart = || {
+        let [one, other] = pair.map(|proxy| precise.ids.bodies[proxies.body_of(proxy)]);
+        one.zip(other).is_some_and(|(one, other)| are_separated(separated, one, other))
+    };
+    proxies.have_plain_filters(pair) && (separated.is_empty() || !are_apart())
 }

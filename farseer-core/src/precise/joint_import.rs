@@ -257,11 +257,15 @@ impl<'a> JointImport<'a> {
             ConstraintSpecKind::Line => LockedDofs::Line,
             ConstraintSpecKind::PointOnLine => LockedDofs::PointOnLine,
             ConstraintSpecKind::Nothing => LockedDofs::Unlocked,
+            ConstraintSpecKind::Gear => LockedDofs::Gear,
+            ConstraintSpecKind::Pulley => LockedDofs::Pulley,
         };
         let can_be_soft = matches!(locked, LockedDofs::Point | LockedDofs::Distance);
         let softness = if can_be_soft { f64::from(joint.softness()) } else { 0.0 };
         let mut constraint = JointConstraint {
             local_axis: to_vec2(spec.axis),
+            ratio: spec.ratio.into(),
+            pulleys: spec.pulleys.map(to_vec2),
             drive: spec.drive.as_ref().map(joint_drive),
             range: spec.range.map(f64::from),
             slop: f64::from(spec.slop).max(0.0),
@@ -277,12 +281,16 @@ impl<'a> JointImport<'a> {
         Some(constraint)
     }
 
-    /// Sets the angle of the second body minus that of the first (radians) and the world axis of a prismatic joint from the
+    /// Sets the angle of the second body minus that of the first times the ratio (radians) and the world axis of a prismatic joint from the
     /// poses of its `bodies`.
     fn read_pose(self, bodies: (Option<BodyId>, BodyId), constraint: &mut JointConstraint) {
         let rotation_of =
             |id: BodyId| self.objects.get(id).map_or(0.0, |entry| f64::from(entry.body.total_rotation()));
-        if constraint.has_angle() {
+        if constraint.locked == LockedDofs::Gear {
+            let unwrapped =
+                |id: BodyId| self.objects.get(id).map_or(0.0, |entry| entry.body.unwrapped_rotation());
+            constraint.angle = unwrapped(bodies.1) - constraint.ratio * bodies.0.map_or(0.0, unwrapped);
+        } else if constraint.has_angle() {
             constraint.angle = rotation_of(bodies.1) - bodies.0.map_or(0.0, rotation_of);
         }
         if constraint.locked.has_axis()

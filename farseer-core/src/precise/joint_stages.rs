@@ -42,7 +42,7 @@ impl Precise {
     /// Fourth stage of a step: moves the joint constraints to the poses of this step, prepares their solvers, and builds the
     /// springs that are rows. Imports the joints first if one was edited.
     pub(crate) fn import_joints(&mut self, objects: &Objects, step: &StepContext) {
-        self.stop_locked_axes();
+        self.axis_locks.stop(&self.ids, &mut self.solver);
         let Precise {
             solver: Solver { joints, springs, bodies, sleep, depth, .. },
             joint_table,

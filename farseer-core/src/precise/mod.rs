@@ -22,7 +22,7 @@ mod add_remove;
 mod axis_locks;
 mod body_import;
 mod body_io;
-mod candidate_pairs;
+pub(crate) mod candidate_pairs;
 mod changed_kinds;
 pub(crate) mod contact_events;
 mod contact_points;

@@ -7,6 +7,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair};
 use crate::geom::sensor_pairs::may_keep_touching;
 use crate::objects::Objects;
+use crate::precise::candidate_pairs::has_plain_filters;
 use crate::precise::contact_events::TouchChange;
 use crate::precise::separated_bodies::separate_joined_bodies;
 use crate::precise::skip_step::StepSettings;
@@ -237,7 +238,7 @@ impl PhysicsSimulator {
         let trusts_proxies = handler.get().is_none() && !is_in_space && !has_edits;
         for at in 0..found {
             let PhysicsSimulator { objects, pipeline, .. } = &mut *self;
-            let is_plain = |precise: &Precise| precise.has_plain_filters(at, &objects.separated_bodies);
+            let is_plain = |precise: &Precise| has_plain_filters(precise, at, &objects.separated_bodies);
             if trusts_proxies && pipeline.precise.as_deref().is_some_and(is_plain) {
                 debug_assert!(self.may_be_new_pair(at), "the proxies show what geoms and bodies allow");
                 self.precise_engine().add_candidate_pair(at);

@@ -2,7 +2,8 @@
 
 use farseer_core::math::Vector2;
 use farseer_core::{
-    BodyId, JointFactory, JointId, JointLimits, JointMotor, JointServo, Objects, PoseServo, Result,
+    BodyId, JointFactory, JointId, JointLimits, JointMotor, JointServo, Objects, PoseServo, PulleyJoint,
+    Result,
 };
 
 use crate::random::Random;
@@ -24,6 +25,15 @@ const DRIVEN_JOINTS: &[Make] = &[
     |objects, [a, b], random| {
         let servo = pose_servo(random);
         JointFactory::create_motor_joint(objects, a, b, servo).map(Into::into)
+    },
+    |objects, [a, b], random| {
+        let ratio = random.number(-3.0, 3.0);
+        JointFactory::create_gear_joint(objects, a, b, ratio).map(Into::into)
+    },
+    |objects, [a, b], random| {
+        let ends = [(a, random.vector(10.0)), (b, random.vector(10.0))];
+        let (pulleys, ratio) = ([random.vector(100.0), random.vector(100.0)], random.number(0.1, 3.0));
+        JointFactory::create_pulley_joint(objects, ends, pulleys, ratio).map(Into::into)
     },
     |objects, [a, b], random| {
         let (anchor, axis) = (near_middle(objects, [a, b], random), random.vector(1.0));
@@ -66,6 +76,14 @@ const EDITS: &[Edit] = &[
     },
     |objects, joint, random| objects.set_motor_joint_servo(joint, pose_servo(random)),
     |objects, joint, random| objects.set_joint_axis(joint, random.vector(1.0)),
+    |objects, joint, random| objects.set_gear_ratio(joint, random.number(-3.0, 3.0)),
+    |objects, joint, random| {
+        objects.joint_as_mut::<PulleyJoint>(joint)?.set_length(random.number(0.0, 300.0))
+    },
+    |objects, joint, random| {
+        let pulleys = [random.vector(100.0), random.vector(100.0)];
+        objects.joint_as_mut::<PulleyJoint>(joint)?.set_pulleys(pulleys)
+    },
 ];
 
 /// Makes a joint with drives between two bodies, and edits it up to twice.

@@ -60,6 +60,7 @@ mod precise_edits;
 mod precise_events;
 mod precise_fast;
 mod precise_flush;
+mod precise_gears;
 mod precise_hanging_chains;
 mod precise_held_overlaps;
 mod precise_houses;
