@@ -59,7 +59,7 @@ impl SoftCoupling {
         let is_listed = |pose: BodyIndex| pose.position() < bodies.states.len();
         let max_error = match constraint.locked {
             LockedDofs::Gear => SOFT_ROW_ANGLE_ERROR,
-            _ => f64::from(JOINT_CORRECTION_SPEED) * length_unit / RowSoftness::soft(h).bias_rate,
+            _ => JOINT_CORRECTION_SPEED * length_unit / RowSoftness::soft(h).bias_rate,
         };
         let mut coupling = SoftCoupling {
             joint,
