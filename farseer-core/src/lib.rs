@@ -586,8 +586,8 @@ pub use geom::view::GeomRef;
 pub use geom::{Geom, GeomId};
 pub use joints::{
     AngleJoint, AngleLimitJoint, AngleSpringJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint,
-    Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorJoint, PinJoint,
-    PoseServo, PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint, WheelJoint,
+    GearJoint, Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorJoint,
+    PinJoint, PoseServo, PrismaticJoint, PulleyJoint, RevoluteJoint, SliderJoint, WeldJoint, WheelJoint,
 };
 pub use limits::Limits;
 pub use methods::{BroadPhaseCollider, CollisionCategory, Methods, NarrowPhaseCollider, SolverChoice};

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::Body;
 use crate::geom::entry::GeomEntry;
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
@@ -107,6 +108,8 @@ impl Methods {
             JointKind::Wheel(_) => self.only_precise("wheel joints"),
             JointKind::AngleSpring(_) => self.only_precise("angle spring joints"),
             JointKind::Motor(_) => self.only_precise("motor joints"),
+            JointKind::Gear(_) => self.only_precise("gear joints"),
+            JointKind::Pulley(_) => self.only_precise("pulley joints"),
             _ => self.check_driven(joint),
         }
     }
@@ -124,6 +127,11 @@ impl Methods {
             self.only_precise("servos of joints")?;
         }
         if joint.limits().is_some() { self.only_precise("limits of such joints") } else { Ok(()) }
+    }
+
+    /// Refuses a body with locked axes, which the faithful set does not have.
+    pub(crate) fn check_body(self, body: &Body) -> Result<()> {
+        if body.locked_axes().contains(&true) { self.only_precise("locked axes of bodies") } else { Ok(()) }
     }
 
     pub(crate) fn check_chains(self) -> Result<()> {

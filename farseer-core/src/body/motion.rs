@@ -72,6 +72,13 @@ impl Body {
         self.revolutions
     }
 
+    /// Rotation plus 2 pi for every revolution, in radians, without the rounding of [`total_rotation`](Self::total_rotation). Each
+    /// revolution counts by the same number that [`rotation`](Self::rotation) has lost.
+    #[cfg_attr(not(feature = "precise"), allow(dead_code, reason = "gears act with the precise set alone"))]
+    pub(crate) fn unwrapped_rotation(&self) -> f64 {
+        f64::from(self.rotation) + f64::from(self.revolutions) * f64::from(TWO_PI)
+    }
+
     /// Rotation plus 2 pi for every revolution, in radians.
     #[doc(alias = "TotalRotation")]
     pub fn total_rotation(&self) -> f32 {

@@ -31,6 +31,10 @@ impl BodyOptions {
     pub(super) const SLEEP_EVENTS: u8 = 1 << 4;
     /// Bit: rotational drag is proportional to the angular velocity, instead of to its square.
     pub(super) const LINEAR_ROTATIONAL_DRAG: u8 = 1 << 5;
+    /// Bit: the body keeps its x coordinate.
+    pub(super) const X_LOCKED: u8 = 1 << 6;
+    /// Bit: the body keeps its y coordinate.
+    pub(super) const Y_LOCKED: u8 = 1 << 7;
 
     /// Whether an option is on.
     #[inline]
@@ -48,10 +52,5 @@ impl BodyOptions {
     pub(super) fn of_copy(mut self) -> Self {
         self.set(Self::SLEEP_REQUESTED, false);
         self
-    }
-
-    /// Whether all bits are known. False only after loading corrupt data.
-    pub(super) fn is_valid(self) -> bool {
-        self.0 < 1 << 6
     }
 }

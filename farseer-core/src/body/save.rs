@@ -165,7 +165,6 @@ impl<'de> Deserialize<'de> for Body {
             && !(body.is_static && body.is_kinematic)
             && body.target.is_none_or(|target| body.is_kinematic && target.is_finite())
             && body.inverse_mass == inverse(body.mass)
-            && body.options.is_valid()
             && !(body.holds_rotation() && body.angular_velocity != 0.0)
             && body.inverse_moment_of_inertia == inverse_moment_of_inertia
             && body.inverse_mass.is_finite()

@@ -1,4 +1,4 @@
-//! Locked rotation, permission to sleep, events of sleep, linear rotational drag. Ours: the original has none of them.
+//! Locked rotation and axes, permission to sleep, events of sleep, linear rotational drag. Ours: the original has none of them.
 
 use super::Body;
 use super::options::BodyOptions;
@@ -36,6 +36,19 @@ impl Body {
     #[inline]
     pub(super) fn holds_rotation(&self) -> bool {
         self.is_rotation_locked() && !self.is_immovable()
+    }
+
+    /// Whether the body keeps its x coordinate, and whether it keeps its y coordinate, whatever acts on it. Default neither.
+    /// Set by [`set_axes_locked`](crate::Objects::set_axes_locked). Ours, and only with the
+    /// [precise set](crate::Methods::Precise).
+    #[inline]
+    pub fn locked_axes(&self) -> [bool; 2] {
+        [BodyOptions::X_LOCKED, BodyOptions::Y_LOCKED].map(|axis| self.options.has(axis))
+    }
+
+    pub(crate) fn set_locked_axes(&mut self, [x, y]: [bool; 2]) {
+        self.options.set(BodyOptions::X_LOCKED, x);
+        self.options.set(BodyOptions::Y_LOCKED, y);
     }
 
     /// Whether the body may fall asleep. Default true. Ours, and only with the [precise set](crate::Methods::Precise),

@@ -164,6 +164,7 @@ impl Objects {
         body.set_is_kinematic(builder.kind == Kind::Kinematic);
         body.set_is_static(builder.kind == Kind::Fixed);
         body.set_rotation_locked(builder.locks_rotation);
+        body.set_locked_axes(builder.locked_axes);
         body.set_linear_velocity(builder.linear_velocity);
         body.set_angular_velocity(builder.angular_velocity);
         let rejected = body.rejected.take().next();

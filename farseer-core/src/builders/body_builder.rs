@@ -53,6 +53,7 @@ pub struct BodyBuilder {
     pub(super) user_data: u64,
     pub(super) enabled: bool,
     pub(super) locks_rotation: bool,
+    pub(super) locked_axes: [bool; 2],
     pub(super) is_bullet: bool,
     pub(super) sleep_allowed: bool,
     pub(super) starts_asleep: bool,
@@ -76,6 +77,7 @@ impl BodyBuilder {
             user_data: 0,
             enabled: true,
             locks_rotation: false,
+            locked_axes: [false; 2],
             is_bullet: false,
             sleep_allowed: true,
             starts_asleep: false,
@@ -166,6 +168,20 @@ impl BodyBuilder {
         self
     }
 
+    /// [Locks the x coordinate](crate::Objects::set_axes_locked): for lifts, and things that fall straight. Default false. Only
+    /// with the precise set.
+    pub fn lock_x(mut self, locks_x: bool) -> Self {
+        self.locked_axes[0] = locks_x;
+        self
+    }
+
+    /// [Locks the y coordinate](crate::Objects::set_axes_locked): for paddles and sliding doors. Default false. Only with the
+    /// precise set.
+    pub fn lock_y(mut self, locks_y: bool) -> Self {
+        self.locked_axes[1] = locks_y;
+        self
+    }
+
     /// Continuous collision also with dynamic bodies: see [`Body::is_bullet`](crate::Body::is_bullet). Default false. Only with
     /// the precise set.
     pub fn bullet(mut self, is_bullet: bool) -> Self {
@@ -217,6 +233,9 @@ impl BodyBuilder {
         self.moment_of_inertia.map(|inertia| positive("moment_of_inertia", inertia)).transpose()?;
         if self.is_bullet {
             methods.only_precise("bullets")?;
+        }
+        if self.locked_axes.contains(&true) {
+            methods.only_precise("locked axes of bodies")?;
         }
         if self.starts_asleep || !self.sleep_allowed || self.sleep_events == Some(true) {
             methods.only_precise("sleep")?;

@@ -3,8 +3,8 @@
 use crate::body::{Body, BodyId};
 use crate::joints::{
     AngleJoint, AngleLimitJoint, AngleSpringJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint,
-    Joint, JointId, JointType, MotorJoint, PinJoint, PoseServo, PrismaticJoint, RevoluteJoint, SliderJoint,
-    WeldJoint, WheelJoint,
+    GearJoint, Joint, JointId, JointType, MotorJoint, PinJoint, PoseServo, PrismaticJoint, PulleyJoint,
+    RevoluteJoint, SliderJoint, WeldJoint, WheelJoint,
 };
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector};
@@ -283,6 +283,42 @@ impl JointFactory {
         let joint = MotorJoint::new(first, second, servo)?;
         create(simulator, joint)
     }
+
+    /// A gear: the second body turns by `ratio` times the angle by which the first one turns from now on. Only the [precise
+    /// set](crate::Methods::Precise) has such joints.
+    ///
+    /// # Errors
+    /// A stale body; a ratio that is not finite, or 0; the same body twice. Under the faithful methods it cannot be added.
+    #[doc(alias("b2GearJoint"))]
+    pub fn create_gear_joint(
+        simulator: &mut Objects,
+        body1: BodyId,
+        body2: BodyId,
+        ratio: f32,
+    ) -> Result<TypedJointId<GearJoint>> {
+        let (first, second) = (find(simulator, "body1", body1)?, find(simulator, "body2", body2)?);
+        let joint = GearJoint::new(first, second, ratio)?;
+        create(simulator, joint)
+    }
+
+    /// A rope over two pulleys, which are points of the world. It ends at two bodies, each with a point in its coordinates, and
+    /// is as long as now. Only the [precise set](crate::Methods::Precise) has such joints.
+    ///
+    /// # Errors
+    /// A stale body; a point that is not finite; a ratio that is not greater than 0; the same body twice. Under the faithful
+    /// methods it cannot be added.
+    #[doc(alias("b2PulleyJoint"))]
+    pub fn create_pulley_joint(
+        simulator: &mut Objects,
+        ends: [(BodyId, Vector2); 2],
+        pulleys: [Vector2; 2],
+        ratio: f32,
+    ) -> Result<TypedJointId<PulleyJoint>> {
+        let first = find(simulator, "ends[0]", ends[0].0)?;
+        let second = find(simulator, "ends[1]", ends[1].0)?;
+        let joint = PulleyJoint::new([first, second], ends.map(|(_, anchor)| anchor), pulleys, ratio)?;
+        create(simulator, joint)
+    }
 }
 
 /// Methods that also add the joint to the simulator.
@@ -301,6 +337,8 @@ impl JointFactory {
         create_wheel_joint_in = create_wheel_joint(body1: BodyId, body2: BodyId, anchor: Vector2, axis: Vector2, stiffness: f32, damping: f32) -> TypedJointId<WheelJoint>;
         create_angle_spring_joint_in = create_angle_spring_joint(body1: BodyId, body2: BodyId, stiffness: f32, damping: f32) -> TypedJointId<AngleSpringJoint>;
         create_motor_joint_in = create_motor_joint(body1: BodyId, body2: BodyId, servo: PoseServo) -> TypedJointId<MotorJoint>;
+        create_gear_joint_in = create_gear_joint(body1: BodyId, body2: BodyId, ratio: f32) -> TypedJointId<GearJoint>;
+        create_pulley_joint_in = create_pulley_joint(ends: [(BodyId, Vector2); 2], pulleys: [Vector2; 2], ratio: f32) -> TypedJointId<PulleyJoint>;
         create_weld_joint_in = create_weld_joint(body1: BodyId, body2: BodyId, anchor: Vector2) -> JointId;
     }
 }

@@ -74,7 +74,7 @@ pub(crate) struct Filter<'a> {
     pub(crate) geoms: &'a Geoms,
     pub(crate) bodies: &'a Bodies,
     /// Pairs of bodies that joints keep from colliding, sorted, with the smaller id first.
-    pub(crate) separated_bodies: &'a [(BodyId, BodyId)],
+    pub(crate) separated_bodies: &'a [BodyPair],
 }
 
 impl Filter<'_> {
@@ -101,14 +101,16 @@ impl Filter<'_> {
             && !(body_a.body.is_immovable() && body_b.body.is_immovable() && !meets_immovable(a, b))
             && !a.ignores(b.number)
             && !b.ignores(a.number)
-            && !self.are_separated(a.body, b.body)
+            && !are_separated(self.separated_bodies, a.body, b.body)
     }
+}
 
-    /// Whether a joint keeps two bodies from colliding.
-    fn are_separated(&self, a: BodyId, b: BodyId) -> bool {
-        !self.separated_bodies.is_empty()
-            && self.separated_bodies.binary_search(&(a.min(b), a.max(b))).is_ok()
-    }
+/// Two bodies that a joint keeps from colliding, the smaller id first.
+pub(crate) type BodyPair = (BodyId, BodyId);
+
+/// Whether a joint keeps two bodies from colliding; `separated` are all such pairs, sorted.
+pub(crate) fn are_separated(separated: &[BodyPair], a: BodyId, b: BodyId) -> bool {
+    !separated.is_empty() && separated.binary_search(&(a.min(b), a.max(b))).is_ok()
 }
 
 /// Whether an arbiter may stay (behaviour chapter 03, section 4). Collision switched off, ignored geoms and the

@@ -23,6 +23,10 @@ pub(crate) enum ConstraintSpecKind {
     PointOnLine,
     /// No part: servos alone act.
     Nothing,
+    /// The angle, as a multiple of that of the first body.
+    Gear,
+    /// The length of a rope over two pulleys.
+    Pulley,
 }
 
 /// A joint as a constraint.
@@ -43,6 +47,10 @@ pub(crate) struct ConstraintSpec {
     pub(crate) axis: Vector2,
     /// Motor, limits and servo of the free motion.
     pub(crate) drive: Option<MotorAndLimits>,
+    /// Ratio of a gear or pulley; 1 for other kinds.
+    pub(crate) ratio: f32,
+    /// World positions of the pulleys of a pulley joint, in length units.
+    pub(crate) pulleys: [Vector2; 2],
     /// Strength of a motor joint; `None` for other kinds. Its pose is in `anchors` and `range`.
     pub(crate) pose_servo: Option<PoseServo>,
 }
@@ -58,6 +66,8 @@ impl ConstraintSpec {
             most: f32::MAX,
             axis: Vector2::zeros(),
             drive: None,
+            ratio: 1.0,
+            pulleys: [Vector2::zeros(); 2],
             pose_servo: None,
         }
     }
@@ -128,6 +138,18 @@ impl Joint {
                 drive: Some(MotorAndLimits::default()),
                 pose_servo: Some(joint.servo()),
                 ..ConstraintSpec::point(two(joint.body2()), [joint.offset(), Vector2::zeros()])
+            },
+            JointKind::Gear(joint) => ConstraintSpec {
+                keeps: ConstraintSpecKind::Gear,
+                ratio: joint.ratio(),
+                ..ConstraintSpec::angle(two(joint.body2()), [joint.reference; 2])
+            },
+            JointKind::Pulley(joint) => ConstraintSpec {
+                keeps: ConstraintSpecKind::Pulley,
+                range: [joint.length(); 2],
+                ratio: joint.ratio(),
+                pulleys: joint.pulleys(),
+                ..ConstraintSpec::point(two(joint.body2()), joint.anchors())
             },
             JointKind::Revolute(joint) => ConstraintSpec {
                 drive,

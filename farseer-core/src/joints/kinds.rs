@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::joints::{
     AngleJoint, AngleLimitJoint, AngleSpringJoint, FixedAngleJoint, FixedAngleLimitJoint, FixedRevoluteJoint,
-    Joint, MotorJoint, PinJoint, PrismaticJoint, RevoluteJoint, SliderJoint, WeldJoint, WheelJoint,
+    GearJoint, Joint, MotorJoint, PinJoint, PrismaticJoint, PulleyJoint, RevoluteJoint, SliderJoint,
+    WeldJoint, WheelJoint,
 };
 
 mod sealed {
@@ -99,4 +100,8 @@ joint_kinds! {
     Motor: MotorJoint,
     /// A wheel on a sprung axle.
     Wheel: WheelJoint,
+    /// A body whose angle follows that of another.
+    Gear: GearJoint,
+    /// Two bodies on a rope over two pulleys.
+    Pulley: PulleyJoint,
 }

@@ -17,10 +17,11 @@ use crate::math::scalar::nearest_finite;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PoseServo {
     /// Frequency of the free oscillation about the pose, Hz, 0 or more. Stiffness and damping follow from it and from the
-    /// masses of the two bodies, as for centres on each other: with an offset from a light first body, which turns too, the
-    /// oscillation is faster. Default 4.
+    /// masses of the two bodies, as for centres on each other. With an offset from a light first body, which turns too, the
+    /// oscillation is faster. 0 is friction, which seeks no pose. Default 4.
     pub frequency: f32,
-    /// Damping ratio, 0 or more; 1 is critical damping. Default 1.
+    /// Damping ratio, 0 or more; 1 is critical damping. Without a frequency any ratio above 0 is dry friction, and 0 no force.
+    /// Default 1.
     pub damping_ratio: f32,
     /// Greatest force, in mass units · length units/s², 0 or more. Default [`f32::MAX`].
     pub greatest_force: f32,
@@ -35,6 +36,30 @@ impl Default for PoseServo {
 }
 
 impl PoseServo {
+    /// Dry friction between two bodies: it stops their relative motion with at most these forces and torques, and seeks no pose.
+    /// For things that slide on the floor of a game that is seen from above. With the coefficient μ the greatest force is μ m g. The
+    /// greatest torque of a disk of radius r is ⅔ μ m g r.
+    ///
+    /// ```
+    /// use farseer_core::{BodyFactory, JointFactory, Methods, PhysicsSimulator, PoseServo, math::Vector2};
+    /// let mut simulator = PhysicsSimulator::default();
+    /// simulator.set_methods(Methods::PRECISE)?;
+    /// let floor = BodyFactory::create_rectangle_body_in(&mut simulator, 10.0, 10.0, 1.0)?;
+    /// simulator[floor].set_is_static(true);
+    /// let crate_ = BodyFactory::create_rectangle_body_in(&mut simulator, 20.0, 20.0, 2.0)?;
+    /// let friction = PoseServo::friction(2.0 * 100.0, 2000.0);
+    /// JointFactory::create_motor_joint_in(&mut simulator, floor, crate_, friction)?;
+    /// simulator[crate_].set_linear_velocity(Vector2::new(50.0, 0.0));
+    /// (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+    /// // It slid v² / (2 μ g).
+    /// assert!((simulator[crate_].position().x - 12.5).abs() < 0.5);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    #[doc(alias("b2FrictionJoint", "FrictionJoint"))]
+    pub fn friction(greatest_force: f32, greatest_torque: f32) -> Self {
+        PoseServo { frequency: 0.0, damping_ratio: 1.0, greatest_force, greatest_torque }
+    }
+
     fn check(self) -> Result<Self> {
         zero_or_more("frequency", self.frequency)?;
         zero_or_more("damping_ratio", self.damping_ratio)?;
@@ -46,8 +71,7 @@ impl PoseServo {
 
 /// Moves the centre of the second body to an offset from the first one, and turns it to an angle relative to the first one,
 /// with a force and a torque that are bounded. A first body that is static stands for the world. For platforms that a game
-/// steers, and grips that slip. Frequency 0 is no force. Friction of a top-down game sets the target to the present pose before
-/// each update, since the joint is a spring and would pull a pushed body back.
+/// steers, and grips that slip. With [`PoseServo::friction`] it is the friction of a game that is seen from above.
 ///
 /// The joint is a damped spring of a given [frequency](PoseServo::frequency) in implicit rows: it is stable at any frequency
 /// and step. The length of its force is never above [`greatest_force`](PoseServo::greatest_force), nor its torque

@@ -192,6 +192,39 @@ impl Objects {
         Ok(())
     }
 
+    /// Locks the x or the y coordinate of a body, or both, or unlocks them. A locked coordinate keeps its bits, whatever acts on the
+    /// body, as with infinite mass along that axis of the world. In the [iterative solver](crate::guide::solvers) an oblique impact
+    /// may be stronger than with infinite mass, by a tenth. Velocities and forces along a locked axis end with the next
+    /// update; [`set_position`](crate::Body::set_position) still moves the body. A change wakes it. Kinematic bodies move as
+    /// before. For rotation there is [`set_rotation_locked`](crate::Body::set_rotation_locked).
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::precise([50.0, 300.0])?;
+    /// // A lift: gravity along x has no effect on it.
+    /// let (lift, _) = simulator.add_body(BodyBuilder::dynamic(), [GeomBuilder::rectangle(60.0, 10.0)])?;
+    /// simulator.set_axes_locked(lift, [true, false])?;
+    /// (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+    /// assert_eq!(simulator[lift].position().x, 0.0);
+    /// assert!(simulator[lift].position().y > 100.0);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stale id; [`Error::NotSupported`] for a lock under the faithful methods.
+    #[doc(alias("b2MotionLocks", "LockedAxes", "lock_translations", "linearFactor"))]
+    pub fn set_axes_locked(&mut self, body: BodyId, [x, y]: [bool; 2]) -> Result<()> {
+        let entry = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
+        if entry.body.locked_axes() == [x, y] {
+            return Ok(());
+        }
+        if x || y {
+            self.methods.only_precise("locked axes of bodies")?;
+        }
+        self[body].set_locked_axes([x, y]);
+        Ok(())
+    }
+
     /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body dynamic,
     /// whatever it was before, and its collisions with response).
     ///

@@ -6,7 +6,7 @@ use crate::body::missing_body::{check_bodies, missing_body_id};
 use crate::body::{Body, BodyId};
 use crate::error::{Error, Result};
 #[cfg(feature = "precise")]
-use crate::geom::GeomId;
+use crate::geom::{GeomId, filter::are_separated};
 use crate::joints::{
     Joint, JointId, JointKind, JointLimits, JointMotor, JointServo, JointType, MotorAndLimits, MotorJoint,
     PoseServo,
@@ -192,7 +192,7 @@ impl Objects {
     pub(crate) fn are_separated_geoms(&self, (one, other): (GeomId, GeomId)) -> bool {
         let bodies = [one, other].map(|geom| self.geoms.get(geom).map(|entry| entry.body));
         let [Some(one), Some(other)] = bodies else { return false };
-        self.separated_bodies.binary_search(&(one.min(other), one.max(other))).is_ok()
+        are_separated(&self.separated_bodies, one, other)
     }
 
     /// Moves the anchor of a revolute, fixed revolute, weld, prismatic or wheel joint to a point of the world, for the bodies'
@@ -269,7 +269,7 @@ impl Objects {
     }
 
     /// Sets the servo of a revolute, fixed revolute, prismatic, wheel or angle spring joint, or removes it. It takes effect with the next update,
-    /// and wakes the bodies. Its target is relative to the reference of the [limits](Self::set_joint_limits), and compared with
+    /// and wakes the bodies if it differs from the present one. Its target is relative to the reference of the [limits](Self::set_joint_limits), and compared with
     /// [`joint_travel`](Self::joint_travel). See [`JointServo`] for an example.
     ///
     /// Force and torque of the servo are part of [`Joint::force`] and [`Joint::torque`], and can break the joint.
@@ -416,7 +416,7 @@ impl Objects {
     }
 
     /// A joint with its bodies; the same body twice if it has one.
-    fn joint_and_bodies(&mut self, joint: JointId) -> Result<(&mut Joint, &Body, &Body)> {
+    pub(crate) fn joint_and_bodies(&mut self, joint: JointId) -> Result<(&mut Joint, &Body, &Body)> {
         self.has_edited_joints = true;
         let joint = self.joints.find_mut("joint", joint)?;
         check_bodies("joint", joint.body1(), joint.body2())?;

@@ -20,12 +20,16 @@ impl Objects {
     ///
     /// # Errors
     /// A stale id. [`Error::MissingBody`](crate::Error::MissingBody) for a joint or spring without one of its bodies.
-    /// [`Error::NotSupported`](crate::Error::NotSupported) under the faithful methods for a chain, a one-way geom, a
-    /// prismatic joint, a joint whose bodies do not collide, or a motor, servo or limits of a revolute joint.
+    /// [`Error::NotSupported`](crate::Error::NotSupported) under the faithful methods: a body with locked axes, a chain, a one-way
+    /// geom. Of joints: a prismatic, wheel, angle spring, motor, gear or pulley joint; bodies that do not collide; a motor, servo or
+    /// limits of a revolute joint.
     #[doc(alias = "Add")]
     pub fn add(&mut self, object: impl Into<ObjectId>) -> Result<()> {
         match object.into() {
-            ObjectId::Body(body) => self.bodies.add("body", body)?,
+            ObjectId::Body(body) => {
+                self.methods.check_body(&self.bodies.find("body", body)?.body)?;
+                self.bodies.add("body", body)?;
+            }
             ObjectId::Geom(geom) => {
                 self.methods.check_geom(self.geoms.find("geom", geom)?)?;
                 self.geoms.add("geom", geom)?;

@@ -153,6 +153,7 @@ impl Precise {
         self.solver.color_usage.add_body(index, self.solver.bodies.inverse_mass_inertia[index]);
         self.solver.sleep.add_body(index);
         self.sleep_options.note(id, body);
+        self.axis_locks.note(id, body);
         if let Some(space) = &mut self.solver.depth {
             space.add_body(index, id.slot());
             space.import_body(&mut self.solver.bodies, index, id.slot());

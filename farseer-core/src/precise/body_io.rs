@@ -84,6 +84,7 @@ impl Precise {
     /// such bodies is disabled, and impulses that are not finite are cleared.
     pub(crate) fn write_bodies(&mut self, objects: &mut Objects, report: &mut Report) {
         integrate_kinematic(&mut self.solver.bodies, self.solver.dt);
+        self.axis_locks.hold(&self.ids, &mut self.solver);
         let depth = self.solver.depth.as_ref().map(FeatureGate::by_ref);
         if !are_motions_finite(&self.solver.bodies, &self.solver.sleep, depth) {
             self.restore_non_finite_bodies(objects, report);

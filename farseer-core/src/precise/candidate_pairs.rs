@@ -3,6 +3,7 @@
 use super::Precise;
 use super::ids::geom_of;
 use crate::geom::GeomId;
+use crate::geom::filter::{BodyPair, are_separated};
 use farseer_precise::index::{DenseIndex, PairIndex, ProxyIndex};
 
 impl Precise {
@@ -49,4 +50,15 @@ impl Precise {
             (geom_of(b), geom_of(a))
         }
     }
+}
+
+/// Returns whether the search of pairs has tested all filters of the candidate pair `at`, an index into `new_pairs`, and no joint
+/// keeps its bodies from colliding. `separated` are the pairs of bodies that joints keep from it, sorted.
+pub(crate) fn has_plain_filters(precise: &Precise, at: usize, separated: &[BodyPair]) -> bool {
+    let (pair, proxies) = (precise.solver.new_pairs[at], &precise.solver.proxies);
+    let are_apart = || {
+        let [one, other] = pair.map(|proxy| precise.ids.bodies[proxies.body_of(proxy)]);
+        one.zip(other).is_some_and(|(one, other)| are_separated(separated, one, other))
+    };
+    proxies.have_plain_filters(pair) && (separated.is_empty() || !are_apart())
 }

@@ -69,6 +69,10 @@ impl Precise {
             self.solver.bodies.are_bullets[index] = body.is_bullet();
         }
         self.sleep_options.note(id, body);
+        if self.axis_locks.note(id, body) {
+            self.solver.sleep.request_wake(index);
+            self.joint_table.invalidate();
+        }
         if !body.is_sleep_allowed() {
             self.solver.sleep.request_wake(index);
         }
@@ -348,7 +352,10 @@ impl Precise {
         self.edits
             .disabled_bodies
             .extend(movable().filter(|(_, entry)| !entry.body.enabled()).map(|(id, _)| id));
-        integrated().for_each(|(id, entry)| self.sleep_options.note(id, &entry.body));
+        for (id, entry) in integrated() {
+            self.sleep_options.note(id, &entry.body);
+            self.axis_locks.note(id, &entry.body);
+        }
         if let Some(space) = self.solver.depth.as_deref_mut() {
             // A force along the depth axis on a body that a handler has made static is in no snapshot, so it is removed here,
             // too.

@@ -5,6 +5,7 @@
 //! break. The module reads the joints and bodies of the simulator. It writes errors, anchors and forces of the joints, and an
 //! event for each broken joint.
 
+use super::axis_locks::{AxisLocks, begin_lock, lock_constraint};
 use super::ids::IdTable;
 use crate::body::BodyId;
 use crate::body::entry::Bodies;
@@ -31,7 +32,7 @@ use farseer_precise::scaled_parameters::StepContext;
 /// Joints and springs of the game behind the dense indices of the solver.
 #[derive(Debug, Default)]
 pub(super) struct JointTable {
-    /// Ids of each active joint, by its index in [`JointSystem`].
+    /// Ids of each active joint, by its index in [`JointSystem`]. Locks of axes come last.
     ids: Vec<JointIds>,
     /// Whether the joints are up to date: no joint and no list of joints has been edited since the last import.
     is_imported: bool,
@@ -56,10 +57,17 @@ reusing_clone! { JointTable { ids, is_imported, are_indices_new, signature, may_
 /// Ids of a joint and of its bodies.
 #[derive(Debug, Clone, Copy)]
 struct JointIds {
-    /// The joint.
-    joint: JointId,
+    /// The joint; `None` for the locks of a body's axes.
+    joint: Option<JointId>,
     /// Both bodies of the joint; the first is `None` for the world.
     bodies: (Option<BodyId>, BodyId),
+}
+
+impl JointIds {
+    /// Returns the joint; `None` if it is gone, and for the locks of a body's axes.
+    fn joint_of(self, objects: &Objects) -> Option<&Joint> {
+        self.joint.and_then(|id| objects.joints.get(id))
+    }
 }
 
 impl JointTable {
@@ -86,7 +94,7 @@ impl JointTable {
 
     /// Returns the joint that was active in this update with this index; `None` if there is none.
     pub(super) fn joint_at(&self, index: usize) -> Option<JointId> {
-        self.ids.get(index).map(|ids| ids.joint)
+        self.ids.get(index).and_then(|ids| ids.joint)
     }
 
     /// Returns the hash of all joints, and whether their indices may have changed since the last call.
@@ -118,7 +126,8 @@ pub(super) fn bodies_hash(bodies: [Option<BodyId>; 2]) -> u64 {
 fn joints_hash(joints: &[JointConstraint], ids: &[JointIds]) -> u64 {
     joints.iter().zip(ids).fold(joints.len() as u64, |sum, (constraint, ids)| {
         let [is_bounded, is_driven, is_row] = constraint.solver_properties().map(u64::from);
-        let word = ids.joint.to_bits().rotate_left(3) ^ (is_bounded << 2 | is_driven << 1 | is_row);
+        let word = ids.joint.map_or(LOCK_HASH, JointId::to_bits).rotate_left(3)
+            ^ (is_bounded << 2 | is_driven << 1 | is_row);
         let word = word ^ bodies_hash([ids.bodies.0, Some(ids.bodies.1)]);
         (sum.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15)
     })
@@ -147,6 +156,9 @@ fn joint_drive(drive: &MotorAndLimits) -> JointDrive {
 
 /// Word that keeps the hash of a joint with a servo from that of a spring with the same id. Value chosen.
 const SERVO_HASH: u64 = 0x5E12_0000_0000_5E12;
+
+/// Word that stands for the id of a lock in hashes. Value chosen.
+const LOCK_HASH: u64 = 0x10C4_0000_0000_10C4;
 
 /// Returns a servo as the solvers take it; `None` if it exerts no force.
 fn servo_row(servo: JointServo) -> Option<Servo> {
@@ -245,11 +257,15 @@ impl<'a> JointImport<'a> {
             ConstraintSpecKind::Line => LockedDofs::Line,
             ConstraintSpecKind::PointOnLine => LockedDofs::PointOnLine,
             ConstraintSpecKind::Nothing => LockedDofs::Unlocked,
+            ConstraintSpecKind::Gear => LockedDofs::Gear,
+            ConstraintSpecKind::Pulley => LockedDofs::Pulley,
         };
         let can_be_soft = matches!(locked, LockedDofs::Point | LockedDofs::Distance);
         let softness = if can_be_soft { f64::from(joint.softness()) } else { 0.0 };
         let mut constraint = JointConstraint {
             local_axis: to_vec2(spec.axis),
+            ratio: spec.ratio.into(),
+            pulleys: spec.pulleys.map(to_vec2),
             drive: spec.drive.as_ref().map(joint_drive),
             range: spec.range.map(f64::from),
             slop: f64::from(spec.slop).max(0.0),
@@ -265,12 +281,16 @@ impl<'a> JointImport<'a> {
         Some(constraint)
     }
 
-    /// Sets the angle of the second body minus that of the first (radians) and the world axis of a prismatic joint from the
+    /// Sets the angle of the second body minus that of the first times the ratio (radians) and the world axis of a prismatic joint from the
     /// poses of its `bodies`.
     fn read_pose(self, bodies: (Option<BodyId>, BodyId), constraint: &mut JointConstraint) {
         let rotation_of =
             |id: BodyId| self.objects.get(id).map_or(0.0, |entry| f64::from(entry.body.total_rotation()));
-        if constraint.has_angle() {
+        if constraint.locked == LockedDofs::Gear {
+            let unwrapped =
+                |id: BodyId| self.objects.get(id).map_or(0.0, |entry| entry.body.unwrapped_rotation());
+            constraint.angle = unwrapped(bodies.1) - constraint.ratio * bodies.0.map_or(0.0, unwrapped);
+        } else if constraint.has_angle() {
             constraint.angle = rotation_of(bodies.1) - bodies.0.map_or(0.0, rotation_of);
         }
         if constraint.locked.has_axis()
@@ -304,7 +324,14 @@ impl<'a> JointImport<'a> {
     }
 
     /// Imports the joints and builds the articulations, if a joint or a body with joints was edited.
-    pub(super) fn reimport_joints(self, table: &mut JointTable, joints: &mut JointSystem, objects: &Objects) {
+    ///
+    /// The locked axes of bodies become joints to the world, after all others.
+    pub(super) fn reimport_joints(
+        self,
+        table: &mut JointTable,
+        joints: &mut JointSystem,
+        (objects, locks): (&Objects, &mut AxisLocks),
+    ) {
         if table.is_imported {
             return;
         }
@@ -313,13 +340,26 @@ impl<'a> JointImport<'a> {
         let enabled = all.filter(|(_, joint)| joint.enabled());
         table.may_break = enabled.clone().any(|(_, joint)| joint.breakpoint() != f32::MAX);
         let active = enabled.filter_map(|(id, joint)| {
-            let constraint = self.active_constraint(joint)?;
-            table.ids.push(JointIds { joint: id, bodies: joint.constraint_spec().bodies });
+            let mut constraint = self.active_constraint(joint)?;
+            if constraint.locked == LockedDofs::Unlocked {
+                // Servos read the anchors of such a joint in each step, since a game may move them without a new import.
+                constraint.clear_arms();
+            }
+            table.ids.push(JointIds { joint: Some(id), bodies: joint.constraint_spec().bodies });
             Some(constraint)
         });
-        joints.replace(active, objects.joints.list().len(), self.bodies, self.depth.is_some());
+        let mut active: Vec<JointConstraint> = active.collect();
+        for &(id, axes) in locks.living(objects) {
+            let body = self.anchor(Some(id), Vector2::zeros());
+            if let Some(body) = body.filter(|body| body.body != BodyIndex::PLACEHOLDER) {
+                active.push(lock_constraint(body, axes));
+                table.ids.push(JointIds { joint: None, bodies: (None, id) });
+            }
+        }
+        let count = active.len();
+        joints.replace(active.into_iter(), count, self.bodies, self.depth.is_some());
         table.servos.clear();
-        let has_servo = |ids: &JointIds| objects.joints.get(ids.joint).is_some_and(Joint::has_servo);
+        let has_servo = |ids: &JointIds| ids.joint_of(objects).is_some_and(Joint::has_servo);
         let with_servo = table.ids.iter().enumerate().filter(|(_, ids)| has_servo(ids));
         table.servos.extend(with_servo.map(|(at, _)| JointIndex::new(at)));
         table.signature = joints_hash(joints.constraints(), &table.ids);
@@ -329,15 +369,20 @@ impl<'a> JointImport<'a> {
     /// Adds the servos of joints to `springs`, at the poses of this step. Returns a hash of the joints with servos and of the number
     /// of rows of each, by which islands list their rows anew; 0 without servos (multiplicative hashing). A servo without effort
     /// has no row, and a motor joint at the bound of its force has one row less.
-    pub(super) fn add_servos(self, table: &JointTable, springs: &mut SpringRows, objects: &Objects) -> u64 {
+    pub(super) fn add_servos(
+        self,
+        table: &JointTable,
+        springs: &mut SpringRows,
+        (objects, step): (&Objects, &StepContext),
+    ) -> u64 {
         let mut signature = 0_u64;
         for &at in &table.servos {
-            let id = table.ids[at.position()].joint;
-            let Some(joint) = objects.joints.get(id) else { continue };
+            let ids = &table.ids[at.position()];
+            let (Some(id), Some(joint)) = (ids.joint, ids.joint_of(objects)) else { continue };
             let Some(constraint) = self.constraint(joint) else { continue };
             let count_before = springs.count();
             if let JointKind::Motor(motor) = joint.kind() {
-                pose_servo(motor).add_springs(springs, at, &constraint, self.bodies);
+                pose_servo(motor).add_springs(springs, at, &constraint, (self.bodies, step.substeps.into()));
             } else if let Some(drive) = joint.motor_and_limits()
                 && let Some(servo) = drive.servo().and_then(servo_row)
             {
@@ -370,10 +415,13 @@ impl<'a> JointImport<'a> {
         }
         let read = |at: JointIndex, constraint: &mut JointConstraint| {
             let ids = &ids[at.position()];
+            if constraint.is_axis_lock {
+                return begin_lock(constraint);
+            }
             self.read_pose(ids.bodies, constraint);
             // The target of a motor may change in every step without a new import.
             if constraint.drive.is_some() {
-                let drive = objects.joints.get(ids.joint).and_then(Joint::motor_and_limits);
+                let drive = ids.joint_of(objects).and_then(Joint::motor_and_limits);
                 constraint.drive = drive.map(joint_drive).or(constraint.drive);
             }
         };
@@ -398,7 +446,9 @@ pub(super) fn export_joints(
     report: &mut Report,
 ) {
     for (constraint, ids) in joints.constraints_mut().iter_mut().zip(&table.ids) {
-        let Some(joint) = objects.joints.get_mut(ids.joint) else { continue };
+        let (Some(id), Some(joint)) = (ids.joint, ids.joint.and_then(|id| objects.joints.get_mut(id))) else {
+            continue;
+        };
         joint.set_error(constraint.error);
         joint.store_world_anchors(constraint.first_arm.map(|component| component as f32), || {
             constraint.anchors.map(|anchor| [to_vector2(anchor.arm), to_vector2(anchor.anchor_position())])
@@ -406,7 +456,7 @@ pub(super) fn export_joints(
         let mean = constraint.mean_force.take();
         let others = (&mut constraint.force_along_depth, constraint.servo_force);
         if joint.store_load(&mut constraint.force, mean, others) {
-            report.push(Event::JointBroke { joint: ids.joint });
+            report.push(Event::JointBroke { joint: id });
             (table.is_imported, table.are_bodies_separated) = (false, false);
         }
     }

@@ -42,16 +42,21 @@ impl Precise {
     /// Fourth stage of a step: moves the joint constraints to the poses of this step, prepares their solvers, and builds the
     /// springs that are rows. Imports the joints first if one was edited.
     pub(crate) fn import_joints(&mut self, objects: &Objects, step: &StepContext) {
+        self.axis_locks.stop(&self.ids, &mut self.solver);
         let Precise {
-            solver: Solver { joints, springs, bodies, sleep, depth, .. }, joint_table, ids, ..
+            solver: Solver { joints, springs, bodies, sleep, depth, .. },
+            joint_table,
+            ids,
+            axis_locks,
+            ..
         } = self;
         let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
         let springs_signature = import_springs(joint_table, springs, import, objects);
         joints.begin_update(self.solver.parameters.length_unit);
-        import.reimport_joints(joint_table, joints, objects);
+        import.reimport_joints(joint_table, joints, (objects, axis_locks));
         let (joints_signature, are_indices_new) = joint_table.take_signature();
         let import = JointImport::new(&objects.bodies, (bodies, ids), sleep, depth.as_ref());
-        let servos_signature = import.add_servos(joint_table, springs, objects);
+        let servos_signature = import.add_servos(joint_table, springs, (objects, step));
         self.solver
             .direct_solver
             .note_joints(joints_signature ^ springs_signature ^ servos_signature, are_indices_new);
@@ -72,13 +77,15 @@ impl Precise {
     /// Starts the springs of an update: clears the list of springs that are rows, and imports edited joints, by which
     /// [`constrain_spring`](Self::constrain_spring) decides.
     pub(crate) fn begin_springs(&mut self, objects: &Objects) {
-        let Precise { solver: Solver { joints, bodies, sleep, depth, .. }, joint_table, ids, .. } = self;
+        let Precise {
+            solver: Solver { joints, bodies, sleep, depth, .. }, joint_table, ids, axis_locks, ..
+        } = self;
         joint_table.row_springs.clear();
         if depth.is_none() && !objects.springs.list().is_empty() {
             JointImport::new(&objects.bodies, (bodies, ids), sleep, None).reimport_joints(
                 joint_table,
                 joints,
-                objects,
+                (objects, axis_locks),
             );
         }
     }

@@ -19,9 +19,10 @@
 //! Parameters are multiples of one length unit ([`scaled_parameters`](farseer_precise::scaled_parameters)).
 
 mod add_remove;
+mod axis_locks;
 mod body_import;
 mod body_io;
-mod candidate_pairs;
+pub(crate) mod candidate_pairs;
 mod changed_kinds;
 pub(crate) mod contact_events;
 mod contact_points;
@@ -62,6 +63,7 @@ use crate::geom::GeomId;
 use crate::methods::Methods;
 use crate::objects::Objects;
 use crate::report::{Event, Hit};
+use axis_locks::AxisLocks;
 use changed_kinds::ChangedKinds;
 use farseer_precise::Solver;
 use farseer_precise::bodies::BodySet;
@@ -103,6 +105,8 @@ pub(crate) struct Precise {
     sleep_events: SleepEvents,
     /// Bodies that may not sleep or are to sleep.
     sleep_options: SleepOptions,
+    /// Bodies with locked axes.
+    axis_locks: AxisLocks,
     /// Workspace: the hits of the convex pieces in this step.
     piece_hits: Vec<PieceHit>,
     /// Whether a step runs: poses of the solver may then differ from those of the game's bodies.
@@ -111,7 +115,7 @@ pub(crate) struct Precise {
 
 reusing_clone! {
     Precise {
-        solver, loaded, edits, joint_table, sleeping_joints, ids, always_tested, changed_kinds, sleep_events, sleep_options, piece_hits, is_stepping
+        solver, loaded, edits, joint_table, sleeping_joints, ids, always_tested, changed_kinds, sleep_events, sleep_options, axis_locks, piece_hits, is_stepping
     }
 }
 
@@ -143,6 +147,7 @@ impl Precise {
             changed_kinds: ChangedKinds::default(),
             sleep_events: SleepEvents::default(),
             sleep_options: SleepOptions::default(),
+            axis_locks: AxisLocks::default(),
             piece_hits: Vec::new(),
             is_stepping: false,
         }

@@ -6,19 +6,15 @@
 
 use super::Precise;
 use super::ids::IdTable;
-use crate::body::BodyId;
+use crate::geom::filter::BodyPair;
 use crate::objects::Objects;
 use farseer_precise::Solver;
-use farseer_precise::index::{BodyIndex, PairIndex};
-
-/// Two bodies, the smaller id first.
-type BodyPair = (BodyId, BodyId);
+use farseer_precise::index::BodyIndex;
 
 /// Brings the pairs of bodies that do not collide up to date with the joints, if joints were edited since the last call. Both
-/// bodies of a changed pair wake.
+/// bodies of a changed pair wake. Called after the import of edits, so that the lists have all bodies.
 pub(crate) fn separate_joined_bodies(precise: &mut Precise, objects: &mut Objects) {
-    // The lists of a loaded simulator come with the next rebuild, so that pairs cannot be removed yet.
-    if precise.loaded.is_some() || !precise.joint_table.take_unseparated() {
+    if !precise.joint_table.take_unseparated() {
         return;
     }
     let now = separated_bodies(objects);
@@ -31,6 +27,7 @@ pub(crate) fn separate_joined_bodies(precise: &mut Precise, objects: &mut Object
     now.iter().filter(|pair| is_new(before, pair)).for_each(|&pair| separate(solver, ids, pair));
     before.iter().filter(|pair| is_new(&now, pair)).for_each(|&pair| rejoin(solver, ids, pair));
     *before = now;
+    precise.wake_up();
 }
 
 /// Returns the pairs of bodies that the enabled joints in the simulator's list keep from colliding, sorted, each once.
@@ -44,20 +41,17 @@ fn separated_bodies(objects: &Objects) -> Vec<BodyPair> {
 
 /// Removes the pairs of proxies of two bodies. Touching ones get an event.
 fn separate(solver: &mut Solver, ids: &IdTable, bodies: BodyPair) {
-    let Some([one, other]) = wake_both(solver, ids, bodies) else { return };
-    let (pairs, proxies) = (&solver.pairs, &solver.proxies);
-    let is_between =
-        |&pair: &PairIndex| pairs.bodies_of(proxies, pair).iter().any(|&(body, _)| body == other);
-    let between: Vec<PairIndex> = pairs.pairs_of_body(proxies, one).filter(is_between).collect();
+    let Some(bodies) = wake_both(solver, ids, bodies) else { return };
+    let between = solver.pairs.pairs_between(&solver.proxies, bodies);
     solver.narrow_phase().remove_pairs(between);
 }
 
-/// Makes the broad phase search the pairs of two bodies, which may collide again.
+/// Makes the broad phase search the pairs of two bodies, which may collide again: those of the body with fewer pairs.
 fn rejoin(solver: &mut Solver, ids: &IdTable, bodies: BodyPair) {
-    for body in wake_both(solver, ids, bodies).into_iter().flatten() {
-        let proxies: Vec<_> = solver.proxies.proxies_of(body).collect();
-        proxies.into_iter().for_each(|proxy| solver.proxies.search_pairs_of(proxy));
-    }
+    let Some(bodies) = wake_both(solver, ids, bodies) else { return };
+    let body = solver.pairs.body_with_fewer_pairs(&solver.proxies, bodies);
+    let proxies: Vec<_> = solver.proxies.proxies_of(body).collect();
+    proxies.into_iter().for_each(|proxy| solver.proxies.search_pairs_of(proxy));
 }
 
 /// Requests that two bodies wake, and returns their indices; `None` if one of them is not simulated.

@@ -227,7 +227,8 @@ impl Precise {
     fn drop_woken_from_lists(&mut self) {
         let before = self.sleeping_joints.len();
         drop_joints_of_awake(&mut self.sleeping_joints, &self.ids, &self.solver.sleep);
-        if self.sleeping_joints.len() < before {
+        // The locks of sleeping bodies are in no list, as they follow from the bodies.
+        if self.sleeping_joints.len() < before || !self.axis_locks.is_empty() {
             self.invalidate_joints();
         }
         self.solver.sleep.drop_woken(&self.solver.proxies);

@@ -355,10 +355,11 @@ impl PhysicsSimulator {
     /// # Errors
     /// Another broad phase of the faithful set if a geom is in the simulator already ([`Error::GeomListNotEmpty`];
     /// geoms still waiting to be added do not count). A cell size or length that is not finite, or a length that is not
-    /// greater than 0. The faithful set while there are chains, one-way geoms, prismatic joints, or joints with a motor
-    /// or limits that it does not have ([`Error::NotSupported`]).
+    /// greater than 0. The faithful set while there are bodies with locked axes, chains, one-way geoms, or joints of a kind,
+    /// or with a motor, servo, limits or flag, that it does not have ([`Error::NotSupported`]).
     pub fn set_methods(&mut self, methods: Methods) -> Result<()> {
         let methods = methods.check()?;
+        self.objects.bodies.listed_or_queued().try_for_each(|entry| methods.check_body(&entry.body))?;
         self.objects.geoms.listed_or_queued().try_for_each(|geom| methods.check_geom(geom))?;
         self.objects.joints.listed_or_queued().try_for_each(|joint| methods.check_joint(joint))?;
         match methods.length_unit() {

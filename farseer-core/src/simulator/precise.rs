@@ -7,6 +7,7 @@ use crate::geom::GeomId;
 use crate::geom::filter::{Filter, is_valid_pair};
 use crate::geom::sensor_pairs::may_keep_touching;
 use crate::objects::Objects;
+use crate::precise::candidate_pairs::has_plain_filters;
 use crate::precise::contact_events::TouchChange;
 use crate::precise::separated_bodies::separate_joined_bodies;
 use crate::precise::skip_step::StepSettings;
@@ -137,11 +138,11 @@ impl PhysicsSimulator {
             if std::mem::take(&mut objects.has_edited_joints) {
                 precise.invalidate_joints();
             }
-            separate_joined_bodies(precise, objects);
             if std::mem::take(&mut objects.has_edited_drives) {
                 precise.wake_for_edited_drives(objects);
             }
             precise.import_edits(objects);
+            separate_joined_bodies(precise, objects);
         }
         objects.new_members.clear();
     }
@@ -234,11 +235,11 @@ impl PhysicsSimulator {
         let is_in_space = self.precise_engine().has_depth();
         // The geoms and bodies of a pair are read only where their proxies do not tell enough: they are large.
         let has_edits = has_unimported_edits(&self.objects) || !self.precise_engine().edits.is_empty();
-        let has_filter_by_bodies = !self.objects.separated_bodies.is_empty();
-        let trusts_proxies = handler.get().is_none() && !is_in_space && !has_edits && !has_filter_by_bodies;
+        let trusts_proxies = handler.get().is_none() && !is_in_space && !has_edits;
         for at in 0..found {
-            let solver = &self.precise_engine().solver;
-            if trusts_proxies && solver.proxies.have_plain_filters(solver.new_pairs[at]) {
+            let PhysicsSimulator { objects, pipeline, .. } = &mut *self;
+            let is_plain = |precise: &Precise| has_plain_filters(precise, at, &objects.separated_bodies);
+            if trusts_proxies && pipeline.precise.as_deref().is_some_and(is_plain) {
                 debug_assert!(self.may_be_new_pair(at), "the proxies show what geoms and bodies allow");
                 self.precise_engine().add_candidate_pair(at);
                 continue;

@@ -427,6 +427,32 @@ impl Pairs {
         std::iter::from_fn(move || self.next_pair_of_body(proxies, &mut link, &mut proxy))
     }
 
+    /// Returns the indices of the pairs between the proxies of two bodies. The pairs of both bodies are visited in turn, so the
+    /// cost is that of the body with fewer pairs.
+    pub fn pairs_between(&self, proxies: &Proxies, bodies: [BodyIndex; 2]) -> Vec<PairIndex> {
+        let [mut of_one, mut of_other] = bodies.map(|body| self.pairs_of_body(proxies, body));
+        let is_between =
+            |pair: &PairIndex| self.bodies_of(proxies, *pair).iter().all(|(body, _)| bodies.contains(body));
+        let (mut from_one, mut from_other) = (Vec::new(), Vec::new());
+        loop {
+            let Some(pair) = of_one.next() else { return from_one };
+            from_one.extend(Some(pair).filter(is_between));
+            let Some(pair) = of_other.next() else { return from_other };
+            from_other.extend(Some(pair).filter(is_between));
+        }
+    }
+
+    /// Returns the one of two bodies that has fewer pairs. The cost is that of this body.
+    pub fn body_with_fewer_pairs(&self, proxies: &Proxies, [one, other]: [BodyIndex; 2]) -> BodyIndex {
+        let [mut of_one, mut of_other] = [one, other].map(|body| self.pairs_of_body(proxies, body));
+        while of_one.next().is_some() {
+            if of_other.next().is_none() {
+                return other;
+            }
+        }
+        one
+    }
+
     /// Returns the next index for [`pairs_of_body`](Self::pairs_of_body), and advances `link` and `proxy`. Not inlined, so that
     /// all callers share the code.
     #[inline(never)]

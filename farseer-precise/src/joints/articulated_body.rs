@@ -322,7 +322,12 @@ impl ArticulatedLink {
         self.scratch.lever = lever;
         let parent_inertia = &mut parent.scratch.inertia;
         match self.locked {
-            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::PointOnLine | LockedDofs::Unlocked => {}
+            LockedDofs::Free
+            | LockedDofs::Fixed
+            | LockedDofs::PointOnLine
+            | LockedDofs::Unlocked
+            | LockedDofs::Gear
+            | LockedDofs::Pulley => {}
             LockedDofs::Point => {
                 self.eliminate_rotation();
                 parent_inertia.add_point_mass(&self.scratch.reduced_mass, lever);
@@ -349,7 +354,12 @@ impl ArticulatedLink {
         let parent_momentum = &mut parent.scratch.momentum;
         let lever = self.scratch.lever;
         match self.locked {
-            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::PointOnLine | LockedDofs::Unlocked => {}
+            LockedDofs::Free
+            | LockedDofs::Fixed
+            | LockedDofs::PointOnLine
+            | LockedDofs::Unlocked
+            | LockedDofs::Gear
+            | LockedDofs::Pulley => {}
             LockedDofs::Point => {
                 self.eliminate_rotational_momentum();
                 let [x, y, _] = self.target_velocity;
@@ -424,7 +434,12 @@ impl ArticulatedLink {
         let at_parent = add_scaled([x, y], perp(self.scratch.lever), spin);
         let at_joint = add_scaled(at_parent, [self.target_velocity[0], self.target_velocity[1]], 1.0);
         match self.locked {
-            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::PointOnLine | LockedDofs::Unlocked => {}
+            LockedDofs::Free
+            | LockedDofs::Fixed
+            | LockedDofs::PointOnLine
+            | LockedDofs::Unlocked
+            | LockedDofs::Gear
+            | LockedDofs::Pulley => {}
             LockedDofs::Point => {
                 let [x, y] = add_scaled(
                     self.scratch.reduced_mass.mul_vec(at_joint),

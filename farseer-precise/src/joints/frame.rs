@@ -20,10 +20,12 @@ pub(super) struct JointFrame {
     pub(super) arms: [Vec2; 2],
     /// Vector from the centre of mass of the first body to that of the second, in world coordinates. Unit: length units.
     pub(super) origin_offset: Vec2,
-    /// Angle of the second body minus that of the first. Unit: radians.
+    /// Angle of the second body minus that of the first times `ratio`. Unit: radians.
     pub(super) angle: f64,
     /// Axis of a prismatic joint in world coordinates, a unit vector; 0 for other joints.
     pub(super) axis: Vec2,
+    /// Ratio of a gear: angle of the second body per angle of the first; 1 for other joints.
+    pub(super) ratio: f64,
 }
 
 impl LockedDofs {
@@ -31,10 +33,10 @@ impl LockedDofs {
     /// turns the row of a distance or angle into limits.
     pub(super) fn locked_rows(self) -> RowMask {
         match self {
-            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::Unlocked => 0,
+            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::Unlocked | LockedDofs::Pulley => 0,
             LockedDofs::Point => 1 << ALONG | 1 << ACROSS,
             LockedDofs::Weld => 1 << ALONG | 1 << ANGLE | 1 << ACROSS,
-            LockedDofs::Angle => 1 << ANGLE,
+            LockedDofs::Angle | LockedDofs::Gear => 1 << ANGLE,
             LockedDofs::Distance => 1 << ALONG,
             LockedDofs::Line => 1 << ALONG | 1 << ANGLE,
             LockedDofs::PointOnLine => 1 << ALONG,
@@ -66,6 +68,7 @@ impl JointFrame {
     pub(super) fn of(constraint: &JointConstraint) -> Self {
         JointFrame {
             axis: constraint.axis,
+            ratio: constraint.ratio,
             ..JointFrame::between(constraint.locked, &constraint.anchors, constraint.angle)
         }
     }
@@ -80,6 +83,7 @@ impl JointFrame {
             origin_offset: add_scaled(second.position, first.position, -1.0),
             angle,
             axis: [0.0; 2],
+            ratio: 1.0,
         }
     }
 
@@ -89,7 +93,7 @@ impl JointFrame {
         let rotations = [cos_sin(a[2]), cos_sin(b[2])];
         self.arms = [rotate(rotations[0], self.arms[0]), rotate(rotations[1], self.arms[1])];
         self.origin_offset = [self.origin_offset[0] + b[0] - a[0], self.origin_offset[1] + b[1] - a[1]];
-        self.angle += b[2] - a[2];
+        self.angle += b[2] - self.ratio * a[2];
         self.axis = rotate(rotations[0], self.axis);
         self
     }
@@ -125,7 +129,9 @@ impl JointFrame {
             // A prismatic or wheel joint acts on both bodies at the second anchor.
             a = add_scaled(a, self.anchor_offset(), 1.0);
         }
-        Jacobian::of_joint(n, [a, b])
+        let mut jacobian = Jacobian::of_joint(n, [a, b]);
+        jacobian.angular_a[ANGLE] = self.ratio;
+        jacobian
     }
 
     /// Returns the coordinate that motor and limits act on. Prismatic joints: position along the axis, in length units. Other

@@ -10,6 +10,7 @@
 //! | prismatic | across the axis | equality | equality | motor and limits |
 //! | wheel | across the axis | equality | motor | servo, as a row of its own |
 //! | pin, slider | from anchor A to anchor B | equality, or limits | | |
+//! | gear | | | equality, with the ratio in the Jacobian of A | |
 //! | angle, angle limit | | | equality, or limits | |
 //!
 //! A motor and both limits of a joint share one row. "Equality" means a bilateral row.
@@ -53,11 +54,14 @@ fn finite_or_infinite(impulse: f64) -> f64 {
 }
 
 impl JointConstraint {
-    /// Returns whether the direct solver can solve the joint: it is rigid, and it is no revolute joint with a greatest impulse.
+    /// Returns whether the direct solver can solve the joint: it is rigid, and it is neither a pulley nor a revolute joint
+    /// with a greatest impulse.
     ///
-    /// That impulse bounds the length of a vector, which two rows with separate bounds cannot express.
+    /// The rows of a joint have one direction for both bodies. The greatest impulse bounds the length of a vector, which two rows with separate bounds cannot express.
     pub(crate) fn fits_direct_solver(&self) -> bool {
-        self.softness == 0.0 && !(self.locked == LockedDofs::Point && self.max_impulse < f64::from(f32::MAX))
+        self.softness == 0.0
+            && self.locked != LockedDofs::Pulley
+            && !(self.locked == LockedDofs::Point && self.max_impulse < f64::from(f32::MAX))
     }
 
     /// Returns the rows of the joint for an interval of the step, for the direct solver.
@@ -264,6 +268,7 @@ impl JointConstraint {
             LockedDofs::Line => [linear[0], frame.angle - self.range[0], 0.0],
             LockedDofs::PointOnLine => [linear[0], 0.0, 0.0],
             LockedDofs::Unlocked => [0.0; 3],
+            LockedDofs::Gear => [0.0, frame.angle - self.range[0], 0.0],
             LockedDofs::Angle => [0.0, self.range_error(frame.angle), 0.0],
             _ => [self.range_error(frame.distance()), 0.0, 0.0],
         };

@@ -96,7 +96,8 @@ pub struct JointDrive {
 pub(super) struct JointEdge {
     /// Indices of both bodies; 0 for the world and for bodies that are not dynamic.
     pub(super) bodies: [BodyIndex; 2],
-    /// Whether the joint is bounded: it has a range of positions or a greatest impulse, or is no edge of a tree by its kind.
+    /// Whether the joint is bounded: it has a range of positions or a greatest impulse, or is no edge of a tree by its kind or as
+    /// the lock of a body's axes.
     pub(super) is_bounded: bool,
 }
 
@@ -149,7 +150,8 @@ pub struct JointConstraint {
     pub locked: LockedDofs,
     /// Both sides of the joint: first body, second body.
     pub anchors: [JointAnchor; 2],
-    /// Angle of the second body minus that of the first, in radians. Updated only if the joint locks or drives an angle.
+    /// Angle of the second body minus that of the first times `ratio`, in radians. Updated only if the joint locks or drives an
+    /// angle.
     pub angle: f64,
     /// Axis of a prismatic joint in local coordinates of the first body, a unit vector. Unused in other joints.
     pub local_axis: Vec2,
@@ -175,8 +177,14 @@ pub struct JointConstraint {
     /// Mean force on the second body over the update by the joint's servo along x and y (mass units * length units/s^2), and
     /// mean torque (mass units * length units^2/s^2). `force` does not contain it.
     pub servo_force: [f64; 3],
+    /// Angle of the second body per angle of the first of a gear, or weight of the second rope of a pulley; 1 for other joints.
+    pub ratio: f64,
+    /// Points of the world over which the ropes of a pulley run; 0 for other joints. Unit: length units.
+    pub pulleys: [Vec2; 2],
     /// Whether anchors, angle, axis or motor have changed from the last step to this one.
     pub has_moved: bool,
+    /// Whether the joint is the lock of a body's axes. Such a joint has no effect along the depth axis.
+    pub is_axis_lock: bool,
 }
 
 impl JointConstraint {
@@ -202,7 +210,10 @@ impl JointConstraint {
             bias_factor: 0.0,
             depth_offset: 0.0,
             servo_force: [0.0; 3],
+            ratio: 1.0,
+            pulleys: [[0.0; 2]; 2],
             has_moved: true,
+            is_axis_lock: false,
         }
     }
 
@@ -223,6 +234,13 @@ impl JointConstraint {
         self.axis = rotate([cosine, sine], self.local_axis);
     }
 
+    /// Moves both anchors to the centres of mass of their bodies.
+    pub fn clear_arms(&mut self) {
+        for anchor in &mut self.anchors {
+            (anchor.local_anchor, anchor.arm) = ([0.0; 2], [0.0; 2]);
+        }
+    }
+
     /// Returns whether the joint yields to a force.
     pub(super) fn is_compliant(&self) -> bool {
         self.softness > 0.0
@@ -233,7 +251,10 @@ impl JointConstraint {
         let [low, high] = self.range;
         JointEdge {
             bodies: self.anchors.map(|anchor| anchor.body),
-            is_bounded: low < high || self.max_impulse < f64::from(f32::MAX) || !self.locked.fits_tree(),
+            is_bounded: low < high
+                || self.max_impulse < f64::from(f32::MAX)
+                || !self.locked.fits_tree()
+                || self.is_axis_lock,
         }
     }
 
@@ -269,6 +290,8 @@ impl JointConstraint {
             LockedDofs::Angle => self.range_error(self.angle),
             LockedDofs::Line | LockedDofs::PointOnLine => cross(self.axis, offset).abs(),
             LockedDofs::Unlocked => 0.0,
+            LockedDofs::Gear => self.coupling_row().1,
+            LockedDofs::Pulley => self.coupling_row().1.max(0.0),
             _ => distance,
         }
     }

@@ -185,7 +185,12 @@ impl ArticulatedLink {
         let (distance, length) = (dot(offset, offset).sqrt(), self.linear_error_scale(parent));
         let relative = |gap: f64, reach: f64| if gap > 0.0 { gap / reach } else { 0.0 };
         match self.locked {
-            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::PointOnLine | LockedDofs::Unlocked => 0.0,
+            LockedDofs::Free
+            | LockedDofs::Fixed
+            | LockedDofs::PointOnLine
+            | LockedDofs::Unlocked
+            | LockedDofs::Gear
+            | LockedDofs::Pulley => 0.0,
             LockedDofs::Point => relative(distance, length),
             LockedDofs::Weld => relative(distance, length).max(angle_error),
             LockedDofs::Angle => angle_error,
@@ -287,7 +292,12 @@ impl BalancedLink for ArticulatedLink {
             add_scaled(self.anchor_velocity(self.arm), parent.anchor_velocity(self.parent_arm), -1.0);
         let rotation_speed = (self.velocity[2] - parent.velocity[2]).abs() * self.max_arm_squared.sqrt();
         match self.locked {
-            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::PointOnLine | LockedDofs::Unlocked => 0.0,
+            LockedDofs::Free
+            | LockedDofs::Fixed
+            | LockedDofs::PointOnLine
+            | LockedDofs::Unlocked
+            | LockedDofs::Gear
+            | LockedDofs::Pulley => 0.0,
             LockedDofs::Point => dot(relative_velocity, relative_velocity).sqrt(),
             LockedDofs::Weld => dot(relative_velocity, relative_velocity).sqrt().max(rotation_speed),
             LockedDofs::Angle => {

@@ -22,6 +22,10 @@ pub enum LockedDofs {
     PointOnLine,
     /// Locks no degree of freedom: a joint whose servos, motor or limits alone act.
     Unlocked,
+    /// Locks the angle of the second body to a multiple of that of the first: a gear.
+    Gear,
+    /// Keeps the sum of two lengths of rope from growing: a pulley.
+    Pulley,
 }
 
 impl LockedDofs {
@@ -32,7 +36,12 @@ impl LockedDofs {
 
     /// Returns whether the joint can be an edge of a tree, which the articulated-body algorithm solves.
     pub(super) fn fits_tree(self) -> bool {
-        !matches!(self, LockedDofs::PointOnLine | LockedDofs::Unlocked)
+        !matches!(self, LockedDofs::PointOnLine | LockedDofs::Unlocked) && !self.is_coupling()
+    }
+
+    /// Returns whether the joint is a gear or pulley, a row of its own in the iterative solver.
+    pub(super) fn is_coupling(self) -> bool {
+        matches!(self, LockedDofs::Gear | LockedDofs::Pulley)
     }
 
     /// Returns whether this is a joint with a parent, not the state of a root.

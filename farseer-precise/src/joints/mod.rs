@@ -35,6 +35,7 @@ pub mod rotation;
 pub mod soft_angle_spring;
 pub mod soft_axis_spring;
 pub mod soft_block;
+pub mod soft_coupling;
 pub mod soft_law;
 pub mod soft_pair;
 pub mod soft_spring;

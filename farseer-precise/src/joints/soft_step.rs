@@ -19,6 +19,7 @@ use super::joint_constraint::{JointAnchor, JointList};
 use super::soft_angle_spring::SoftAngleSpring;
 use super::soft_axis_spring::SoftAxisSpring;
 use super::soft_block::{BlockKind, SoftJointBlock};
+use super::soft_coupling::SoftCoupling;
 use super::soft_law::{RowSoftness, RowSoftnessLanes};
 use super::soft_spring::SoftSpring;
 use super::springs::SpringRows;
@@ -39,6 +40,8 @@ pub(super) struct SoftJoints {
     axis_springs: Vec<SoftAxisSpring>,
     /// Angle springs that the iterative solver has in this update.
     angle_springs: Vec<SoftAngleSpring>,
+    /// Gears and pulleys that the iterative solver has in this update.
+    couplings: Vec<SoftCoupling>,
     /// Indices of the dynamic bodies of `blocks` and of the springs, into the arrays of `BodySet`.
     jointed_bodies: Vec<BodyIndex>,
     /// For each body index all bits set if the body is in `jointed_bodies`, else 0.
@@ -51,7 +54,7 @@ pub(super) struct SoftJoints {
     impacted_masks: IndexedVec<BodyIndex, u32>,
 }
 
-reusing_clone! { SoftJoints { colored_joints, blocks, springs, axis_springs, angle_springs, jointed_bodies, jointed_masks, held_masks, impacted_bodies, impacted_masks } }
+reusing_clone! { SoftJoints { colored_joints, blocks, springs, axis_springs, angle_springs, couplings, jointed_bodies, jointed_masks, held_masks, impacted_bodies, impacted_masks } }
 
 impl SoftJoints {
     /// Assigns colours to the 2D joints, whose indices into `joints` are `in_plane`, and reserves memory. Called after the list
@@ -79,6 +82,7 @@ impl SoftJoints {
         self.springs.clear();
         self.axis_springs.clear();
         self.angle_springs.clear();
+        self.couplings.clear();
         for body in self.jointed_bodies.drain(..) {
             (self.jointed_masks[body], self.held_masks[body]) = (0, 0);
         }
@@ -97,7 +101,7 @@ impl SoftJoints {
     ) {
         self.clear();
         let times = [step.dt, step.h].map(f64::from);
-        self.add_joints(joints, is_iterative, bodies, times);
+        self.add_joints(joints, is_iterative, (bodies, length_unit), times);
         let softness = RowSoftness::soft(step.h.into());
         self.blocks.iter_mut().for_each(|block| block.prepare(&softness, length_unit as f32));
         let max_speed = f64::from(JOINTED_BODY_SPEED) * length_unit;
@@ -117,7 +121,7 @@ impl SoftJoints {
         &mut self,
         joints: &JointList,
         is_iterative: impl Fn(JointIndex) -> bool,
-        bodies: &BodySet,
+        (bodies, length_unit): (&BodySet, f64),
         times: [f64; 2],
     ) {
         // For each kind, the block of this colour that is not full.
@@ -128,7 +132,13 @@ impl SoftJoints {
             if !is_iterative(at) {
                 continue;
             }
-            let (joint, is_new) = (&joints[at], last.replace(color) != Some(color));
+            let joint = &joints[at];
+            if joint.locked.is_coupling() {
+                self.couplings.push(SoftCoupling::new(at, joint, bodies, (times[1], length_unit)));
+                self.mark_bodies(&joint.anchors);
+                continue;
+            }
+            let is_new = last.replace(color) != Some(color);
             if is_new || color.is_overflow() {
                 open = [None; BlockKind::COUNT];
             }
@@ -162,6 +172,7 @@ impl SoftJoints {
             && self.springs.is_empty()
             && self.axis_springs.is_empty()
             && self.angle_springs.is_empty()
+            && self.couplings.is_empty()
     }
 
     /// Returns the masks of the bodies with joints or springs, and those of the bodies that contacts hold.
@@ -184,6 +195,7 @@ impl SoftJoints {
         self.springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
         self.axis_springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
         self.angle_springs.iter().for_each(|spring| spring.add_warm_start(&mut bodies.warm_start));
+        self.couplings.iter().for_each(|coupling| coupling.add_warm_start(&mut bodies.warm_start));
         self.blocks.iter().for_each(|block| block.add_warm_start(&mut bodies.warm_start));
     }
 
@@ -200,12 +212,15 @@ impl SoftJoints {
     pub(super) fn relax(&mut self, bodies: &mut BodySet, h: f32) {
         self.solve(bodies, &RowSoftness::RIGID, h);
         self.blocks.iter_mut().for_each(SoftJointBlock::accumulate_impulses);
+        self.couplings.iter_mut().for_each(SoftCoupling::accumulate_impulse);
         self.axis_springs.iter_mut().for_each(SoftAxisSpring::accumulate_impulse);
         self.angle_springs.iter_mut().for_each(SoftAngleSpring::accumulate_impulse);
     }
 
     fn solve(&mut self, bodies: &mut BodySet, softness: &RowSoftness, h: f32) {
         let (law, inverse_h) = (RowSoftnessLanes::splat(softness), 1.0 / h);
+        let couplings = self.couplings.iter_mut();
+        couplings.for_each(|coupling| coupling.solve(&mut bodies.states, softness, h.into()));
         self.blocks.iter_mut().for_each(|block| block.solve(&mut bodies.states, &law, inverse_h));
     }
 
@@ -214,6 +229,7 @@ impl SoftJoints {
         self.springs.iter_mut().for_each(|spring| spring.advance(bodies));
         self.axis_springs.iter_mut().for_each(|spring| spring.advance(bodies));
         self.angle_springs.iter_mut().for_each(|spring| spring.advance(bodies));
+        self.couplings.iter_mut().for_each(|coupling| coupling.advance(bodies));
         let SoftJoints { blocks, held_masks, .. } = self;
         blocks.iter_mut().for_each(|block| block.advance(bodies, held_masks));
     }
@@ -290,6 +306,7 @@ impl SoftJoints {
     /// seconds of the update and of the substep.
     pub(super) fn store_forces(&self, joints: &mut JointList, times: [f32; 2]) {
         self.blocks.iter().for_each(|block| block.store_forces(joints, times));
+        self.couplings.iter().for_each(|coupling| coupling.store_force(joints, times.map(f64::from)));
         let dt = f64::from(times[0]);
         let along_axes = self.axis_springs.iter().filter_map(|spring| spring.servo_force(dt));
         let angular = self.angle_springs.iter().filter_map(|spring| spring.servo_force(dt));

@@ -34,6 +34,7 @@ use super::joint_constraint::{JointAnchor, JointCandidate, JointConstraint};
 use super::locked_dofs::LockedDofs;
 use super::vec2::{Vec2, add_scaled, dot};
 use crate::index::{BodyIndex, IndexedVec};
+use crate::parameters::joints::DRY_FRICTION_RATE;
 use crate::reusing_clone;
 
 /// Springs that solvers treat as rows in this update, instead of explicit forces.
@@ -281,7 +282,7 @@ impl SpringConstraint {
 pub struct PoseServo {
     /// Angle of the second body minus that of the first that the joint seeks, in radians.
     pub target_angle: f64,
-    /// Angular frequency of the free oscillation about the pose, radians/s, >= 0.
+    /// Angular frequency of the free oscillation about the pose, radians/s, >= 0. Without it the joint is dry friction.
     pub angular_frequency: f64,
     /// Damping ratio, dimensionless, >= 0; 1 is critical damping.
     pub damping_ratio: f64,
@@ -293,10 +294,14 @@ pub struct PoseServo {
 
 impl PoseServo {
     /// Returns stiffness and damping of a row with the inverse effective mass `inverse`; 0 if neither body can move along the
-    /// row.
+    /// row. Without a frequency, but with a damping ratio, the row is dry friction: it stops relative motion as far as its bound
+    /// allows.
     fn coefficients(&self, inverse: f64) -> [f64; 2] {
         let mass = if inverse > 0.0 { inverse.recip() } else { 0.0 };
         let w = self.angular_frequency;
+        if w == 0.0 && self.damping_ratio > 0.0 {
+            return [0.0, mass * DRY_FRICTION_RATE];
+        }
         [mass * w * w, 2.0 * self.damping_ratio * mass * w]
     }
 
@@ -304,13 +309,14 @@ impl PoseServo {
     /// `constraint`: two along perpendicular directions between the anchors, and one of the angle.
     ///
     /// The first direction is that of the force without a bound. The bounds of both directions leave the length of the force
-    /// below its bound, and all of it to the first direction where the bound is reached.
+    /// below its bound, and all of it to the first direction where the bound is reached. Dry friction opposes the motion that the
+    /// forces of the step would cause; the forces act in `substeps` parts.
     pub fn add_springs(
         &self,
         springs: &mut SpringRows,
         at: JointIndex,
         constraint: &JointConstraint,
-        bodies: &BodySet,
+        (bodies, substeps): (&BodySet, f64),
     ) {
         let inverses = constraint.anchors.map(|end| match end.body {
             BodyIndex::PLACEHOLDER => [0.0; 2],
@@ -319,7 +325,8 @@ impl PoseServo {
         let [mass, inertia] = [0, 1].map(|i| inverses[0][i] + inverses[1][i]);
         let offset = JointFrame::of(constraint).anchor_offset();
         let [stiffness, damping] = self.coefficients(mass);
-        let velocity = relative_velocity(constraint, offset, bodies);
+        let by_forces = if stiffness > 0.0 { 0.0 } else { substeps };
+        let velocity = relative_velocity(constraint, offset, (bodies, by_forces));
         let free: Vec2 = [0, 1].map(|i| -stiffness * offset[i] - damping * velocity[i]);
         let size = dot(free, free).sqrt();
         let direction = if size > 0.0 && size < f64::INFINITY {
@@ -345,13 +352,13 @@ impl PoseServo {
         };
         let perpendicular = [-direction[1], direction[0]];
         for (axis, max_force) in [(direction, along), (perpendicular, across)] {
-            if stiffness > 0.0 && max_force > 0.0 {
+            if stiffness + damping > 0.0 && max_force > 0.0 {
                 let stretch = dot(offset, axis);
                 springs.push(SpringConstraint { axis: Some(axis), stretch, max_torque: max_force, ..spring });
             }
         }
         let [stiffness, damping] = self.coefficients(inertia);
-        if stiffness > 0.0 && self.greatest_torque > 0.0 {
+        if stiffness + damping > 0.0 && self.greatest_torque > 0.0 {
             let stretch = constraint.angle - self.target_angle;
             let max_torque = self.greatest_torque;
             springs.push(SpringConstraint { stiffness, damping, stretch, max_torque, ..spring });
@@ -360,12 +367,18 @@ impl PoseServo {
 }
 
 /// Returns the velocity of the second anchor minus that of the point of the first body there, in length units/s. `offset` is
-/// the vector from the first anchor to the second, in length units.
-fn relative_velocity(constraint: &JointConstraint, offset: Vec2, bodies: &BodySet) -> Vec2 {
+/// the vector from the first anchor to the second, in length units. The velocities of dynamic bodies count as after the forces of
+/// `substeps` substeps.
+fn relative_velocity(
+    constraint: &JointConstraint,
+    offset: Vec2,
+    (bodies, substeps): (&BodySet, f64),
+) -> Vec2 {
     let [[ax, ay, a], [bx, by, b]] = constraint.anchors.map(|end| match bodies.states.at(end.pose_body) {
         Some(state) if end.pose_body != BodyIndex::PLACEHOLDER => {
-            let [x, y, spin, _] = state.velocity.map(f64::from);
-            [x, y, spin]
+            let by_forces = if end.body == BodyIndex::PLACEHOLDER { 0.0 } else { substeps };
+            let forces = bodies.force_delta[end.pose_body];
+            std::array::from_fn(|axis| f64::from(state.velocity[axis]) + by_forces * f64::from(forces[axis]))
         }
         _ => end.velocity,
     });

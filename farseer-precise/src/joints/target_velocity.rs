@@ -22,7 +22,12 @@ impl ArticulatedLink {
         let Some(parent) = parent else { return };
         let (parent, child) = (AnchorState::of(parent, self.parent_arm), AnchorState::of(self, self.arm));
         match self.locked {
-            LockedDofs::Free | LockedDofs::Fixed | LockedDofs::PointOnLine | LockedDofs::Unlocked => {}
+            LockedDofs::Free
+            | LockedDofs::Fixed
+            | LockedDofs::PointOnLine
+            | LockedDofs::Unlocked
+            | LockedDofs::Gear
+            | LockedDofs::Pulley => {}
             LockedDofs::Point => {
                 self.target_velocity = point_target_velocity(&child, &parent, h, length_unit)
             }

@@ -9,6 +9,7 @@ mod calm;
 pub mod checks;
 pub mod churn;
 mod depth;
+mod drives;
 mod engine;
 #[cfg(feature = "programs")]
 pub mod figures;

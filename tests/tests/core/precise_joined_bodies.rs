@@ -159,6 +159,72 @@ fn a_snapshot_at_any_moment_goes_on_with_the_same_bits() {
 }
 
 #[test]
+fn a_flag_set_beside_other_edits_before_a_snapshot_acts_in_the_next_update() {
+    for edit in [
+        |simulator: &mut PhysicsSimulator, body: BodyId| simulator[body].set_position(v(11.0, 0.0)),
+        |simulator: &mut PhysicsSimulator, body: BodyId| simulator[body].set_mass(3.0).unwrap(),
+        |simulator: &mut PhysicsSimulator, _: BodyId| {
+            add_box(simulator, (5.0, 5.0), v(80.0, 0.0));
+        },
+    ] {
+        let (mut simulator, pair, hinge) = self::pair(SolverChoice::Auto, 300.0);
+        run(&mut simulator, 5);
+        for do_collide in [false, true] {
+            edit(&mut simulator, pair[1].0);
+            simulator.set_joint_bodies_collide(hinge, do_collide).unwrap();
+            let mut copy = precise(0.0);
+            copy.restore(&simulator.snapshot()).unwrap();
+            for _ in 0..3 {
+                simulator.update(DT);
+                copy.update(DT);
+                assert!(copy.snapshot() == simulator.snapshot());
+                assert_eq!(is_touching(&copy, pair), do_collide);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_flag_separates_bodies_that_sleep_and_wakes_them() {
+    let (mut simulator, pair, hinge) = self::pair(SolverChoice::Auto, 300.0);
+    let (floor, _) = add_box(&mut simulator, (400.0, 20.0), v(0.0, 20.0));
+    simulator[floor].set_is_static(true);
+    let weld = JointFactory::create_weld_joint_in(&mut simulator, pair[0].0, pair[1].0, v(5.0, 0.0)).unwrap();
+    run(&mut simulator, 600);
+    assert!(pair.iter().all(|&(body, _)| simulator.is_asleep(body)));
+    assert!(is_touching(&simulator, pair));
+    simulator.set_joint_bodies_collide(hinge, false).unwrap();
+    simulator.update(DT);
+    assert!(!pair.iter().any(|&(body, _)| simulator.is_asleep(body)));
+    assert_eq!(separations(&simulator, pair), 1);
+    assert!(!is_touching(&simulator, pair));
+    run(&mut simulator, 600);
+    assert!(pair.iter().all(|&(body, _)| simulator.is_asleep(body)));
+    simulator.dispose(weld).unwrap();
+    simulator.set_joint_bodies_collide(hinge, true).unwrap();
+    simulator.update(DT);
+    assert!(is_touching(&simulator, pair));
+}
+
+#[test]
+fn the_faithful_methods_forget_which_bodies_were_separated() {
+    let (mut simulator, pair, hinge) = self::pair(SolverChoice::Auto, 0.0);
+    simulator.set_joint_bodies_collide(hinge, false).unwrap();
+    run(&mut simulator, 3);
+    assert!(!is_touching(&simulator, pair));
+    simulator.set_joint_bodies_collide(hinge, true).unwrap();
+    // No update of the precise set has seen that the bodies collide again.
+    simulator.set_methods(farseer_core::Methods::default()).unwrap();
+    run(&mut simulator, 1);
+    simulator.set_methods(farseer_core::Methods::PRECISE).unwrap();
+    run(&mut simulator, 1);
+    assert!(is_touching(&simulator, pair));
+    simulator.set_joint_bodies_collide(hinge, false).unwrap();
+    run(&mut simulator, 1);
+    assert!(!is_touching(&simulator, pair));
+}
+
+#[test]
 fn refused_with_one_body_a_stale_id_or_the_faithful_methods() {
     let (mut simulator, pair, hinge) = self::pair(SolverChoice::Auto, 0.0);
     let pivot = JointFactory::create_fixed_revolute_joint_in(&mut simulator, pair[0].0, v(0.0, 0.0)).unwrap();

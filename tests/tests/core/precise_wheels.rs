@@ -310,6 +310,67 @@ fn restored_wheels_springs_and_motor_joints_go_on_with_the_same_bits() {
 }
 
 #[test]
+fn a_target_far_away_of_a_motor_joint_without_force_moves_no_body_before_or_after_a_restore() {
+    for choice in SOLVERS {
+        let (mut simulator, body, joint) =
+            held(choice, 0.0, PoseServo { frequency: 0.0, ..PoseServo::default() });
+        let at = simulator[body].position();
+        for target in [0.0, 1e30, f32::MAX] {
+            simulator.set_motor_joint_target(joint, v(target, 0.0), 0.0).unwrap();
+            let mut copy = precise(0.0);
+            copy.restore(&simulator.snapshot()).unwrap();
+            for _ in 0..3 {
+                simulator.update(1.0 / 60.0);
+                copy.update(1.0 / 60.0);
+                assert!(copy.snapshot() == simulator.snapshot(), "{choice:?}, {target}");
+                assert!(
+                    simulator[body].enabled() && simulator[body].position() == at,
+                    "{choice:?}, {target}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn dry_friction_of_a_motor_joint_slides_by_its_closed_form_and_holds_lesser_loads() {
+    for choice in SOLVERS {
+        for rate in RATES {
+            let (mut simulator, body, joint) = held(choice, 0.0, PoseServo::friction(0.0, 0.0));
+            let [mass, inertia] = [simulator[body].mass(), simulator[body].moment_of_inertia()];
+            simulator.set_motor_joint_servo(joint, PoseServo::friction(100.0 * mass, 4.0 * inertia)).unwrap();
+            let start = simulator[body].position();
+            simulator[body].set_linear_velocity(v(30.0, 40.0));
+            simulator[body].set_angular_velocity(3.0);
+            (0..rate as u32).for_each(|_| simulator.update(1.0 / rate));
+            // It slides v^2 / (2 a) in its direction and turns by w^2 / (2 b); a step of the end counts wholly or not.
+            let (way, turn) = (simulator[body].position() - start, simulator[body].rotation());
+            let exact = v(0.6, 0.8) * (50.0 * 50.0 / 200.0);
+            assert!((way - exact).norm() < 0.6 * 50.0 / rate, "{choice:?} {rate}: {way} {exact}");
+            assert!((turn - 9.0 / 8.0).abs() < 0.6 * 3.0 / rate, "{choice:?} {rate}: {turn}");
+            // Loads below the bound in any direction move it by less than rounding; greater ones accelerate it.
+            let rest = simulator[body].position();
+            for load in [v(90.0, 0.0), v(0.0, -90.0), v(-60.0, 60.0)] {
+                for _ in 0..rate as u32 {
+                    simulator[body].apply_force(load * mass);
+                    simulator[body].apply_torque(3.5 * inertia);
+                    simulator.update(1.0 / rate);
+                }
+            }
+            let crept = (simulator[body].position() - rest).norm();
+            assert!(crept < 1e-3, "{choice:?} {rate}: {crept}");
+            let start = simulator[body].linear_velocity();
+            for _ in 0..rate as u32 {
+                simulator[body].apply_force(v(150.0, 0.0) * mass);
+                simulator.update(1.0 / rate);
+            }
+            let gained = simulator[body].linear_velocity() - start;
+            assert!((gained - v(50.0, 0.0)).norm() < 2.0, "{choice:?} {rate}: {gained}");
+        }
+    }
+}
+
+#[test]
 fn bad_arguments_are_refused_by_name() {
     let Car { mut simulator, chassis, wheels: [wheel, _], axles } = car(SolverChoice::Auto, 4.0);
     let origin = v(0.0, 0.0);

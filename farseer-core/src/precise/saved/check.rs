@@ -87,10 +87,7 @@ impl SavedSleepingBody {
     /// bodies.
     fn is_valid(&self, count: usize) -> bool {
         let is_there = self.first.position() < count;
-        is_there
-            && finite(&self.pose)
-            && finite(&self.supported_acceleration)
-            && finite(&self.mass_and_gravity)
+        is_there && finite(&self.pose) && finite(&self.supported_acceleration) && finite(&self.constants)
     }
 }
 

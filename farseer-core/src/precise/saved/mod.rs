@@ -103,10 +103,10 @@ struct SavedSleepingBody {
     /// (length units/s^2).
     #[serde(rename = "borne")]
     supported_acceleration: [f32; 4],
-    /// Reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of the body, and its gravity
-    /// scale (dimensionless).
+    /// Reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of the body, its gravity scale
+    /// (dimensionless), and its locked axes: 1 for x plus 2 for y.
     #[serde(rename = "nature")]
-    mass_and_gravity: [f32; 3],
+    constants: [f32; 4],
     /// Whether the body has just fallen asleep, so that the supported acceleration is not known yet.
     #[serde(rename = "is_fresh")]
     is_newly_asleep: bool,

@@ -191,14 +191,8 @@ impl Precise {
         // By index of the first body of an island: the last of its bodies that sleeps again.
         let mut ring_member =
             IndexedVec::<SavedSleeperIndex, _>::of_copies(None, saved.sleeping_bodies.len());
-        for &SavedSleepingBody {
-            body,
-            first,
-            pose,
-            supported_acceleration,
-            mass_and_gravity,
-            is_newly_asleep,
-        } in &saved.sleeping_bodies
+        for &SavedSleepingBody { body, first, pose, supported_acceleration, constants, is_newly_asleep } in
+            &saved.sleeping_bodies
         {
             let may_sleep = |&number: &BodyIndex| {
                 let is_hinged = || self.solver.depth.as_ref().is_some_and(|space| space.is_hinged(number));
@@ -214,7 +208,7 @@ impl Precise {
             let may_hinge_stay =
                 self.solver.depth.as_ref().is_some_and(|space| space.may_hinge_stay_asleep(number));
             if self.pose_of(number) != pose
-                || self.mass_and_gravity_of(number) != mass_and_gravity
+                || self.constants_of(number) != constants
                 || !(self.is_at_rest(body, objects, edits) || may_hinge_stay)
             {
                 self.solver.sleep.request_wake(number);

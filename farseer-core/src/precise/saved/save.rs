@@ -87,18 +87,20 @@ impl Precise {
                 first,
                 pose: self.pose_of(number),
                 supported_acceleration: solver.sleep.supported_acceleration[number],
-                mass_and_gravity: self.mass_and_gravity_of(number),
+                constants: self.constants_of(number),
                 is_newly_asleep: are_fresh[number],
             });
         }
         sleepers
     }
 
-    /// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, and
-    /// its gravity scale (dimensionless).
-    pub(super) fn mass_and_gravity_of(&self, number: BodyIndex) -> [f32; 3] {
+    /// Returns the reciprocals of mass (1/mass units) and moment of inertia (1/(mass units * length units^2)) of a body, its
+    /// gravity scale (dimensionless), and its locked axes: 1 for x plus 2 for y.
+    pub(super) fn constants_of(&self, number: BodyIndex) -> [f32; 4] {
         let [mass, inertia] = self.solver.bodies.inverse_mass_inertia[number];
-        [mass, inertia, self.solver.bodies.gravity_scales[number]]
+        let [x, y] = self.ids.bodies[number].map_or([false; 2], |body| self.axis_locks.axes_of(body));
+        let locks = f32::from(u8::from(x) + 2 * u8::from(y));
+        [mass, inertia, self.solver.bodies.gravity_scales[number], locks]
     }
 
     /// Returns the pose of a body in the world frame: x, y (length units), rotation (radians), z (length units).

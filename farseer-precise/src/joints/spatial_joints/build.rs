@@ -159,7 +159,12 @@ fn find_loop_closures(members: &[JointIndex], joints: &JointList, bodies: &[Body
 /// Returns the kinds of the rows of a joint: one entry for each row.
 fn row_kinds(joint: &JointConstraint) -> Vec<RowKind> {
     let mut kinds = match joint.locked {
-        LockedDofs::Free | LockedDofs::Fixed | LockedDofs::Unlocked => vec![],
+        // Gears and pulleys do not act in a group with depth.
+        LockedDofs::Free
+        | LockedDofs::Fixed
+        | LockedDofs::Unlocked
+        | LockedDofs::Gear
+        | LockedDofs::Pulley => vec![],
         LockedDofs::Point => vec![RowKind::AnchorAxis(0), RowKind::AnchorAxis(1), RowKind::DepthVelocity],
         LockedDofs::Weld => {
             vec![RowKind::AnchorAxis(0), RowKind::AnchorAxis(1), RowKind::Angle, RowKind::DepthVelocity]
@@ -169,6 +174,9 @@ fn row_kinds(joint: &JointConstraint) -> Vec<RowKind> {
         LockedDofs::Line => vec![RowKind::LineOffset, RowKind::Angle, RowKind::DepthVelocity],
         LockedDofs::PointOnLine => vec![RowKind::LineOffset, RowKind::DepthVelocity],
     };
+    if joint.is_axis_lock {
+        kinds.retain(|kind| !matches!(kind, RowKind::DepthVelocity));
+    }
     if let Some(drive) = joint.drive {
         kinds.extend(drive.motor.map(RowKind::Motor));
         kinds.extend(drive.limits.map(RowKind::Limits));

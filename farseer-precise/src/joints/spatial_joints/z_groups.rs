@@ -104,10 +104,11 @@ impl ZGroup {
 /// Returns the joints that keep a point, and with it its depth.
 fn point_joints(joints: &JointList) -> impl Iterator<Item = &JointConstraint> {
     joints.iter().filter(|joint| {
-        matches!(
+        let keeps_point = matches!(
             joint.locked,
             LockedDofs::Point | LockedDofs::Weld | LockedDofs::Line | LockedDofs::PointOnLine
-        )
+        );
+        keeps_point && !joint.is_axis_lock
     })
 }
 

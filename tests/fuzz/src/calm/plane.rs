@@ -5,6 +5,7 @@ use farseer_core::{BodyId, JointFactory, JointId, Methods, PhysicsSimulator, Res
 
 use super::{any_call, mass, rest};
 use crate::around::GameWrapper;
+use crate::drives::{create_driven_joint, edit_drive, lock_axes};
 use crate::engine::Engine;
 use crate::game::{Call, Game, Outcome};
 use crate::plane::OneWayPlane;
@@ -18,6 +19,7 @@ const CALLS: &[Call<CalmPlane>] = &[
     Call { name: "create a thing", weight: 3, make: create_thing },
     Call { name: "play as ever", weight: 3, make: |game| any_call(&mut game.0) },
     Call { name: "tie", weight: 2, make: add_link },
+    Call { name: "edit a drive", weight: 2, make: edit_link },
     Call { name: "shoot", weight: 2, make: shoot },
     Call { name: "change a setting", weight: 2, make: change_setting },
     Call { name: "rest", weight: 20, make: |game| rest(game, |simulator, dt| simulator.update(dt)) },
@@ -86,7 +88,32 @@ const LINKS: &[AddLink] = &[
         let anchor = simulator[a].position() + random.vector(40.0);
         JointFactory::create_fixed_revolute_joint_in(simulator, a, anchor)
     },
+    create_driven,
+    create_driven,
+    create_driven,
 ];
+
+/// Makes a joint with drives and adds it.
+fn create_driven(
+    simulator: &mut PhysicsSimulator,
+    bodies: [BodyId; 2],
+    random: &mut Random,
+) -> Result<JointId> {
+    let joint = create_driven_joint(simulator, bodies, random)?;
+    simulator.add(joint)?;
+    Ok(joint)
+}
+
+/// Edits the drives of a joint.
+fn edit_link(game: &mut CalmPlane) -> Outcome {
+    let joints = game.simulator().joint_list().to_vec();
+    if joints.is_empty() {
+        return Outcome::Queried;
+    }
+    let mut random = game.random().split();
+    edit_drive(game.simulator_mut(), random.pick(&joints), &mut random).ok();
+    Outcome::Changed
+}
 
 fn add_link(game: &mut CalmPlane) -> Outcome {
     let (Some(a), Some(b)) = (game.body(), game.body()) else { return Outcome::Queried };
@@ -116,6 +143,12 @@ const SETTINGS: &[fn(&mut PhysicsSimulator, &mut Random)] = &[
     |simulator, random| {
         let methods = if random.chance(30) { Methods::default() } else { Methods::PRECISE };
         simulator.set_methods(methods).ok();
+    },
+    |simulator, random| {
+        let all: Vec<BodyId> = simulator.bodies().collect();
+        if !all.is_empty() {
+            lock_axes(simulator, random.pick(&all), random).ok();
+        }
     },
     |simulator, random| simulator.set_gravity(random.vector(200.0)).unwrap_or_default(),
     |simulator, random| simulator.set_iterations(1 + random.below(8) as i32),

@@ -10,6 +10,7 @@ use super::handler::EditingHandler;
 use super::paths::{create_chain, edit_path};
 use super::queries::random_query;
 use super::{Plane, broad_phase, create_thing};
+use crate::drives::{edit_drive, lock_axes};
 use crate::game::{Call, Outcome};
 use crate::random::Random;
 use crate::shapes::{outline, step};
@@ -79,6 +80,14 @@ pub(super) const CALLS: &[Call<Plane>] = &[
         game.random.pick(JOINT_EDITS)(joint, &mut game.random);
         JOINT_KIND_EDITS.iter().for_each(|edit| drop(edit(&mut game.simulator, id, &mut game.random)));
         Outcome::Changed
+    }),
+    call("edit a drive", 2, |game| {
+        let id = game.random.pick(&game.pools.joints);
+        Outcome::of(edit_drive(&mut game.simulator, id, &mut game.random))
+    }),
+    call("lock axes", 1, |game| {
+        let body = game.body();
+        Outcome::of(lock_axes(&mut game.simulator, body, &mut game.random))
     }),
     call("edit a spring", 1, |game| {
         let id = game.random.pick(&game.pools.springs);

@@ -8,6 +8,7 @@ use farseer_core::{
 
 use super::Plane;
 use super::controllers::container;
+use crate::drives::create_driven_joint;
 use crate::shapes::{chain, edges, outline, placement};
 
 /// A function that makes an object of some kind and returns its id.
@@ -149,7 +150,19 @@ pub(super) const JOINTS: &[Make<JointId>] = &[
         let (body1, body2, anchor) = (game.body(), game.body(), game.random.vector(100.0));
         JointFactory::create_weld_joint_in(&mut game.simulator, body1, body2, anchor)
     },
+    create_driven,
+    create_driven,
+    create_driven,
+    create_driven,
 ];
+
+/// Makes a joint with drives. The faithful set refuses to add it.
+fn create_driven(game: &mut Plane) -> Result<JointId> {
+    let bodies = [game.body(), game.body()];
+    let joint = create_driven_joint(&mut game.simulator, bodies, &mut game.random)?;
+    drop(game.simulator.add(joint));
+    Ok(joint)
+}
 
 pub(super) const SPRINGS: &[Make<SpringId>] = &[
     |game| {

@@ -10,6 +10,7 @@ use super::controllers::CONTROLLER_EDITS;
 use super::edits::{BODY_EDITS, GEOM_EDITS, JOINT_EDITS, SPRING_EDITS};
 use super::pools::Pools;
 use super::queries::random_query;
+use crate::drives::edit_drive;
 use crate::random::Random;
 
 /// Greatest number of calls that a handler makes into the simulator, so that an update ends.
@@ -48,6 +49,7 @@ const MEDDLINGS: &[Meddling] = &[
             random.pick(JOINT_EDITS)(joint, random);
         }
     },
+    |context, pools, random| drop(edit_drive(context, random.pick(&pools.joints), random)),
     |context, pools, random| {
         if let Some(spring) = context.spring_mut(random.pick(&pools.springs)) {
             random.pick(SPRING_EDITS)(spring, random);

@@ -7,6 +7,7 @@ use twohalf_factories::{Rope, RopeEnd, spawn_rope};
 use super::Tied;
 use super::links::{JOINTS, Make, SPRINGS};
 use crate::depth::Depth;
+use crate::drives::{create_driven_joint, edit_drive, lock_axes};
 use crate::game::{Call, Game, Outcome, draw};
 use crate::plane::{JOINT_EDITS, SPRING_EDITS};
 use crate::random::Random;
@@ -28,6 +29,9 @@ pub(super) const CALLS: &[Call<Tied>] = &[
     call("create a joint", 4, |game| {
         made(game, JOINTS, |objects, joint| objects.add(joint), |game| &mut game.joints)
     }),
+    call("create a joint with a drive", 3, |game| {
+        made(game, &[create_driven_joint], |objects, joint| objects.add(joint), |game| &mut game.joints)
+    }),
     call("create a spring", 2, |game| {
         made(game, SPRINGS, |objects, spring| objects.add(spring), |game| &mut game.springs)
     }),
@@ -43,6 +47,17 @@ pub(super) const CALLS: &[Call<Tied>] = &[
             }
             Outcome::Changed
         })
+    }),
+    call("edit a drive", 3, |game| {
+        let Some(joint) = pick(&game.joints, game.depth.random()) else { return Outcome::Queried };
+        let (simulator, random) = game.depth.parts();
+        simulator.edit_objects(|objects| drop(edit_drive(objects, joint, random)));
+        Outcome::Changed
+    }),
+    call("lock axes", 1, |game| {
+        let body = game.depth.body();
+        let (simulator, random) = game.depth.parts();
+        Outcome::of(simulator.edit_objects(|objects| lock_axes(objects, body, random)))
     }),
     call("edit a spring", 1, |game| {
         let Some(spring) = pick(&game.springs, game.depth.random()) else { return Outcome::Queried };
