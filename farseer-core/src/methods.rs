@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::geom::entry::GeomEntry;
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
-use crate::{Error, Result};
+use crate::{Error, Result, SurfaceOptions};
 
 /// How a simulator computes: what belongs together is chosen together.
 ///
@@ -135,7 +135,21 @@ impl Methods {
         if geom.outline.is_chain() {
             self.check_chains()?;
         }
+        if let Some(surface) = geom.geom.surface {
+            self.check_surface(surface)?;
+        }
         if geom.one_way.is_some() { self.check_one_way() } else { Ok(()) }
+    }
+
+    /// Refuses options of a surface that these methods do not have.
+    pub(crate) fn check_surface(self, surface: SurfaceOptions) -> Result<()> {
+        let SurfaceOptions { friction_rule, restitution_rule, speed, rolling_resistance } = surface;
+        let used = [
+            (friction_rule.is_some() || restitution_rule.is_some(), "combination rules"),
+            (speed != 0.0, "surface speeds"),
+            (rolling_resistance != 0.0, "rolling resistance"),
+        ];
+        used.into_iter().filter(|(is_used, _)| *is_used).try_for_each(|(_, what)| self.only_precise(what))
     }
 
     pub(crate) fn check_one_way(self) -> Result<()> {

@@ -14,7 +14,7 @@ use crate::math::{Vector2, scalar};
 use crate::object_id::ObjectId;
 use crate::objects::{GeomPlacement, Objects};
 use crate::simulator::PhysicsSimulator;
-use crate::{Error, Result};
+use crate::{Error, Result, SurfaceOptions};
 
 /// Bodies and geoms of builders.
 impl Objects {
@@ -198,6 +198,7 @@ impl Objects {
         settings.set_collision_response_enabled(!geom.is_sensor);
         settings.set_friction_coefficient(geom.friction);
         settings.set_restitution_coefficient(geom.restitution);
+        settings.surface = (geom.surface != SurfaceOptions::default()).then_some(geom.surface);
         settings.set_collision_categories(geom.categories);
         settings.set_collides_with(geom.collides_with);
         settings.set_collision_group(geom.group);

@@ -6,6 +6,8 @@ use crate::geom::options::WantedEvents;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector, zero_or_more};
 use crate::methods::{CollisionCategory, Methods};
+use crate::objects::check_surface;
+use crate::{CombinationRule, SurfaceOptions};
 
 /// Friction coefficient of geoms that a builder describes, dimensionless: that of Box2D and of most solid things.
 const FRICTION: f32 = 0.6;
@@ -49,6 +51,7 @@ pub struct GeomBuilder {
     pub(super) mass: Option<f32>,
     pub(super) friction: f32,
     pub(super) restitution: f32,
+    pub(super) surface: SurfaceOptions,
     pub(super) categories: CollisionCategory,
     pub(super) collides_with: CollisionCategory,
     pub(super) group: i32,
@@ -70,6 +73,7 @@ impl GeomBuilder {
             mass: None,
             friction: FRICTION,
             restitution: 0.0,
+            surface: SurfaceOptions::default(),
             categories: CollisionCategory::ALL,
             collides_with: CollisionCategory::ALL,
             group: 0,
@@ -140,16 +144,50 @@ impl GeomBuilder {
         self
     }
 
-    /// Friction coefficient, dimensionless, 0 or more. Default 0.6. The mean of both geoms acts, unless
-    /// [`set_friction_type`](crate::PhysicsSimulator::set_friction_type) says otherwise.
+    /// Friction coefficient, dimensionless, 0 or more. Default 0.6. The mean of both geoms acts, unless a
+    /// [rule](Self::friction_rule) or [`set_friction_type`](crate::PhysicsSimulator::set_friction_type) says otherwise.
     pub fn friction(mut self, friction: f32) -> Self {
         self.friction = friction;
         self
     }
 
-    /// Restitution coefficient, dimensionless, usually 0 to 1. Default 0. The mean of both geoms acts.
+    /// Restitution coefficient, dimensionless, usually 0 to 1. Default 0. The mean of both geoms acts, unless a
+    /// [rule](Self::restitution_rule) says otherwise.
     pub fn restitution(mut self, restitution: f32) -> Self {
         self.restitution = restitution;
+        self
+    }
+
+    /// How the friction coefficients of this geom and another combine. If the other geom has a rule, too, the later one in the
+    /// list of [`CombinationRule`] acts. Default none. Only with the precise set.
+    #[doc(alias("friction_combine_rule", "combine_rule"))]
+    pub fn friction_rule(mut self, rule: CombinationRule) -> Self {
+        self.surface.friction_rule = Some(rule);
+        self
+    }
+
+    /// How the restitution coefficients of this geom and another combine: see [`friction_rule`](Self::friction_rule). Default
+    /// none. Only with the precise set.
+    #[doc(alias("restitution_combine_rule"))]
+    pub fn restitution_rule(mut self, rule: CombinationRule) -> Self {
+        self.surface.restitution_rule = Some(rule);
+        self
+    }
+
+    /// Speed at which the surface runs around the shape, clockwise on the screen, in length units/s: a conveyor belt whose upper
+    /// side carries things to the right, or the track of a tank that drives to the right. Friction brings what touches to this
+    /// speed. Default 0. Only with the precise set.
+    #[doc(alias("conveyor", "tangent_speed"))]
+    pub fn surface_speed(mut self, speed: f32) -> Self {
+        self.surface.speed = speed;
+        self
+    }
+
+    /// Coefficient of rolling resistance, dimensionless, 0 or more: a ball on level ground stops, and rests on a slope whose
+    /// tangent is less. The torque is at most coefficient · radius · normal force, with the larger coefficient and radius of both
+    /// geoms; polygons have the radius 0. Default 0. Only with the precise set.
+    pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
+        self.surface.rolling_resistance = coefficient;
         self
     }
 
@@ -225,6 +263,7 @@ impl GeomBuilder {
         self.mass.map(|mass| zero_or_more("mass", mass)).transpose()?;
         zero_or_more("friction", self.friction)?;
         zero_or_more("restitution", self.restitution)?;
+        methods.check_surface(check_surface(self.surface)?)?;
         if self.one_way.is_some() {
             methods.check_one_way()?;
         }

@@ -100,7 +100,7 @@ fn checksum(bytes: &[u8]) -> u32 {
     crc32([&bytes[..CHECKSUM.start], &bytes[CHECKSUM.end..]])
 }
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 19 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 20 };
 
 impl PhysicsSimulator {
     /// The whole simulator as bytes, to be [restored](Self::restore) later, in this program or another.

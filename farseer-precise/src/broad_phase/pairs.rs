@@ -134,6 +134,9 @@ pub struct Pair {
     pub is_static_sensor: bool,
     /// Whether a one-way geom stops the other body of the pair or lets it pass.
     pub one_way_state: OneWayState,
+    /// Accumulated angular impulse of [rolling resistance](crate::contact_solver::rolling_resistance) in one substep, mass
+    /// units * length units^2/s.
+    pub rolling_impulse: f32,
 }
 
 impl Pair {
@@ -501,6 +504,7 @@ impl Pairs {
             is_on_ground: false,
             is_static_sensor: false,
             one_way_state: OneWayState::Closed,
+            rolling_impulse: 0.0,
         });
         for side in 0..2 {
             self.link(at, side);
@@ -558,10 +562,12 @@ impl Pairs {
         })
     }
 
-    /// Invalidates the cached manifold of a pair, so that the next step computes the manifold again.
+    /// Invalidates the cached manifold of a pair, so that the next step computes the manifold again. Rolling resistance loses its
+    /// accumulated impulse, since the geoms may have other surfaces.
     pub fn invalidate(&mut self, pair: PairIndex) {
         self.triggers[pair].motion_tolerance = 0;
         self.manifolds[pair].rotations = [0.0; 4];
+        self.all[pair].rolling_impulse = 0.0;
     }
 
     /// Inserts a pair at the head of the list of its proxy A (`side` 0) or B (`side` 1).

@@ -19,6 +19,9 @@ use crate::constraint_graph::{ColorUsage, ConstraintGraph, ConstraintGraph3};
 use crate::contact_solver::held_contacts::{HeldContacts, hold_deep_contacts};
 use crate::contact_solver::restitution::apply_restitution;
 use crate::contact_solver::rolling::{RollingContact, RollingSolver};
+use crate::contact_solver::rolling_resistance::{
+    RollingRow, list_rolling_rows, relax_rolling, store_rolling, warm_start_rolling,
+};
 use crate::contact_solver::soft_step::{ContactSubstep, relax, solve_with_bias, solve_with_joint_softness};
 use crate::contact_solver::warm_start::accumulate_warm_start;
 use crate::depth::feature_gate::FeatureGate;
@@ -73,6 +76,7 @@ impl IterativeSolver<'_> {
             records_active_points: may_bounce,
             has_contacts: !self.constraints.is_empty(),
         };
+        let mut rolling_rows = self.list_rolling_rows(is_planar);
         self.warm_start_hinges();
         if !is_planar {
             self.prepare_rolling(step);
@@ -83,12 +87,26 @@ impl IterativeSolver<'_> {
             self.solve_with_bias(step, contact_substep, has_joints);
             integrate_positions(self.bodies, self.awake_body_runs, step.h, substep == 0);
             self.relax(step, contact_substep, has_joints);
+            if !rolling_rows.is_empty() {
+                relax_rolling(&mut rolling_rows, self.constraints, &mut self.bodies.states);
+            }
         }
+        store_rolling(&rolling_rows, self.pairs);
         self.correct_displacements(step);
         if may_bounce {
             self.apply_restitution(step);
         }
         true
+    }
+
+    /// Returns the rows of rolling resistance, and adds their impulses to the warm start; none in three axes.
+    fn list_rolling_rows(&mut self, is_planar: bool) -> Vec<RollingRow> {
+        if !(is_planar && self.proxies.resist_rolling) {
+            return Vec::new();
+        }
+        let rows = list_rolling_rows(self.pairs, self.proxies, self.constraints);
+        warm_start_rolling(&rows, self.bodies);
+        rows
     }
 
     /// Finds the rolling contacts of this step, and among them the polygons that pivot in closed form.

@@ -20,7 +20,7 @@ use crate::reusing_clone;
 use crate::scaled_parameters::{AabbMargin, Parameters};
 use crate::shape::ShapeRef;
 use crate::slanted_box::SlantedBox;
-use crate::surface::{FrictionType, mix_friction, mix_restitution};
+use crate::surface::{FrictionType, friction_of, mix_friction, mix_restitution, restitution_of};
 
 /// State of the depth axis: depth data of bodies, geoms, proxies and world boxes. "Body index" means the index into `BodySet`,
 /// "proxy index" the index into `Proxies::all`.
@@ -163,11 +163,10 @@ impl DepthState {
         [a, b]: [&Proxy; 2],
         mix: FrictionType,
     ) -> [f32; 2] {
-        let [friction, restitution] = if proxies[0] == self.ground_proxy {
-            self.extents[proxies[1]].ground_surface.unwrap_or_default()
-        } else {
-            [a.friction, a.restitution]
-        };
+        if proxies[0] != self.ground_proxy {
+            return [friction_of(mix, a, b), restitution_of(a, b)];
+        }
+        let [friction, restitution] = self.extents[proxies[1]].ground_surface.unwrap_or_default();
         // The mean of huge coefficients overflows.
         let restitution = mix_restitution(restitution, b.restitution).clamp(f32::MIN, f32::MAX);
         [mix_friction(mix, friction, b.friction).min(f32::MAX), restitution]

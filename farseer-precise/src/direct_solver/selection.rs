@@ -11,7 +11,7 @@ use crate::bodies::BodySet;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint, ContactPoint};
-use crate::index::{BodyIndex, DenseIndex, PairIndex};
+use crate::index::{BodyIndex, DenseIndex, PairIndex, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
@@ -23,6 +23,7 @@ use crate::parameters::direct::{
 };
 use crate::scaled_parameters::Parameters;
 use crate::solver_choice::SolverChoice;
+use crate::surface::rolling_arm_of;
 
 /// The parts of the engine that solver selection reads.
 pub struct SolverSelection<'a> {
@@ -57,7 +58,9 @@ impl SolverSelection<'_> {
         let is_rejected = |contact: &ContactConstraint| {
             let velocity = |body: BodyIndex| self.bodies.states[body].velocity;
             let velocities = [contact.a, contact.b].map(velocity);
-            self.bounces(contact, velocities) || self.blocks_planar_solution(contact, velocities)
+            self.bounces(contact, velocities)
+                || self.blocks_planar_solution(contact, velocities)
+                || self.resists_rolling(contact.pair)
         };
         self.constraints.direct_constraints().iter().any(|row| is_rejected(&row.constraint))
     }
@@ -137,6 +140,7 @@ impl SolverSelection<'_> {
             stats.contacts += 1;
             stats.has_unsupported_joint |= mobility == BodyType::Hinged;
             stats.has_depth = self.has_depth;
+            stats.resists_rolling |= self.resists_rolling(pair);
             if !(stats.has_depth || stats.slips && stats.has_load) {
                 let contact = self.constraints.get(kind, handle);
                 stats.slips |= slips(&contact, velocity, SLIP_SPEED * self.parameters.length_unit);
@@ -182,6 +186,12 @@ impl SolverSelection<'_> {
                 union_find.unite(a, b);
             }
         }
+    }
+
+    /// Returns whether a contact has rolling resistance, for which the direct solver has no row. Always false with a depth axis.
+    fn resists_rolling(&self, pair: PairIndex) -> bool {
+        let arm = |[a, b]: [ProxyIndex; 2]| rolling_arm_of(self.proxies.proxy(a), self.proxies.proxy(b));
+        self.proxies.resist_rolling && !self.has_depth && arm(self.pairs.proxies_of(pair)) > 0.0
     }
 
     /// Returns whether restitution applies at a contact. `velocities` are those of its bodies A and B.

@@ -43,13 +43,14 @@ impl SavedProxy {
         let SavedProxy {
             fat_aabb,
             depth_interval,
-            imported: ImportedState { pose, contact_properties, one_way, .. },
+            imported: ImportedState { pose, contact_properties, surface, one_way, .. },
             ..
         } = self;
         finite(&[depth_interval.low, depth_interval.high])
             && finite(fat_aabb)
             && finite(pose)
             && finite(contact_properties)
+            && surface.is_none_or(|surface| surface.is_valid())
             && finite(&one_way.unwrap_or_default())
     }
 }
@@ -76,6 +77,7 @@ impl SavedPair {
             && finite(&[depth.normal_z, depth.z_offset, depth.patch_radius])
             && finite(&depth.points_z)
             && finite(separations)
+            && finite(&[self.rolling_impulse.unwrap_or(0.0)])
             && arm_lead_angle.abs() <= 1.0
             && anchors.iter().all(|anchor| finite(anchor))
             && self.constraint.as_ref().is_none_or(|row| *count > 0 && row.is_valid())

@@ -31,7 +31,7 @@ use farseer_precise::index::IndexedVec;
 use farseer_precise::math::plane::Vector;
 use farseer_precise::narrow_phase::{TouchEvent, TouchKind};
 use farseer_precise::scaled_parameters::Parameters;
-use farseer_precise::surface::FrictionType;
+use farseer_precise::surface::{FrictionType, SurfaceOptions};
 
 /// Saved state of the precise set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -148,6 +148,8 @@ struct ImportedState {
     /// (dimensionless).
     #[serde(rename = "contacts")]
     contact_properties: [f32; 8],
+    /// Combination rules, surface speed and rolling resistance of the geom; `None` for the default.
+    surface: Option<SurfaceOptions>,
     /// Collision filter: masks of the own and of the colliding categories, group, flags (1: collision is enabled, 2: both
     /// geoms must agree), number of changes of the ignored geoms. The last number has further flags. 1: contacts respond; then
     /// follow the bits of the wanted events.
@@ -216,6 +218,8 @@ struct SavedPair {
     /// State of a pair with a one-way geom: whether the one-way geom lets the other geom pass.
     #[serde(rename = "passage")]
     one_way_state: OneWayState,
+    /// Accumulated angular impulse of rolling resistance in one substep, mass units * length units^2/s; `None` for 0.
+    rolling_impulse: Option<f32>,
     /// Contact points as the last narrow phase found them.
     #[serde(rename = "frozen")]
     manifold: SavedManifold,

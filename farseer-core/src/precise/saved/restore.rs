@@ -269,9 +269,12 @@ impl Precise {
         if edits == EditPolicy::Defer {
             let [.., friction, restitution] = then.contact_properties;
             let proxy = self.solver.proxies.proxy_mut(proxy_index);
-            if [proxy.friction, proxy.restitution] != [friction, restitution] {
+            let surface = then.surface.unwrap_or_default();
+            let are_equal = [proxy.friction, proxy.restitution] == [friction, restitution];
+            if !are_equal || proxy.surface != surface {
                 (proxy.friction, proxy.restitution) = (friction, restitution);
                 self.edits.geoms.push(geom_of(proxy));
+                self.solver.proxies.set_surface(proxy_index, surface);
             }
         }
         self.solver.proxies.set_travel(proxy_index, saved.travel);
@@ -292,6 +295,7 @@ impl Precise {
         has_moved
             || is_reshaped
             || then.contact_properties != now.contact_properties
+            || then.surface != now.surface
             || then.filter != now.filter
             || then.one_way != now.one_way
     }
@@ -321,6 +325,8 @@ impl Precise {
         }
         self.solver.pairs.set_touching(pair, saved.is_touching);
         let constraint = saved.constraint.filter(|_| responds);
+        let rolling_impulse = saved.rolling_impulse.filter(|_| constraint.is_some());
+        self.solver.pairs.state_mut(pair).rolling_impulse = rolling_impulse.unwrap_or(0.0);
         // A disabled pair is updated in the next step in any case.
         let has_constraint = constraint.is_some() || saved.is_vetoed;
         if saved.motion_tolerance == UPDATED_BY_SOLVER

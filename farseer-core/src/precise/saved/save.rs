@@ -17,6 +17,7 @@ use farseer_precise::direct_solver::IslandHistory;
 use farseer_precise::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use farseer_precise::island::sleep::SleepState;
 use farseer_precise::narrow_phase::TouchEvent;
+use farseer_precise::surface::SurfaceOptions;
 
 impl Precise {
     /// Returns the state to save: the current state or, between loading and the next rebuild, the loaded one.
@@ -139,6 +140,7 @@ impl Precise {
             body,
             friction,
             restitution,
+            surface,
             surface_velocity,
             filter,
             responds,
@@ -153,6 +155,7 @@ impl Precise {
         ImportedState {
             pose: self.pose_of(body),
             contact_properties: [mass, inertia, vx, vy, spin, vz, friction, restitution],
+            surface: (surface != SurfaceOptions::default()).then_some(surface),
             filter: [is, with, group, enabled, ignores, i32::from(responds) | i32::from(events) << 1],
             one_way,
             fingerprint,
@@ -175,6 +178,7 @@ impl Precise {
             is_vetoed: state.is_vetoed,
             was_vetoed: state.was_vetoed,
             one_way_state: state.one_way_state,
+            rolling_impulse: (state.rolling_impulse != 0.0).then_some(state.rolling_impulse),
             manifold: SavedManifold::of(manifold),
             constraint: state
                 .constraint
