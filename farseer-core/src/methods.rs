@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geom::entry::GeomEntry;
+use crate::geom::outline::Outline;
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
 use crate::{Error, Result, SurfaceOptions};
@@ -126,15 +127,19 @@ impl Methods {
         if joint.limits().is_some() { self.only_precise("limits of such joints") } else { Ok(()) }
     }
 
-    pub(crate) fn check_chains(self) -> Result<()> {
-        self.only_precise("chains")
+    /// Refuses a shape that these methods do not have.
+    pub(crate) fn check_outline(self, outline: Outline) -> Result<()> {
+        match outline {
+            Outline::Chain { .. } => self.only_precise("chains"),
+            Outline::TwoSidedChain { .. } => self.only_precise("two-sided chains"),
+            Outline::RoundedPolygon { .. } => self.only_precise("rounded polygons"),
+            Outline::Polygon | Outline::Circle { .. } | Outline::Capsule { .. } => Ok(()),
+        }
     }
 
     /// Refuses a geom that these methods do not have.
     pub(crate) fn check_geom(self, geom: &GeomEntry) -> Result<()> {
-        if geom.outline.is_chain() {
-            self.check_chains()?;
-        }
+        self.check_outline(geom.outline)?;
         if let Some(surface) = geom.geom.surface {
             self.check_surface(surface)?;
         }

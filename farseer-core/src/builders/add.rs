@@ -9,6 +9,7 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::options::WantedEvents;
 use crate::geom::outline::Outline;
+use crate::geom::rounded::core_of;
 use crate::math::finite::positive;
 use crate::math::{Vector2, scalar};
 use crate::object_id::ObjectId;
@@ -219,7 +220,11 @@ fn mass_of_geom(geom: &GeomEntry) -> Result<MassProperties> {
     let shape = match geom.outline {
         Outline::Circle { radius } => GeomShape::Circle { radius },
         Outline::Capsule { height, end_radius } => GeomShape::Capsule { height, end_radius },
-        Outline::Chain { .. } => GeomShape::Chain { points: corners },
+        Outline::RoundedPolygon { radius } => {
+            let core = core_of(&corners, radius).into_iter().map(Vector2::from).collect();
+            GeomShape::RoundedPolygon { corners: core, radius }
+        }
+        Outline::Chain { .. } | Outline::TwoSidedChain { .. } => GeomShape::Chain { points: corners },
         Outline::Polygon => GeomShape::Polygon { corners },
     };
     // The original turns an offset along with the outline.

@@ -8,6 +8,7 @@ pub(crate) mod options;
 pub(crate) mod outline;
 #[cfg(feature = "precise")]
 pub(crate) mod pieces;
+pub(crate) mod rounded;
 #[cfg(feature = "precise")]
 pub(crate) mod sensor_pairs;
 pub(crate) mod view;

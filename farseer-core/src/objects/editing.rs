@@ -20,7 +20,7 @@ impl Objects {
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
         let old_body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
         let new_owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
-        if self.geoms[geom].outline.is_chain() {
+        if self.geoms[geom].outline.is_one_sided() {
             check_may_hold_chain(body, new_owner)?;
         }
         check_pose_is_finite("geom", self.geoms[geom].clone(), new_owner)?;

@@ -13,8 +13,8 @@ use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ConstraintGraph, ConstraintHandle, ConstraintKind};
 use crate::index::{BodyIndex, DenseIndex, PairIndex};
+use crate::narrow_phase::combined_surface::rolling_arm_of;
 use crate::storage::order::sort_by_number;
-use crate::surface::rolling_arm_of;
 
 /// Angular row of a contact with rolling resistance.
 #[derive(Debug, Clone, Copy)]

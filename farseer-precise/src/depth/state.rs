@@ -16,11 +16,12 @@ use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::scalar::nearest_finite;
+use crate::narrow_phase::combined_surface::{friction_of, restitution_of};
 use crate::reusing_clone;
 use crate::scaled_parameters::{AabbMargin, Parameters};
 use crate::shape::ShapeRef;
 use crate::slanted_box::SlantedBox;
-use crate::surface::{FrictionType, friction_of, mix_friction, mix_restitution, restitution_of};
+use crate::surface::{FrictionType, mix_friction, mix_restitution};
 
 /// State of the depth axis: depth data of bodies, geoms, proxies and world boxes. "Body index" means the index into `BodySet`,
 /// "proxy index" the index into `Proxies::all`.

@@ -17,13 +17,13 @@ use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
 use crate::math::plane::Vector;
+use crate::narrow_phase::combined_surface::rolling_arm_of;
 use crate::parameters::direct::{
     ACCEPTED_JOINT_ERROR, CALM_ISLAND_MAX_SPEED, FRICTION_CHECK_MAX_DOUBLINGS, SLIP_SPEED,
     STICKING_FRICTION_FRACTION,
 };
 use crate::scaled_parameters::Parameters;
 use crate::solver_choice::SolverChoice;
-use crate::surface::rolling_arm_of;
 
 /// The parts of the engine that solver selection reads.
 pub struct SolverSelection<'a> {

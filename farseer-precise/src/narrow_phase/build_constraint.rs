@@ -12,7 +12,7 @@ use crate::depth::interface::HingeFeature;
 use crate::depth::state::DepthState;
 use crate::index::{BodyIndex, PairIndex};
 use crate::math::plane::{Vector, cross, difference, dot, rotate, scaled, sum};
-use crate::surface::{friction_of, restitution_of};
+use crate::narrow_phase::combined_surface::{friction_of, restitution_of};
 
 impl NarrowPhase<'_> {
     /// Returns the contact constraint of a pair, built from its cached manifold. All impulses of the constraint are 0.

@@ -13,7 +13,8 @@ use crate::math::plane::{
     Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar::nearest_finite;
-use crate::surface::{FrictionType, friction_of};
+use crate::narrow_phase::combined_surface::friction_of;
+use crate::surface::FrictionType;
 
 /// Contact of a pair in the plane, in the present poses.
 pub struct PlanarContact {
