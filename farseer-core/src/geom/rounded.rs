@@ -28,7 +28,9 @@ pub(crate) fn checked_core(corners: &[Vector2], radius: f32) -> Result<Vec<Vecto
     positive("radius", radius)?;
     finite_vertices("corners", corners)?;
     let core = simplified(corners.iter().map(|corner| [corner.x, corner.y]).collect());
-    let is_core = core.len() >= MIN_CORE_CORNERS && is_convex(&core) && core_area(&core) > 0.0;
+    let is_core = core.len() >= MIN_CORE_CORNERS
+        && is_convex(&core)
+        && area_of(core.iter().map(|&corner| double(corner))) > 0.0;
     match is_core {
         true => Ok(core),
         false => Err(Error::invalid("corners", corners, "those of a convex polygon with an area")),
@@ -60,13 +62,16 @@ pub(crate) fn core_of(outline: &[Vector2], radius: f32) -> Vec<Vector> {
         let point = outline[index % outline.len()];
         [f64::from(point.x), f64::from(point.y)]
     };
+    // The winding of geoms is opposite to that of cores.
+    let inwards =
+        if area_of((0..outline.len()).map(at)) < 0.0 { f64::from(radius) } else { -f64::from(radius) };
     let corner = |first: usize| {
         let last = first + CORNER_POINTS - 1;
         // The flat sides before and after the arc. The longer one has the more exact normal.
         let before = [at(first + outline.len() - 1), at(first)];
         let after = [at(last), at(last + 1)];
         let (side, end) = if length_of(before) >= length_of(after) { (before, first) } else { (after, last) };
-        plus(at(end), normal_of(side), -f64::from(radius)).map(|part| part as f32)
+        plus(at(end), normal_of(side), inwards).map(|part| part as f32)
     };
     (0..outline.len()).step_by(CORNER_POINTS).map(corner).collect()
 }
@@ -104,9 +109,9 @@ pub(crate) fn mass_of_border(core: &[Vector], radius: f32) -> Vec<MassProperties
     (0..core.len()).flat_map(|corner| [strip(corner), sector(corner)]).collect()
 }
 
-/// Returns the area of a core in the order of positive shoelace area, length units^2.
-fn core_area(core: &[Vector]) -> f64 {
-    let edges = core.iter().zip(core.iter().cycle().skip(1)).map(|(&a, &b)| (double(a), double(b)));
+/// Returns the shoelace area of a polygon, length units^2; negative in the order of the corners of geoms.
+fn area_of(corners: impl Iterator<Item = Point> + Clone) -> f64 {
+    let edges = corners.clone().zip(corners.cycle().skip(1));
     0.5 * edges.map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>()
 }
 
@@ -161,7 +166,10 @@ mod tests {
             let corners = [[-3.0, -2.0], [4.0, -1.0], [2.0, 3.0], [-1.0, 3.5]]
                 .map(|[x, y]: [f32; 2]| Vector2::new(x * scale, y * scale));
             let core = checked_core(&corners, 0.7 * scale).unwrap();
-            let again = core_of(&outline_of(&core, 0.7 * scale), 0.7 * scale);
+            let mut outline = outline_of(&core, 0.7 * scale);
+            let again = core_of(&outline, 0.7 * scale);
+            outline.force_counter_clockwise_order();
+            assert_eq!(core_of(&outline, 0.7 * scale).into_iter().rev().collect::<Vec<_>>(), again);
             for (a, b) in core.iter().flatten().zip(again.iter().flatten()) {
                 assert!((a - b).abs() <= 1e-6 * scale, "{core:?} {again:?}");
             }
