@@ -239,9 +239,9 @@ impl GeomBuilder {
         self
     }
 
-    /// Speed at which the surface runs around the shape, clockwise on the screen, in length units/s: a conveyor belt whose upper
-    /// side carries things to the right, or the track of a tank that drives to the right. Friction brings what touches to this
-    /// speed. Default 0. Only with the precise set.
+    /// Speed at which the surface runs around the shape, clockwise on the screen, in length units/s. So the upper side of a conveyor
+    /// belt carries things to the right, and the track of a tank drives it to the right. Friction brings what touches to this speed.
+    /// Default 0. Only with the precise set.
     #[doc(alias("conveyor", "tangent_speed"))]
     pub fn surface_speed(mut self, speed: f32) -> Self {
         self.surface.speed = speed;

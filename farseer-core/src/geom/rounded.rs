@@ -84,9 +84,11 @@ pub(super) fn fits(outline: &[Vector2], radius: f32) -> bool {
         && core_of(outline, radius).iter().flatten().all(|part| part.is_finite())
 }
 
-/// Returns the mass properties with mass 1 per square length unit: of the core, of a strip along each side, and of a sector of a
-/// disc at each corner, which has the half angle a, the area a r^2, the centroid 2/3 r sin(a)/a from the corner, and the moment of
-/// inertia a r^4 / 2 about it.
+/// Returns the mass properties of the border with mass 1 per square length unit: a strip along each side, and a sector of a disc at
+/// each corner.
+///
+/// A sector of half angle a and radius r has the area a r^2. Its centroid is 2/3 r sin(a) / a from the corner, and its moment of
+/// inertia about the corner a r^4 / 2.
 pub(crate) fn mass_of_border(core: &[Vector], radius: f32) -> Vec<MassProperties> {
     let radius = f64::from(radius);
     let strip = |corner: usize| {

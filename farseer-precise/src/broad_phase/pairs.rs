@@ -570,6 +570,11 @@ impl Pairs {
         self.all[pair].rolling_impulse = 0.0;
     }
 
+    /// Returns whether a pair was [invalidated](Self::invalidate) and has no new manifold yet.
+    pub(crate) fn is_invalidated(&self, pair: PairIndex) -> bool {
+        self.manifolds[pair].rotations == [0.0; 4]
+    }
+
     /// Inserts a pair at the head of the list of its proxy A (`side` 0) or B (`side` 1).
     fn link(&mut self, pair: PairIndex, side: usize) {
         let head = &mut self.heads[self.triggers[pair].proxies[side]];

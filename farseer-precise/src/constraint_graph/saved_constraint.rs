@@ -27,6 +27,8 @@ pub struct SavedConstraint {
     /// points and both tangents. Units: mass units * length units/s; twist: mass units * length units^2/s.
     #[serde(rename = "space")]
     depth_impulses: [f32; 6],
+    /// Angular impulse of rolling resistance; `None` for 0. Unit: mass units * length units^2/s.
+    rolling_impulse: Option<f32>,
     /// Normal impulses of both points. Unit: mass units * length units/s.
     impulses: [f32; 2],
     /// Rest impulses of both points, which load adaptation has set. Unit: mass units * length units/s.
@@ -64,6 +66,7 @@ impl SavedConstraint {
             direct: parked.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact_impulses)),
             tangent_impulse,
             depth_impulses: [depth.across_impulse, depth.twist_impulse, one, other, along, across],
+            rolling_impulse: (pair.rolling_impulse != 0.0).then_some(pair.rolling_impulse),
             impulses: points.map(|point| point.normal_impulse),
             load_offsets: points.map(|point| point.rest_impulse),
             // Not by effective masses: those of the constraint are out of date after an edit of a mass.
@@ -89,7 +92,7 @@ impl SavedConstraint {
             ..
         } = self;
         Color(self.colour).position() < COLOR_COUNT
-            && finite(&[*tangent_impulse, sleeping_h.unwrap_or(0.0)])
+            && finite(&[*tangent_impulse, self.rolling_impulse.unwrap_or(0.0), sleeping_h.unwrap_or(0.0)])
             && direct.is_none_or(|(h, exact)| h.is_finite() && exact.iter().all(|x| x.is_finite()))
             && finite(&sleeping_surface.unwrap_or_default())
             && finite(depth_impulses)
@@ -110,6 +113,11 @@ impl SavedConstraint {
     /// overridden them; else `None`.
     pub fn surface(&self) -> Option<[f32; 3]> {
         self.sleeping_surface.or(self.awake_surface)
+    }
+
+    /// Returns the angular impulse of rolling resistance, mass units * length units^2/s.
+    pub(crate) fn rolling_impulse(&self) -> f32 {
+        self.rolling_impulse.unwrap_or(0.0)
     }
 
     /// Returns for both points whether a handler has removed the point, or it does not exist.

@@ -5,8 +5,8 @@
 //! normal impulses bound it: the method of Box2D 3 (E. Catto, `rollingResistance` in `contact_solver.c`). The rows are listed
 //! apart from the contacts, so that contacts without rolling resistance cost nothing.
 //!
-//! A ball of mass m, radius r and moment of inertia I that rolls on a plane decelerates by c r^2 m g / (I + m r^2), where c is the
-//! coefficient and g gravity: by 2/3 c g if it is a solid disc.
+//! A ball that rolls on a plane decelerates by c r^2 m g / (I + m r^2). The coefficient is c, gravity g, and mass, radius and moment
+//! of inertia of the ball are m, r and I. A solid disc decelerates by 2/3 c g.
 
 use crate::bodies::{BodySet, MotionState};
 use crate::broad_phase::pairs::Pairs;

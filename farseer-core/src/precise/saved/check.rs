@@ -77,7 +77,6 @@ impl SavedPair {
             && finite(&[depth.normal_z, depth.z_offset, depth.patch_radius])
             && finite(&depth.points_z)
             && finite(separations)
-            && finite(&[self.rolling_impulse.unwrap_or(0.0)])
             && arm_lead_angle.abs() <= 1.0
             && anchors.iter().all(|anchor| finite(anchor))
             && self.constraint.as_ref().is_none_or(|row| *count > 0 && row.is_valid())

@@ -218,8 +218,6 @@ struct SavedPair {
     /// State of a pair with a one-way geom: whether the one-way geom lets the other geom pass.
     #[serde(rename = "passage")]
     one_way_state: OneWayState,
-    /// Accumulated angular impulse of rolling resistance in one substep, mass units * length units^2/s; `None` for 0.
-    rolling_impulse: Option<f32>,
     /// Contact points as the last narrow phase found them.
     #[serde(rename = "frozen")]
     manifold: SavedManifold,

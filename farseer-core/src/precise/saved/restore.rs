@@ -4,10 +4,11 @@
 //! both paths give the same bits.
 
 use super::{
-    EditPolicy, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex, SavedSleeperIndex,
-    SavedSleepingBody, SavedTouchEvent,
+    EditPolicy, ImportedState, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
+    SavedSleeperIndex, SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
+use crate::geom::GeomId;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::body_import::velocity_of;
@@ -267,15 +268,7 @@ impl Precise {
             now.filter = then.filter;
         }
         if edits == EditPolicy::Defer {
-            let [.., friction, restitution] = then.contact_properties;
-            let proxy = self.solver.proxies.proxy_mut(proxy_index);
-            let surface = then.surface.unwrap_or_default();
-            let are_equal = [proxy.friction, proxy.restitution] == [friction, restitution];
-            if !are_equal || proxy.surface != surface {
-                (proxy.friction, proxy.restitution) = (friction, restitution);
-                self.edits.geoms.push(geom_of(proxy));
-                self.solver.proxies.set_surface(proxy_index, surface);
-            }
+            restore_former_surface(&mut self.solver.proxies, &mut self.edits.geoms, proxy_index, &then);
         }
         self.solver.proxies.set_travel(proxy_index, saved.travel);
         self.solver.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
@@ -325,8 +318,6 @@ impl Precise {
         }
         self.solver.pairs.set_touching(pair, saved.is_touching);
         let constraint = saved.constraint.filter(|_| responds);
-        let rolling_impulse = saved.rolling_impulse.filter(|_| constraint.is_some());
-        self.solver.pairs.state_mut(pair).rolling_impulse = rolling_impulse.unwrap_or(0.0);
         // A disabled pair is updated in the next step in any case.
         let has_constraint = constraint.is_some() || saved.is_vetoed;
         if saved.motion_tolerance == UPDATED_BY_SOLVER
@@ -335,6 +326,23 @@ impl Precise {
             self.solver.pairs.recheck(pair);
         }
         constraint.map(|row| (pair, row))
+    }
+}
+
+/// Restores the surface that a proxy had at the save. Its geom is added to the `edited` ones if that was another surface, so that
+/// the next update imports the present one.
+fn restore_former_surface(
+    proxies: &mut Proxies,
+    edited: &mut Vec<GeomId>,
+    proxy_index: ProxyIndex,
+    then: &ImportedState,
+) {
+    let ([.., friction, restitution], surface) = (then.contact_properties, then.surface.unwrap_or_default());
+    let proxy = proxies.proxy_mut(proxy_index);
+    if ([proxy.friction, proxy.restitution], proxy.surface) != ([friction, restitution], surface) {
+        (proxy.friction, proxy.restitution) = (friction, restitution);
+        edited.push(geom_of(proxy));
+        proxies.set_surface(proxy_index, surface);
     }
 }
 

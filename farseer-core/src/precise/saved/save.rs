@@ -178,7 +178,6 @@ impl Precise {
             is_vetoed: state.is_vetoed,
             was_vetoed: state.was_vetoed,
             one_way_state: state.one_way_state,
-            rolling_impulse: (state.rolling_impulse != 0.0).then_some(state.rolling_impulse),
             manifold: SavedManifold::of(manifold),
             constraint: state
                 .constraint
