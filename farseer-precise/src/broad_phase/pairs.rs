@@ -6,6 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::broad_phase::proxies::{BodyType, Proxies};
+use crate::constraint_graph::saved_constraint::SavedConstraint;
 use crate::constraint_graph::{ConstraintHandle, ConstraintKind};
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::math::plane::Vector;
@@ -570,9 +571,10 @@ impl Pairs {
         self.all[pair].rolling_impulse = 0.0;
     }
 
-    /// Returns whether a pair was [invalidated](Self::invalidate) and has no new manifold yet.
-    pub(crate) fn is_invalidated(&self, pair: PairIndex) -> bool {
-        self.manifolds[pair].rotations == [0.0; 4]
+    /// Restores the angular impulse of rolling resistance of a pair from its saved constraint. Edits since the save
+    /// [invalidate](Self::invalidate) the pair after that.
+    pub fn restore_rolling(&mut self, pair: PairIndex, saved: &SavedConstraint) {
+        self.all[pair].rolling_impulse = saved.rolling_impulse();
     }
 
     /// Inserts a pair at the head of the list of its proxy A (`side` 0) or B (`side` 1).

@@ -164,9 +164,6 @@ impl NarrowPhase<'_> {
     pub fn restore_constraint(&mut self, pair: PairIndex, saved: &SavedConstraint) {
         let mut constraint = self.build_constraint(pair, self.proxy_pair(pair));
         saved.apply_to(&mut constraint);
-        if !self.pairs.is_invalidated(pair) {
-            self.pairs.state_mut(pair).rolling_impulse = saved.rolling_impulse();
-        }
         let (color, parked) = (saved.color(), saved.parked());
         let kind = self.pairs.state(pair).kind;
         let color = self.palette.reserve_color(kind, [constraint.a, constraint.b], Color(color));

@@ -2,7 +2,7 @@
 
 use farseer_core::{
     BodyBuilder, BodyId, CombinationRule, GeomBuilder, GeomId, Methods, PhysicsSimulator, SolverChoice,
-    SurfaceOptions,
+    SolverReason, SurfaceOptions,
 };
 
 const DT: f32 = 1.0 / 60.0;
@@ -212,6 +212,27 @@ fn balls_with_rolling_resistance_make_a_heap_that_sleeps() {
     assert!(balls.iter().all(|&ball| simulator.is_asleep(ball)));
     let highest = balls.iter().map(|&ball| simulator[ball].position().y).fold(0.0, f32::min);
     assert!(highest < -30.0, "the heap is more than one ball high: {highest}");
+}
+
+#[test]
+fn the_iterative_solver_has_islands_with_rolling_resistance_and_says_why() {
+    let mut simulator = world();
+    simulator.set_solver_choice(SolverChoice::Direct);
+    floor(&mut simulator, slab());
+    let lower = crate_on_floor(&mut simulator);
+    let ball = BodyBuilder::dynamic().position([0.0, -48.0]);
+    let (ball, [geom]) = simulator.add_body(ball, [GeomBuilder::circle(16.0)]).unwrap();
+    let why = |simulator: &PhysicsSimulator| {
+        let islands = simulator.islands();
+        islands.iter().find(|island| island.bodies.contains(&lower)).map(|island| island.why)
+    };
+    run(&mut simulator, 5);
+    assert_ne!(why(&simulator), Some(SolverReason::RollingResistance));
+    let surface = SurfaceOptions { rolling_resistance: 0.1, ..SurfaceOptions::default() };
+    simulator.set_surface(geom, surface).unwrap();
+    run(&mut simulator, 5);
+    assert_eq!(why(&simulator), Some(SolverReason::RollingResistance));
+    assert!(simulator[ball].position().y < -47.0);
 }
 
 #[test]

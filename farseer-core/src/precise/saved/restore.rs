@@ -325,7 +325,7 @@ impl Precise {
         {
             self.solver.pairs.recheck(pair);
         }
-        constraint.map(|row| (pair, row))
+        constraint.inspect(|row| self.solver.pairs.restore_rolling(pair, row)).map(|row| (pair, row))
     }
 }
 
