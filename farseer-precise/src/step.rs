@@ -231,6 +231,7 @@ impl Solver {
             parameters: &self.parameters,
             awake_body_runs: &self.sleep.awake_body_runs,
             rolling_contacts: &mut self.rolling_contacts,
+            rolling_rows: &mut self.rolling_rows,
             proxy_flags: &mut self.proxy_flags,
             has_restitution: self.has_restitution,
             restitution_threshold,

@@ -48,6 +48,8 @@ pub(crate) struct IterativeSolver<'a> {
     pub(crate) awake_body_runs: &'a [Range<usize>],
     /// Contacts of polygons that roll over a static face in this step.
     pub(crate) rolling_contacts: &'a mut Vec<RollingContact>,
+    /// Rows of rolling resistance; empty without it.
+    pub(crate) rolling_rows: &'a mut Vec<RollingRow>,
     /// Workspace with an entry for each proxy, all false.
     pub(crate) proxy_flags: &'a mut IndexedVec<ProxyIndex, bool>,
     /// Whether any contact may have restitution.
@@ -76,7 +78,7 @@ impl IterativeSolver<'_> {
             records_active_points: may_bounce,
             has_contacts: !self.constraints.is_empty(),
         };
-        let mut rolling_rows = self.list_rolling_rows(is_planar);
+        self.begin_rolling_resistance(is_planar);
         self.warm_start_hinges();
         if !is_planar {
             self.prepare_rolling(step);
@@ -87,11 +89,9 @@ impl IterativeSolver<'_> {
             self.solve_with_bias(step, contact_substep, has_joints);
             integrate_positions(self.bodies, self.awake_body_runs, step.h, substep == 0);
             self.relax(step, contact_substep, has_joints);
-            if !rolling_rows.is_empty() {
-                relax_rolling(&mut rolling_rows, self.constraints, &mut self.bodies.states);
-            }
+            self.relax_rolling_resistance();
         }
-        store_rolling(&rolling_rows, self.pairs);
+        self.end_rolling_resistance();
         self.correct_displacements(step);
         if may_bounce {
             self.apply_restitution(step);
@@ -99,14 +99,26 @@ impl IterativeSolver<'_> {
         true
     }
 
-    /// Returns the rows of rolling resistance, and adds their impulses to the warm start; none in three axes.
-    fn list_rolling_rows(&mut self, is_planar: bool) -> Vec<RollingRow> {
-        if !(is_planar && self.proxies.resist_rolling) {
-            return Vec::new();
+    /// Lists the rows of rolling resistance, and adds their impulses to the warm start; none in three axes.
+    #[inline(never)]
+    fn begin_rolling_resistance(&mut self, is_planar: bool) {
+        if is_planar && self.proxies.resist_rolling {
+            list_rolling_rows(self.rolling_rows, self.pairs, self.proxies, self.constraints);
+            warm_start_rolling(self.rolling_rows, self.bodies);
         }
-        let rows = list_rolling_rows(self.pairs, self.proxies, self.constraints);
-        warm_start_rolling(&rows, self.bodies);
-        rows
+    }
+
+    /// Solves rolling resistance once, after the contacts of a relaxation.
+    #[inline(never)]
+    fn relax_rolling_resistance(&mut self) {
+        relax_rolling(self.rolling_rows, self.constraints, &mut self.bodies.states);
+    }
+
+    /// Stores the impulses of rolling resistance in the pairs, and clears the list of rows.
+    #[inline(never)]
+    fn end_rolling_resistance(&mut self) {
+        store_rolling(self.rolling_rows, self.pairs);
+        self.rolling_rows.clear();
     }
 
     /// Finds the rolling contacts of this step, and among them the polygons that pivot in closed form.

@@ -34,13 +34,13 @@ pub(crate) struct RollingRow {
     impulse: f32,
 }
 
-/// Returns the rows of all awake contacts with rolling resistance in the iterative solver, sorted by creation numbers.
+/// Lists the rows of all awake contacts with rolling resistance in the iterative solver, sorted by creation numbers.
 pub(crate) fn list_rolling_rows(
+    rows: &mut Vec<RollingRow>,
     pairs: &mut Pairs,
     proxies: &Proxies,
     constraints: &ConstraintGraph,
-) -> Vec<RollingRow> {
-    let mut rows = Vec::new();
+) {
     for pair in pairs.awake() {
         let [a, b] = pairs.proxies_of(pair).map(|proxy| proxies.proxy(proxy));
         let arm = rolling_arm_of(a, b);
@@ -65,8 +65,7 @@ pub(crate) fn list_rolling_rows(
         row.impulse = row.limited(pairs.state(pair).rolling_impulse, constraints);
         rows.push(row);
     }
-    sort_by_number(&mut rows, |row| pairs.creation_numbers(proxies, row.pair));
-    rows
+    sort_by_number(rows, |row| pairs.creation_numbers(proxies, row.pair));
 }
 
 /// Adds the velocity changes by the accumulated impulses to the warm start of the bodies, radians/s.

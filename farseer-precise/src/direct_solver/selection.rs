@@ -11,7 +11,7 @@ use crate::bodies::BodySet;
 use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::{BodyType, Proxies};
 use crate::constraint_graph::{ColorUsage, ConstraintGraph, ContactConstraint, ContactPoint};
-use crate::index::{BodyIndex, DenseIndex, PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, DenseIndex, PairIndex};
 use crate::island::sleep::SleepState;
 use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
@@ -189,9 +189,16 @@ impl SolverSelection<'_> {
     }
 
     /// Returns whether a contact has rolling resistance, for which the direct solver has no row. Always false with a depth axis.
+    #[inline(always)]
     fn resists_rolling(&self, pair: PairIndex) -> bool {
-        let arm = |[a, b]: [ProxyIndex; 2]| rolling_arm_of(self.proxies.proxy(a), self.proxies.proxy(b));
-        self.proxies.resist_rolling && !self.has_depth && arm(self.pairs.proxies_of(pair)) > 0.0
+        self.proxies.resist_rolling && !self.has_depth && self.rolling_arm(pair) > 0.0
+    }
+
+    /// Returns the [lever arm of rolling resistance](rolling_arm_of) of a pair, length units, >= 0.
+    #[inline(never)]
+    fn rolling_arm(&self, pair: PairIndex) -> f32 {
+        let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
+        rolling_arm_of(a, b)
     }
 
     /// Returns whether restitution applies at a contact. `velocities` are those of its bodies A and B.
