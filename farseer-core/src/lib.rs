@@ -575,7 +575,7 @@ pub use debug_view::{DebugShape, PhysicsSimulatorView};
 pub use error::{Error, Result};
 pub use factories::{BodyFactory, GeomFactory, JointFactory, SpringFactory};
 pub use farseer_precise::island_report::{IslandCost, IslandResidual, IslandSolver, SolverReason};
-pub use farseer_precise::surface::{FrictionType, SurfaceCoefficients};
+pub use farseer_precise::surface::{CombinationRule, FrictionType, SurfaceCoefficients, SurfaceOptions};
 #[allow(deprecated)]
 pub use former_names::*;
 pub use geom::distance_grid::DistanceGrid;

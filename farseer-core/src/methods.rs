@@ -4,9 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
 use crate::geom::entry::GeomEntry;
+use crate::geom::outline::Outline;
 use crate::joints::{Joint, JointKind};
 use crate::math::finite::finite;
-use crate::{Error, Result};
+use crate::{Error, Result, SurfaceOptions};
 
 /// How a simulator computes: what belongs together is chosen together.
 ///
@@ -134,16 +135,34 @@ impl Methods {
         if body.locked_axes().contains(&true) { self.only_precise("locked axes of bodies") } else { Ok(()) }
     }
 
-    pub(crate) fn check_chains(self) -> Result<()> {
-        self.only_precise("chains")
+    /// Refuses a shape that these methods do not have.
+    pub(crate) fn check_outline(self, outline: Outline) -> Result<()> {
+        match outline {
+            Outline::Chain { .. } => self.only_precise("chains"),
+            Outline::TwoSidedChain { .. } => self.only_precise("two-sided chains"),
+            Outline::RoundedPolygon { .. } => self.only_precise("rounded polygons"),
+            Outline::Polygon | Outline::Circle { .. } | Outline::Capsule { .. } => Ok(()),
+        }
     }
 
     /// Refuses a geom that these methods do not have.
     pub(crate) fn check_geom(self, geom: &GeomEntry) -> Result<()> {
-        if geom.outline.is_chain() {
-            self.check_chains()?;
+        self.check_outline(geom.outline)?;
+        if let Some(surface) = geom.geom.surface {
+            self.check_surface(surface)?;
         }
         if geom.one_way.is_some() { self.check_one_way() } else { Ok(()) }
+    }
+
+    /// Refuses options of a surface that these methods do not have.
+    pub(crate) fn check_surface(self, surface: SurfaceOptions) -> Result<()> {
+        let SurfaceOptions { friction_rule, restitution_rule, speed, rolling_resistance } = surface;
+        let used = [
+            (friction_rule.is_some() || restitution_rule.is_some(), "combination rules"),
+            (speed != 0.0, "surface speeds"),
+            (rolling_resistance != 0.0, "rolling resistance"),
+        ];
+        used.into_iter().filter(|(is_used, _)| *is_used).try_for_each(|(_, what)| self.only_precise(what))
     }
 
     pub(crate) fn check_one_way(self) -> Result<()> {

@@ -39,6 +39,8 @@ pub enum SolverReason {
     Joints,
     /// Iterative: two bodies approached so fast that restitution applied.
     Bounces,
+    /// Iterative: a contact has rolling resistance, for which the direct solver has no row.
+    RollingResistance,
     /// Iterative: a body moved faster than 0.25 length units/s at this solver selection or an earlier one.
     ///
     /// With joints: the direct solver gave the island up lately, and one of its joints has a position error.

@@ -39,6 +39,13 @@ pub enum Piece {
         /// Adjacency of the edge that begins at each corner.
         seams: Vec<Seam>,
     },
+    /// All points within a distance of a convex polygon: a rounded polygon.
+    Rounded {
+        /// Corners of the polygon, in length units, in the order with a positive shoelace area.
+        corners: Vec<Vector>,
+        /// Distance from the polygon, in length units, > 0.
+        radius: f32,
+    },
     /// An edge of a chain, with the normal on its free side and its adjacency.
     Edge {
         /// Ends of the edge, in length units, in the order of the chain.
@@ -47,7 +54,21 @@ pub enum Piece {
         normal: Vector,
         /// Adjacency of the edge.
         seam: Seam,
+        /// Adjacency of the edge in the opposite direction, for a chain that is solid on both sides; else `None`.
+        back: Option<Seam>,
     },
+}
+
+/// Returns a rounded polygon, given by the corners of its core and the distance `radius` from it, both in length units. The core is
+/// the convex hull of the corners if rounding has left them not quite convex.
+pub fn rounded_piece(corners: Vec<Vector>, radius: f32) -> Piece {
+    let corners = simplified(corners);
+    let corners = if is_convex(&corners) { corners } else { hull(corners) };
+    match corners[..] {
+        [centre] => Piece::Circle { centre, radius },
+        [one, other] => Piece::Capsule { ends: [one, other], radius },
+        _ => Piece::Rounded { corners: without_spare_capacity(corners), radius },
+    }
 }
 
 /// Returns the convex pieces of a closed outline, given by its corners in length units.
@@ -63,7 +84,8 @@ pub fn pieces_of_outline(corners: Vec<Vector>) -> Arc<[Piece]> {
     }
 }
 
-/// The edges of a chain. An open end continues as if with an edge at a right angle, turned away from the free side.
+/// The edges of a chain that is solid on one side. An open end continues as if with an edge at a right angle, turned away from the
+/// free side.
 pub fn edges_of_chain(points: &[Vector2], is_closed: bool) -> impl Iterator<Item = Piece> {
     let points: Vec<Vector> = points.iter().map(|v| [v.x, v.y]).collect();
     let count = if is_closed { points.len() } else { points.len() - 1 };
@@ -75,7 +97,32 @@ pub fn edges_of_chain(points: &[Vector2], is_closed: bool) -> impl Iterator<Item
         let before = if has_before { normals[(edge + count - 1) % count] } else { [y, -x] };
         let after = if has_after { normals[(edge + 1) % count] } else { [-y, x] };
         let seam = Seam { is_internal: false, neighbours: [before, after] };
-        Piece::Edge { ends: ends(edge), normal: [x, y], seam }
+        Piece::Edge { ends: ends(edge), normal: [x, y], seam, back: None }
+    })
+}
+
+/// The edges of a chain that is solid on both sides. At an open end the outline turns back to the other side.
+pub fn edges_of_two_sided_chain(points: &[Vector2], is_closed: bool) -> impl Iterator<Item = Piece> {
+    let edges: Vec<Piece> = edges_of_chain(points, is_closed).collect();
+    let normal_of = |edge: &Piece| if let Piece::Edge { normal, .. } = edge { *normal } else { [0.0; 2] };
+    let normals: Vec<Vector> = edges.iter().map(normal_of).collect();
+    let count = edges.len();
+    edges.into_iter().enumerate().map(move |(at, edge)| {
+        let opposite = |[x, y]: Vector| [-x, -y];
+        let neighbour = |exists: bool, index: usize| exists.then(|| normals[index % count]);
+        let before = neighbour(is_closed || at > 0, at + count - 1);
+        let after = neighbour(is_closed || at + 1 < count, at + 1);
+        let own = normals[at];
+        let seam = |neighbours: [Option<Vector>; 2], beyond: Vector| Seam {
+            is_internal: false,
+            neighbours: neighbours.map(|normal| normal.unwrap_or(beyond)),
+        };
+        let front = seam([before, after], opposite(own));
+        let back = seam([after.map(opposite), before.map(opposite)], own);
+        match edge {
+            Piece::Edge { ends, normal, .. } => Piece::Edge { ends, normal, seam: front, back: Some(back) },
+            other => other,
+        }
     })
 }
 
@@ -99,7 +146,7 @@ fn part_with_adjacency(part: &[usize], outline: &[Vector]) -> Piece {
 }
 
 /// The corners in the order of positive area, without repeated and straight ones.
-pub(crate) fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
+pub fn simplified(mut corners: Vec<Vector>) -> Vec<Vector> {
     if area(&corners) < 0.0 {
         corners.reverse();
     }
@@ -126,7 +173,7 @@ fn area(corners: &[Vector]) -> f32 {
 }
 
 /// Whether every corner turns to the same side, and all of them together one full turn.
-fn is_convex(corners: &[Vector]) -> bool {
+pub fn is_convex(corners: &[Vector]) -> bool {
     let count = corners.len();
     let edge = |i: usize| difference(corners[(i + 1) % count], corners[i % count]);
     let turns_left = |i: usize| cross(edge(i), edge(i + 1)) >= 0.0;

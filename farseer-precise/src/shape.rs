@@ -27,8 +27,10 @@ pub(crate) enum ShapeKind {
     /// Capsule: a segment between two vertices, with a radius.
     Capsule,
     /// Polygon that is one convex piece of an outline: each edge knows the adjacent edges of the outline. With two vertices it
-    /// is an edge of a chain, which collides on the side of its first normal only.
+    /// is an edge of a chain. If its second edge is internal, it collides on the side of its first normal only.
     LinkedPolygon,
+    /// Convex polygon with a radius: all points within that distance of the polygon.
+    RoundedPolygon,
 }
 
 /// Convex shape in the frame of its body. Its vertices and normals are in a [`VertexPool`].
@@ -45,7 +47,7 @@ pub struct Shape {
     pub(crate) vertex_count: u32,
     /// Whether the shape is a rectangle about the origin of its body, with sides along the axes of the body.
     pub(crate) is_box: bool,
-    /// Radius of a circle or capsule, in length units; 0 for a polygon.
+    /// Radius of a circle, capsule or rounded polygon, in length units; 0 for other polygons.
     pub radius: f32,
     /// Centre of the shape's AABB in the frame of the body, in length units.
     pub centre: Vector,
@@ -148,6 +150,21 @@ impl<'a> ShapeRef<'a> {
         &self.pool.edge_lanes[self.shape.lane_start.position()..][..self.shape.lane_count()]
     }
 
+    /// Returns whether the shape is an edge of a chain.
+    pub(crate) fn is_chain_edge(&self) -> bool {
+        self.shape.is_linked() && self.shape.vertex_count == 2
+    }
+
+    /// Returns whether the shape is an edge of a chain that collides on the side of its first normal only.
+    pub(crate) fn is_one_sided(&self) -> bool {
+        self.is_chain_edge() && self.adjacency()[1].is_internal
+    }
+
+    /// Returns whether the shape is an edge of a chain that collides on both sides.
+    pub(crate) fn is_two_sided(&self) -> bool {
+        self.is_chain_edge() && !self.adjacency()[1].is_internal
+    }
+
     /// Returns for each edge the adjacent edges of the whole outline; an empty slice if the shape itself is a whole outline.
     pub(crate) fn adjacency(&self) -> &'a [Seam] {
         if self.shape.is_linked() {
@@ -198,9 +215,14 @@ impl VertexPool {
                 let turned = seams.iter().map(|seam| seam.rotated([cosine, sine]));
                 self.add_piece(corners, turned)
             }
-            Piece::Edge { ends, normal, seam } => {
+            Piece::Edge { ends, normal, seam, back } => {
                 let normal = rotate([cosine, sine], *normal);
-                self.add_edge(ends.map(to_body), normal, seam.rotated([cosine, sine]))
+                let seams = [*seam, back.unwrap_or(Seam::INTERNAL)];
+                self.add_edge(ends.map(to_body), normal, seams.map(|seam| seam.rotated([cosine, sine])))
+            }
+            Piece::Rounded { corners, radius } => {
+                let core = simplified(corners.iter().map(|&corner| to_body(corner)).collect());
+                self.add_rounded(core, *radius)
             }
             Piece::Polygon(corners) => {
                 // Vertices of a small polygon far from the origin may coincide after rounding.
@@ -244,6 +266,17 @@ impl VertexPool {
         Shape { kind: ShapeKind::Capsule, radius, max_extent: core.max_extent + radius, ..core }
     }
 
+    /// Adds a convex polygon with a radius and returns its shape: a capsule or circle if corners of the core coincide after rounding.
+    /// `core` and `radius` are in length units.
+    fn add_rounded(&mut self, core: Vec<Vector>, radius: f32) -> Shape {
+        if let [one, other] = core[..] {
+            return self.add_capsule([one, other], radius);
+        }
+        let core = self.add_polygon(core);
+        let kind = if core.vertex_count > 0 { ShapeKind::RoundedPolygon } else { ShapeKind::Circle };
+        Shape { kind, radius, max_extent: core.max_extent + radius, is_box: false, ..core }
+    }
+
     /// Adds a convex piece of a concave outline and returns its shape: a linked polygon, or a plain polygon if vertices
     /// coincide after rounding. `seams`: the adjacent edges of the outline for each edge.
     fn add_piece(&mut self, corners: Vec<Vector>, seams: impl Iterator<Item = Seam>) -> Shape {
@@ -257,14 +290,14 @@ impl VertexPool {
     }
 
     /// Adds an edge of a chain and returns its shape. `normal`, the unit normal of the colliding side, is given because it was
-    /// computed before the ends were rounded.
-    fn add_edge(&mut self, ends: [Vector; 2], normal: Vector, seam: Seam) -> Shape {
+    /// computed before the ends were rounded. `seams`: adjacencies in both directions of the edge.
+    fn add_edge(&mut self, ends: [Vector; 2], normal: Vector, seams: [Seam; 2]) -> Shape {
         let edge = self.add_polygon(ends.to_vec());
         let normals = &mut self.normals[edge.vertex_start as usize..];
         (normals[0], normals[1]) = (normal, [-normal[0], -normal[1]]);
         self.edge_lanes.truncate(edge.lane_start.position());
         self.add_edge_lanes(edge.vertex_range().start);
-        self.link_polygon(edge, [seam, Seam::INTERNAL].into_iter())
+        self.link_polygon(edge, seams.into_iter())
     }
 
     /// Adds the edges of the last shape to the SIMD lanes. `start`: index of its first vertex.

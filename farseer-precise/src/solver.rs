@@ -7,6 +7,7 @@ use crate::broad_phase::pairs::Pairs;
 use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::{ColorUsage, ConstraintGraph};
 use crate::contact_solver::rolling::RollingContact;
+use crate::contact_solver::rolling_resistance::RollingRow;
 use crate::continuous_collision::fast_body::FastBody;
 use crate::continuous_collision::swept_motion::SweptMotion;
 use crate::depth::feature_gate::FeatureGate;
@@ -80,6 +81,8 @@ pub struct Solver {
     /// Contacts of polygons that roll over a static face in this step. Filled by the narrow phase, read by the iterative
     /// solver.
     pub rolling_contacts: Vec<RollingContact>,
+    /// Rows of rolling resistance. Valid within the iterative solver only.
+    pub(crate) rolling_rows: Vec<RollingRow>,
     /// Whether a collision handler has vetoed a pair, removed contact points or set surface properties for this step.
     pub has_handler_changes: bool,
     /// Candidates of continuous collision: bodies whose displacement in this step exceeds their least extent. Valid within a
@@ -104,7 +107,7 @@ pub struct Solver {
 
 reusing_clone! {
     Solver {
-        parameters, impulse_substep, dt, step_context, gravity_delta, has_restitution, friction, max_contacts, bodies, proxies, grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies, pair_scratch, new_pairs, proxy_flags, touching_scratch
+        parameters, impulse_substep, dt, step_context, gravity_delta, has_restitution, friction, max_contacts, bodies, proxies, grid, pairs, constraints, color_usage, joints, springs, sleep, direct_solver, depth, touch_events, ended_static_contacts, narrow_phase_stats, dirty_pairs, rolling_contacts, rolling_rows, has_handler_changes, fast_bodies, sensor_passthroughs, enlarged_proxies, searched_static_proxies, pair_scratch, new_pairs, proxy_flags, touching_scratch
     }
 }
 
@@ -136,6 +139,7 @@ impl Solver {
             narrow_phase_stats: NarrowPhaseStats::default(),
             dirty_pairs: Vec::new(),
             rolling_contacts: Vec::new(),
+            rolling_rows: Vec::new(),
             has_handler_changes: false,
             fast_bodies: Vec::new(),
             sensor_passthroughs: Vec::new(),

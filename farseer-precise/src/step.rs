@@ -9,6 +9,7 @@ use super::Solver;
 use super::broad_phase::fat_aabbs::FatAabbs;
 use super::broad_phase::pair_finder::PairFinder;
 use super::contact_solver::iterative_solver::IterativeSolver;
+use super::contact_solver::rolling_resistance::scale_rolling_impulses;
 use super::continuous_collision::{end_paths, find_impacts, list_fast_bodies, toi_of_carried};
 use super::depth::feature_gate::FeatureGate;
 use super::depth::hinged_box::{brace_at_stops, finish_hinges, list_hinged_boxes};
@@ -105,7 +106,11 @@ impl Solver {
     /// Fifth stage of a step, the solver: computes new velocities and displacements of all awake bodies in `bodies`.
     pub fn solve(&mut self, step: &StepContext) {
         if self.impulse_substep != step.h {
-            self.constraints.scale_impulses(step.h / self.impulse_substep, self.depth.is_some());
+            let factor = step.h / self.impulse_substep;
+            self.constraints.scale_impulses(factor, self.depth.is_some());
+            if self.proxies.resist_rolling {
+                scale_rolling_impulses(&mut self.pairs, factor);
+            }
             self.impulse_substep = step.h;
         }
         self.select_solvers(&step.load_adaptation);
@@ -143,7 +148,8 @@ impl Solver {
     /// return to the iterative solver.
     fn select_solvers(&mut self, adaptation: &LoadAdaptation) {
         let has_depth = self.depth.is_some();
-        if (self.has_restitution || has_depth) && self.solver_selection().has_rejected_contact() {
+        let may_be_rejected = self.has_restitution || has_depth || self.proxies.resist_rolling;
+        if may_be_rejected && self.solver_selection().has_rejected_contact() {
             self.direct_solver.timer.is_due = true;
         }
         if has_depth {
@@ -225,6 +231,7 @@ impl Solver {
             parameters: &self.parameters,
             awake_body_runs: &self.sleep.awake_body_runs,
             rolling_contacts: &mut self.rolling_contacts,
+            rolling_rows: &mut self.rolling_rows,
             proxy_flags: &mut self.proxy_flags,
             has_restitution: self.has_restitution,
             restitution_threshold,

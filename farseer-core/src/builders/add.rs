@@ -9,12 +9,13 @@ use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
 use crate::geom::options::WantedEvents;
 use crate::geom::outline::Outline;
+use crate::geom::rounded::core_of;
 use crate::math::finite::positive;
 use crate::math::{Vector2, scalar};
 use crate::object_id::ObjectId;
 use crate::objects::{GeomPlacement, Objects};
 use crate::simulator::PhysicsSimulator;
-use crate::{Error, Result};
+use crate::{Error, Result, SurfaceOptions};
 
 /// Bodies and geoms of builders.
 impl Objects {
@@ -199,6 +200,7 @@ impl Objects {
         settings.set_collision_response_enabled(!geom.is_sensor);
         settings.set_friction_coefficient(geom.friction);
         settings.set_restitution_coefficient(geom.restitution);
+        settings.surface = (geom.surface != SurfaceOptions::default()).then_some(geom.surface);
         settings.set_collision_categories(geom.categories);
         settings.set_collides_with(geom.collides_with);
         settings.set_collision_group(geom.group);
@@ -219,7 +221,11 @@ fn mass_of_geom(geom: &GeomEntry) -> Result<MassProperties> {
     let shape = match geom.outline {
         Outline::Circle { radius } => GeomShape::Circle { radius },
         Outline::Capsule { height, end_radius } => GeomShape::Capsule { height, end_radius },
-        Outline::Chain { .. } => GeomShape::Chain { points: corners },
+        Outline::RoundedPolygon { radius } => {
+            let core = core_of(&corners, radius).into_iter().map(Vector2::from).collect();
+            GeomShape::RoundedPolygon { corners: core, radius }
+        }
+        Outline::Chain { .. } | Outline::TwoSidedChain { .. } => GeomShape::Chain { points: corners },
         Outline::Polygon => GeomShape::Polygon { corners },
     };
     // The original turns an offset along with the outline.

@@ -6,6 +6,8 @@ use crate::geom::options::WantedEvents;
 use crate::math::Vector2;
 use crate::math::finite::{finite, finite_vector, zero_or_more};
 use crate::methods::{CollisionCategory, Methods};
+use crate::objects::check_surface;
+use crate::{CombinationRule, SurfaceOptions};
 
 /// Friction coefficient of geoms that a builder describes, dimensionless: that of Box2D and of most solid things.
 const FRICTION: f32 = 0.6;
@@ -49,6 +51,7 @@ pub struct GeomBuilder {
     pub(super) mass: Option<f32>,
     pub(super) friction: f32,
     pub(super) restitution: f32,
+    pub(super) surface: SurfaceOptions,
     pub(super) categories: CollisionCategory,
     pub(super) collides_with: CollisionCategory,
     pub(super) group: i32,
@@ -70,6 +73,7 @@ impl GeomBuilder {
             mass: None,
             friction: FRICTION,
             restitution: 0.0,
+            surface: SurfaceOptions::default(),
             categories: CollisionCategory::ALL,
             collides_with: CollisionCategory::ALL,
             group: 0,
@@ -104,9 +108,74 @@ impl GeomBuilder {
         GeomBuilder::new(GeomShape::Polygon { corners: corners.into_iter().map(Into::into).collect() })
     }
 
+    /// A convex polygon with a rounded border: all points within `radius` of the polygon with these corners, in length units. So
+    /// the shape is larger than the polygon. Corners in either direction stay where they are; `radius` is greater than 0. Only
+    /// with the precise set.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// let core = [[-12.0, -8.0], [12.0, -8.0], [12.0, 8.0], [-12.0, 8.0]];
+    /// let stone = GeomBuilder::rounded_polygon(core, 4.0).density(1.0);
+    /// let (stone, _) = simulator.add_body(BodyBuilder::dynamic(), [stone])?;
+    /// let area = 24.0 * 16.0 + 2.0 * (24.0 + 16.0) * 4.0 + std::f32::consts::PI * 16.0;
+    /// assert!((simulator[stone].mass() - area).abs() < 0.01);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    #[doc(alias("rounded_box", "round_cuboid", "round_convex"))]
+    pub fn rounded_polygon(corners: impl IntoIterator<Item = impl Into<Vector2>>, radius: f32) -> Self {
+        let corners = corners.into_iter().map(Into::into).collect();
+        GeomBuilder::new(GeomShape::RoundedPolygon { corners, radius })
+    }
+
+    /// A segment that is solid on both sides, in length units: a [two-sided chain](Self::two_sided_chain) of two points.
+    #[doc(alias("line", "edge"))]
+    pub fn segment(start: impl Into<Vector2>, end: impl Into<Vector2>) -> Self {
+        GeomBuilder::two_sided_chain([start.into(), end.into()])
+    }
+
+    /// A chain of edges that are solid on both sides, in length units, on a body of any kind. It is closed if the last point is the
+    /// first. Shapes that slide along it do not catch on its points. Only with the precise set.
+    ///
+    /// The edges are thin: a shape is pushed out on the side where its middle is. Chains of any kind do not collide with each
+    /// other, so that a moving one needs another geom to lie on a chain. A chain has no area: on a dynamic body give it a
+    /// [mass](Self::mass), which is spread along its edges.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// // A bowl that turns, with a ball in it.
+    /// let bowl = GeomBuilder::two_sided_chain([[-60.0, -30.0], [-30.0, 0.0], [30.0, 0.0], [60.0, -30.0]]).mass(3.0);
+    /// let bowl = simulator.add_body(BodyBuilder::kinematic().angular_velocity(0.2), [bowl])?.0;
+    /// let (ball, _) = simulator.add_body(BodyBuilder::dynamic().position([0.0, -20.0]), [GeomBuilder::circle(8.0)])?;
+    /// (0..60).for_each(|_| simulator.update(1.0 / 60.0));
+    /// assert!(simulator[ball].position().y < simulator[bowl].position().y);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    #[doc(alias("polyline", "wire"))]
+    pub fn two_sided_chain(points: impl IntoIterator<Item = impl Into<Vector2>>) -> Self {
+        GeomBuilder::new(GeomShape::TwoSidedChain { points: points.into_iter().map(Into::into).collect() })
+    }
+
+    /// Terrain from heights at equal distances, on a static body: a [chain](Self::chain) that is solid below, about its middle.
+    /// `spacing` is the distance of two heights along x, greater than 0. Heights are above the geom's origin, so towards -y. Both in
+    /// length units. Only with the precise set.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// let hills = (0..200).map(|i| 30.0 * (i as f32 * 0.2).sin());
+    /// simulator.add_body(BodyBuilder::fixed().position([0.0, 100.0]), [GeomBuilder::height_field(hills, 16.0)])?;
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    #[doc(alias("heightfield"))]
+    pub fn height_field(heights: impl IntoIterator<Item = f32>, spacing: f32) -> Self {
+        GeomBuilder::new(GeomShape::HeightField { heights: heights.into_iter().collect(), spacing })
+    }
+
     /// A chain of edges for terrain, in length units, on a static body: points from left to right make a floor. It is closed if
     /// the last point is the first. See [`create_chain_geom`](crate::GeomFactory::create_chain_geom). Only with the precise set.
-    #[doc(alias("polyline", "edge"))]
+    #[doc(alias("edge_chain"))]
     pub fn chain(points: impl IntoIterator<Item = impl Into<Vector2>>) -> Self {
         GeomBuilder::new(GeomShape::Chain { points: points.into_iter().map(Into::into).collect() })
     }
@@ -140,16 +209,50 @@ impl GeomBuilder {
         self
     }
 
-    /// Friction coefficient, dimensionless, 0 or more. Default 0.6. The mean of both geoms acts, unless
-    /// [`set_friction_type`](crate::PhysicsSimulator::set_friction_type) says otherwise.
+    /// Friction coefficient, dimensionless, 0 or more. Default 0.6. The mean of both geoms acts, unless a
+    /// [rule](Self::friction_rule) or [`set_friction_type`](crate::PhysicsSimulator::set_friction_type) says otherwise.
     pub fn friction(mut self, friction: f32) -> Self {
         self.friction = friction;
         self
     }
 
-    /// Restitution coefficient, dimensionless, usually 0 to 1. Default 0. The mean of both geoms acts.
+    /// Restitution coefficient, dimensionless, usually 0 to 1. Default 0. The mean of both geoms acts, unless a
+    /// [rule](Self::restitution_rule) says otherwise.
     pub fn restitution(mut self, restitution: f32) -> Self {
         self.restitution = restitution;
+        self
+    }
+
+    /// How the friction coefficients of this geom and another combine. If the other geom has a rule, too, the later one in the
+    /// list of [`CombinationRule`] acts. Default none. Only with the precise set.
+    #[doc(alias("friction_combine_rule", "combine_rule"))]
+    pub fn friction_rule(mut self, rule: CombinationRule) -> Self {
+        self.surface.friction_rule = Some(rule);
+        self
+    }
+
+    /// How the restitution coefficients of this geom and another combine: see [`friction_rule`](Self::friction_rule). Default
+    /// none. Only with the precise set.
+    #[doc(alias("restitution_combine_rule"))]
+    pub fn restitution_rule(mut self, rule: CombinationRule) -> Self {
+        self.surface.restitution_rule = Some(rule);
+        self
+    }
+
+    /// Speed at which the surface runs around the shape, clockwise on the screen, in length units/s. So the upper side of a conveyor
+    /// belt carries things to the right, and the track of a tank drives it to the right. Friction brings what touches to this speed.
+    /// Default 0. Only with the precise set.
+    #[doc(alias("conveyor", "tangent_speed"))]
+    pub fn surface_speed(mut self, speed: f32) -> Self {
+        self.surface.speed = speed;
+        self
+    }
+
+    /// Coefficient of rolling resistance, dimensionless, 0 or more: a ball on level ground stops, and rests on a slope whose
+    /// tangent is less. The torque is at most coefficient · radius · normal force, with the larger coefficient and radius of both
+    /// geoms; polygons have the radius 0. Default 0. Only with the precise set.
+    pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
+        self.surface.rolling_resistance = coefficient;
         self
     }
 
@@ -225,12 +328,13 @@ impl GeomBuilder {
         self.mass.map(|mass| zero_or_more("mass", mass)).transpose()?;
         zero_or_more("friction", self.friction)?;
         zero_or_more("restitution", self.restitution)?;
+        methods.check_surface(check_surface(self.surface)?)?;
         if self.one_way.is_some() {
             methods.check_one_way()?;
         }
         if self.events.is_some_and(|events| events != WantedEvents::NONE) {
             methods.only_precise("typed events")?;
         }
-        if self.shape.is_chain() { methods.check_chains() } else { Ok(()) }
+        self.shape.check(methods)
     }
 }

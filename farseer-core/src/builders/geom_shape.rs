@@ -2,8 +2,10 @@
 
 use super::mass::MassProperties;
 use crate::geom::outline::Outline;
+use crate::geom::rounded::{checked_core, mass_of_border, outline_of};
 use crate::math::Vector2;
-use crate::math::finite::{finite_vertices, positive};
+use crate::math::finite::{finite, finite_vertices, positive};
+use crate::methods::Methods;
 use crate::shape::Vertices;
 use crate::{BodyFactory, Error, Result};
 
@@ -39,16 +41,42 @@ pub(crate) enum GeomShape {
         /// Length units.
         corners: Vec<Vector2>,
     },
-    /// Edges between points.
+    /// All points within a distance of a convex polygon; corners in either direction.
+    RoundedPolygon {
+        /// Length units.
+        corners: Vec<Vector2>,
+        /// Length units, > 0.
+        radius: f32,
+    },
+    /// Edges between points, solid on one side.
     Chain {
         /// Length units.
         points: Vec<Vector2>,
     },
+    /// Edges between points, solid on both sides.
+    TwoSidedChain {
+        /// Length units.
+        points: Vec<Vector2>,
+    },
+    /// A chain from left to right through heights at equal distances, solid below.
+    HeightField {
+        /// Heights above the geom's origin, length units.
+        heights: Vec<f32>,
+        /// Distance of two heights along x, length units, > 0.
+        spacing: f32,
+    },
 }
 
 impl GeomShape {
-    pub(crate) fn is_chain(&self) -> bool {
-        matches!(self, GeomShape::Chain { .. })
+    /// Refuses a shape that the methods do not have.
+    pub(crate) fn check(&self, methods: Methods) -> Result<()> {
+        match self {
+            GeomShape::Chain { .. } => methods.only_precise("chains"),
+            GeomShape::TwoSidedChain { .. } => methods.only_precise("two-sided chains"),
+            GeomShape::HeightField { .. } => methods.only_precise("height fields"),
+            GeomShape::RoundedPolygon { .. } => methods.only_precise("rounded polygons"),
+            _ => Ok(()),
+        }
     }
 
     /// Returns the polygon with the shape that it stands for.
@@ -74,10 +102,32 @@ impl GeomShape {
                 check_polygon(corners)?;
                 Ok((Vertices::from(corners.as_slice()), Outline::Polygon))
             }
+            GeomShape::RoundedPolygon { corners, radius } => {
+                let core = checked_core(corners, *radius)?;
+                Ok((outline_of(&core, *radius), Outline::RoundedPolygon { radius: *radius }))
+            }
             GeomShape::Chain { points } => {
                 let (points, is_closed) = crate::factories::check_chain(points)?;
                 Ok((Vertices::from(points), Outline::Chain { is_closed }))
             }
+            GeomShape::TwoSidedChain { points } => {
+                let (points, is_closed) = crate::factories::check_chain(points)?;
+                Ok((Vertices::from(points), Outline::TwoSidedChain { is_closed }))
+            }
+            GeomShape::HeightField { heights, spacing } => {
+                Ok((height_field(heights, *spacing)?.into(), Outline::Chain { is_closed: false }))
+            }
+        }
+    }
+
+    /// Returns how a given mass is spread over the shape: the area, or the edges of a chain that may be on a moving body.
+    ///
+    /// # Errors
+    /// As [`of_density_1`](Self::of_density_1).
+    pub(crate) fn spread(&self) -> Result<MassProperties> {
+        match self {
+            GeomShape::TwoSidedChain { points } => of_rods(points),
+            _ => self.of_density_1(),
         }
     }
 
@@ -111,9 +161,47 @@ impl GeomShape {
                     inertia: inertia - (x * x + y * y) / area,
                 })
             }
-            GeomShape::Chain { .. } => Ok(MassProperties::default()),
+            GeomShape::RoundedPolygon { corners, radius } => {
+                let core = checked_core(corners, *radius)?;
+                let mut parts = mass_of_border(&core, *radius);
+                let corners = core.iter().map(|&[x, y]| Vector2::new(x, y)).collect();
+                parts.push(GeomShape::Polygon { corners }.of_density_1()?);
+                Ok(MassProperties::sum(&parts))
+            }
+            GeomShape::Chain { .. } | GeomShape::TwoSidedChain { .. } | GeomShape::HeightField { .. } => {
+                Ok(MassProperties::default())
+            }
         }
     }
+}
+
+/// Returns the mass properties of a chain of thin rods with mass 1 per length unit. `points` in length units.
+fn of_rods(points: &[Vector2]) -> Result<MassProperties> {
+    let (points, is_closed) = crate::factories::check_chain(points)?;
+    let following = points.iter().cycle().skip(1);
+    let count = points.len() - usize::from(!is_closed);
+    let rods = points.iter().zip(following).take(count).map(|(&from, &to)| {
+        let (x, y) = (f64::from(to.x) - f64::from(from.x), f64::from(to.y) - f64::from(from.y));
+        let mass = libm::hypot(x, y);
+        let centre = [f64::from(from.x) + 0.5 * x, f64::from(from.y) + 0.5 * y];
+        MassProperties { mass, centre, inertia: mass * mass * mass / 12.0 }
+    });
+    Ok(MassProperties::sum(&rods.collect::<Vec<_>>()))
+}
+
+/// Returns the points of a height field about its middle.
+fn height_field(heights: &[f32], spacing: f32) -> Result<Vec<Vector2>> {
+    positive("spacing", spacing)?;
+    heights.iter().try_for_each(|&height| finite("heights", height).map(drop))?;
+    if heights.len() < 2 {
+        return Err(Error::invalid("heights", heights.len(), "two numbers or more"));
+    }
+    let middle = 0.5 * (heights.len() - 1) as f64;
+    let x = |at: usize| ((at as f64 - middle) * f64::from(spacing)) as f32;
+    let points: Vec<Vector2> =
+        heights.iter().enumerate().map(|(at, &height)| Vector2::new(x(at), -height)).collect();
+    finite_vertices("spacing", &points)?;
+    Ok(points)
 }
 
 /// Refuses corners that are not finite or enclose no area.

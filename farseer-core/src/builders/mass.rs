@@ -58,20 +58,27 @@ pub(super) fn of_geoms(geoms: &[GeomBuilder], mass: Option<f32>, methods: Method
     let unit = f64::from(methods.length_unit().unwrap_or(1.0));
     let mut parts = Vec::with_capacity(geoms.len());
     let mut areas = Vec::with_capacity(geoms.len());
+    let mut spreads = Vec::with_capacity(geoms.len());
     for geom in geoms {
         let offset = [f64::from(geom.offset.x), f64::from(geom.offset.y)];
         let area = geom.shape.of_density_1()?.placed(offset, f64::from(geom.rotation_offset));
         let default = if geom.is_sensor { 0.0 } else { 1.0 / (unit * unit) };
         let density = geom.density.map_or(default, f64::from);
-        parts.push(area.with_mass(geom.mass.map_or(area.mass * density, f64::from)));
+        let spread = geom.shape.spread()?.placed(offset, f64::from(geom.rotation_offset));
+        parts.push(match geom.mass {
+            Some(mass) => spread.with_mass(f64::from(mass)),
+            None => area.with_mass(area.mass * density),
+        });
         areas.push(area);
+        spreads.push(spread);
     }
     let total = MassProperties::sum(&parts);
     // Sensors have no mass of their own, but a shape.
-    let total = if total.mass > 0.0 { total } else { MassProperties::sum(&areas).with_mass(0.0) };
+    let areas = if areas.iter().any(|area| area.mass > 0.0) { &areas } else { &spreads };
+    let total = if total.mass > 0.0 { total } else { MassProperties::sum(areas).with_mass(0.0) };
     match mass {
         Some(mass) if total.mass > 0.0 => Ok(total.with_mass(f64::from(mass))),
-        Some(mass) => Ok(MassProperties::sum(&areas).with_mass(f64::from(mass)).or_square(unit)),
+        Some(mass) => Ok(MassProperties::sum(areas).with_mass(f64::from(mass)).or_square(unit)),
         None if geoms.is_empty() => Ok(MassProperties { mass: 1.0, ..total }.or_square(unit)),
         None if total.mass > 0.0 => Ok(total),
         None => Err(Error::invalid("density", 0.0, "greater than 0 for a geom, or the body given a mass")),

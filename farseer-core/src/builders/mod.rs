@@ -8,3 +8,4 @@ mod mass;
 
 pub use body_builder::BodyBuilder;
 pub use geom_builder::GeomBuilder;
+pub(crate) use mass::MassProperties;

@@ -8,6 +8,7 @@ pub(crate) mod options;
 pub(crate) mod outline;
 #[cfg(feature = "precise")]
 pub(crate) mod pieces;
+pub(crate) mod rounded;
 #[cfg(feature = "precise")]
 pub(crate) mod sensor_pairs;
 pub(crate) mod view;
@@ -17,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::methods::CollisionCategory;
 pub use crate::storage::ids::GeomId;
 use crate::storage::rejected_arguments::{ArgumentNames, RejectedArguments};
+use farseer_precise::surface::SurfaceOptions;
 use filter::CollisionFilter;
 use options::{GeomOptions, WantedEvents};
 
@@ -35,6 +37,8 @@ pub struct Geom {
     #[serde(rename = "collision_callbacks_enabled")]
     options: GeomOptions,
     tag: u64,
+    /// Combination rules, surface speed and rolling resistance; `None` for the default.
+    pub(crate) surface: Option<SurfaceOptions>,
     /// Arguments that setters refused since the simulator last reported them.
     pub(crate) rejected: RejectedArguments<GeomArguments>,
 }
@@ -59,6 +63,7 @@ impl Default for Geom {
             collision_response_enabled: true,
             options: GeomOptions::default(),
             tag: 0,
+            surface: None,
             rejected: RejectedArguments::default(),
         }
     }
@@ -128,6 +133,12 @@ impl Geom {
         } else {
             self.rejected.note("restitution_coefficient");
         }
+    }
+
+    /// How coefficients combine, surface speed and rolling resistance. Set with
+    /// [`Objects::set_surface`](crate::Objects::set_surface). Ours.
+    pub fn surface(&self) -> SurfaceOptions {
+        self.surface.unwrap_or_default()
     }
 
     /// Whether the broad phase makes new pairs with this geom. Default true.
@@ -234,5 +245,6 @@ impl Geom {
         self.friction_coefficient.is_finite()
             && self.restitution_coefficient.is_finite()
             && self.options.is_valid()
+            && self.surface.is_none_or(|surface| surface.is_valid())
     }
 }

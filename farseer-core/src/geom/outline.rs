@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::rounded;
 use crate::math::Vector2;
 
 /// The shape for which the polygon of a geom stands. The [faithful methods](crate::Methods::Faithful) use the polygon
@@ -37,6 +38,18 @@ pub enum Outline {
         /// Radius of its round ends, in length units, greater than 0.
         end_radius: f32,
     },
+    /// The rounded polygon about which the corners lie: all points within `radius` of a convex polygon.
+    /// [`GeomBuilder::rounded_polygon`](crate::GeomBuilder::rounded_polygon) makes it.
+    RoundedPolygon {
+        /// Distance of the border from the convex polygon, in length units, greater than 0.
+        radius: f32,
+    },
+    /// A chain like [`Chain`](Outline::Chain), whose edges are solid on both sides.
+    /// [`GeomBuilder::two_sided_chain`](crate::GeomBuilder::two_sided_chain) makes it.
+    TwoSidedChain {
+        /// Whether an edge goes from the last point to the first.
+        is_closed: bool,
+    },
     /// A chain: the edges between the points, without an inside.
     /// [`GeomFactory::create_chain_geom`](crate::GeomFactory::create_chain_geom) makes it. Its points are in the order
     /// in which they were given.
@@ -60,7 +73,8 @@ impl Outline {
                 let half = capsule_half_axis(height, end_radius);
                 height.is_finite() && half >= 0.0 && lie_at_radius([-half, half], end_radius, corners)
             }
-            Outline::Chain { is_closed } => {
+            Outline::RoundedPolygon { radius } => rounded::fits(corners, radius),
+            Outline::Chain { is_closed } | Outline::TwoSidedChain { is_closed } => {
                 let is_edge = |edge: &[Vector2]| edge[0] != edge[1];
                 let least = if is_closed { 3 } else { 2 };
                 corners.len() >= least
@@ -71,12 +85,17 @@ impl Outline {
     }
 
     pub(crate) fn is_chain(self) -> bool {
+        matches!(self, Outline::Chain { .. } | Outline::TwoSidedChain { .. })
+    }
+
+    /// Whether the shape is a chain whose edges are solid on one side.
+    pub(crate) fn is_one_sided(self) -> bool {
         matches!(self, Outline::Chain { .. })
     }
 
     /// Whether no edge goes from the last corner to the first.
     pub(crate) fn is_open(self) -> bool {
-        matches!(self, Outline::Chain { is_closed: false })
+        matches!(self, Outline::Chain { is_closed: false } | Outline::TwoSidedChain { is_closed: false })
     }
 }
 
@@ -93,5 +112,10 @@ fn lie_at_radius([low, high]: [f32; 2], radius: f32, corners: &[Vector2]) -> boo
         let beyond = f64::from(corner.y) - f64::from(corner.y.clamp(low, high));
         (f64::from(corner.x).hypot(beyond) - f64::from(radius)).abs() <= slack
     };
-    radius.is_finite() && radius > 0.0 && corners.iter().all(is_on)
+    is_size(radius) && corners.iter().all(is_on)
+}
+
+/// Whether a number is a possible radius, in length units.
+pub(super) fn is_size(radius: f32) -> bool {
+    radius.is_finite() && radius > 0.0
 }

@@ -7,9 +7,12 @@
 use std::sync::Arc;
 
 use super::outline::{Outline, capsule_half_axis};
+use super::rounded::core_of;
 use crate::geom::entry::GeomEntry;
 use crate::shape::Vertices;
-use farseer_precise::pieces::{Piece, edges_of_chain, pieces_of_outline};
+use farseer_precise::pieces::{
+    Piece, edges_of_chain, edges_of_two_sided_chain, pieces_of_outline, rounded_piece,
+};
 
 /// Number of outlines that [`RecentOutlines`] remembers, a count. Value chosen: worlds of many geoms repeat few outlines.
 const RECENT_OUTLINES: usize = 4;
@@ -33,7 +36,9 @@ pub(crate) fn pieces_of(corners: &Vertices, outline: Outline) -> Arc<[Piece]> {
             let half = capsule_half_axis(height, end_radius);
             Arc::new([Piece::Capsule { ends: [[0.0, -half], [0.0, half]], radius: end_radius }])
         }
+        Outline::RoundedPolygon { radius } => Arc::new([rounded_piece(core_of(corners, radius), radius)]),
         Outline::Chain { is_closed } => edges_of_chain(corners, is_closed).collect(),
+        Outline::TwoSidedChain { is_closed } => edges_of_two_sided_chain(corners, is_closed).collect(),
         _ => pieces_of_outline(corners.iter().map(|v| [v.x, v.y]).collect()),
     }
 }

@@ -171,6 +171,7 @@ impl Objects {
         if source.one_way.is_some() {
             self.methods.check_one_way()?;
         }
+        self.methods.check_surface(source.geom.surface())?;
         let mut entry = self.new_entry(body, outline, offset, rotation_offset)?;
         entry.one_way = source.one_way;
         entry.pieces = source.pieces;
@@ -192,8 +193,8 @@ impl Objects {
         rotation_offset: f32,
     ) -> Result<GeomEntry> {
         let owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
-        if outline.is_chain() {
-            self.methods.check_chains()?;
+        self.methods.check_outline(outline)?;
+        if outline.is_one_sided() {
             check_may_hold_chain(body, owner)?;
         }
         let (position, rotation) = (owner.body.position(), owner.body.rotation());

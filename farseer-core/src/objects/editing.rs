@@ -5,10 +5,10 @@ use super::creating::{automatic_cell_size, check_may_hold_chain, check_outline, 
 use crate::body::BodyId;
 use crate::geom::GeomId;
 use crate::geom::entry::GeomEntry;
-use crate::math::finite::finite_vector;
+use crate::math::finite::{finite, finite_vector, zero_or_more};
 use crate::math::{Matrix, Vector2};
 use crate::shape::Vertices;
-use crate::{Error, Result};
+use crate::{Error, Result, SurfaceOptions};
 
 /// Changes.
 impl Objects {
@@ -20,7 +20,7 @@ impl Objects {
     pub fn set_body(&mut self, geom: GeomId, body: BodyId) -> Result<()> {
         let old_body = self.geoms.get(geom).ok_or(Error::StaleId { argument: "geom" })?.body;
         let new_owner = self.bodies.get(body).ok_or(Error::StaleId { argument: "body" })?;
-        if self.geoms[geom].outline.is_chain() {
+        if self.geoms[geom].outline.is_one_sided() {
             check_may_hold_chain(body, new_owner)?;
         }
         check_pose_is_finite("geom", self.geoms[geom].clone(), new_owner)?;
@@ -225,6 +225,31 @@ impl Objects {
         Ok(())
     }
 
+    /// Sets how friction and restitution of a geom combine with those of others, the speed of its surface, and its rolling
+    /// resistance. Bodies that touch it wake if something has changed. Builders have methods of the same names.
+    ///
+    /// ```
+    /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, SurfaceOptions};
+    /// let mut simulator = PhysicsSimulator::precise([0.0, 300.0])?;
+    /// let belt = BodyBuilder::fixed().position([0.0, 26.0]);
+    /// let (_, [belt]) = simulator.add_body(belt, [GeomBuilder::rectangle(4000.0, 20.0)])?;
+    /// let (parcel, _) = simulator.add_body(BodyBuilder::dynamic(), [GeomBuilder::rectangle(32.0, 32.0)])?;
+    /// simulator.set_surface(belt, SurfaceOptions { speed: 60.0, ..SurfaceOptions::default() })?;
+    /// (0..120).for_each(|_| simulator.update(1.0 / 60.0));
+    /// assert!((simulator[parcel].linear_velocity().x - 60.0).abs() < 0.01);
+    /// # Ok::<(), farseer_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stale id; a number that is not finite; rolling resistance less than 0; [`Error::NotSupported`] for other than the default
+    /// under the faithful methods.
+    pub fn set_surface(&mut self, geom: GeomId, surface: SurfaceOptions) -> Result<()> {
+        self.geoms.find("geom", geom)?;
+        self.methods.check_surface(check_surface(surface)?)?;
+        self[geom].surface = (surface != SurfaceOptions::default()).then_some(surface);
+        Ok(())
+    }
+
     /// Makes a geom a sensor (its body static, its collisions without response) or an ordinary geom (its body dynamic,
     /// whatever it was before, and its collisions with response).
     ///
@@ -310,4 +335,11 @@ pub(crate) fn unit(direction: Vector2) -> Result<Vector2> {
         return Err(Error::invalid("direction", (direction.x, direction.y), "longer than 0"));
     }
     Ok(Vector2::new((x / length) as f32, (y / length) as f32))
+}
+
+/// Refuses a surface with a number that is not possible.
+pub(crate) fn check_surface(surface: SurfaceOptions) -> Result<SurfaceOptions> {
+    finite("surface_speed", surface.speed)?;
+    zero_or_more("rolling_resistance", surface.rolling_resistance)?;
+    Ok(surface)
 }

@@ -31,7 +31,7 @@ use crate::storage::collection::Collection;
 use farseer_precise::reusing_clone;
 
 pub use creating::GeomPlacement;
-pub(crate) use editing::unit;
+pub(crate) use editing::{check_surface, unit};
 pub use farseer_queries::GeomPointPair;
 pub(crate) use geom_transforms::TransformUpdate;
 pub use ray_cast::RayCastHit;

@@ -3,6 +3,7 @@
 use super::Objects;
 use crate::geom::GeomId;
 use crate::geom::entry::{GeomEntry, GeomPose, WorldOutline};
+use crate::geom::outline::Outline;
 use crate::math::Vector2;
 use crate::shape::Aabb;
 use crate::simulator::candidates::Segment;
@@ -221,8 +222,12 @@ impl Ray {
             if from.1 == to.1 {
                 continue;
             }
-            let is_mirrored = *is_mirrored.get_or_insert_with(|| is_mirrored_outline(geom, world));
-            let (from, to) = if is_mirrored { (to, from) } else { (from, to) };
+            let is_reversed = match geom.outline {
+                // It is entered from both sides.
+                Outline::TwoSidedChain { .. } => from.1,
+                _ => *is_mirrored.get_or_insert_with(|| is_mirrored_outline(geom, world)),
+            };
+            let (from, to) = if is_reversed { (to, from) } else { (from, to) };
             if from.1 {
                 continue;
             }

@@ -131,6 +131,7 @@ impl<'a> ProxyImport<'a> {
             fingerprint,
             friction,
             restitution,
+            surface: geom.geom.surface(),
             responds: geom.geom.collision_response_enabled(),
             is_reported: geom.geom.collision_callbacks_enabled(),
             filter: geom_filter(geom),

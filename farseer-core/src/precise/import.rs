@@ -118,8 +118,12 @@ impl Precise {
         let [friction, restitution] = surface_coefficients(geom);
         let is_reported = geom.collision_callbacks_enabled();
         self.solver.has_restitution |= restitution > 0.0;
+        let surface = geom.surface();
+        self.solver.proxies.resist_rolling |= surface.rolling_resistance > 0.0;
         self.update_proxies(id, |proxy| {
-            let have_coefficients_changed = proxy.friction != friction || proxy.restitution != restitution;
+            let has_surface_changed = std::mem::replace(&mut proxy.surface, surface) != surface;
+            let have_coefficients_changed =
+                has_surface_changed || proxy.friction != friction || proxy.restitution != restitution;
             (proxy.friction, proxy.restitution) = (friction, restitution);
             let callbacks = std::mem::replace(&mut proxy.is_reported, is_reported) != is_reported;
             let has_direction_changed = std::mem::replace(&mut proxy.one_way, one_way) != one_way;

@@ -18,7 +18,7 @@ pub(super) struct Convex {
     pub(super) core: Vec<Point>,
     /// Radius about the core, in length units, >= 0.
     pub(super) radius: f64,
-    /// For an edge of a chain: unit normal on its free side.
+    /// For an edge of a chain that is solid on one side: unit normal on its free side.
     pub(super) free_side: Option<Point>,
 }
 
@@ -84,6 +84,10 @@ impl Convex {
                 core.extend(corners.iter().map(|&c| at(c)));
                 0.0
             }
+            Piece::Rounded { corners, radius } => {
+                core.extend(corners.iter().map(|&c| at(c)));
+                *radius
+            }
             Piece::Edge { ends, .. } => {
                 core.extend(ends.map(at));
                 0.0
@@ -95,7 +99,7 @@ impl Convex {
         }
         self.radius = f64::from(radius);
         self.free_side = match piece {
-            Piece::Edge { normal, .. } => {
+            Piece::Edge { normal, back: None, .. } => {
                 let origin = at([0.0; 2]);
                 Some(minus(at(*normal), origin))
             }
@@ -133,7 +137,7 @@ impl Convex {
     }
 
     /// The edges of the core; that of a segment in both directions.
-    fn edges(&self) -> impl Iterator<Item = [Point; 2]> + '_ {
+    pub(super) fn edges(&self) -> impl Iterator<Item = [Point; 2]> + '_ {
         let count = if self.core.len() < 2 { 0 } else { self.core.len() };
         (0..count).map(|at| [self.core[at], self.core[(at + 1) % self.core.len()]])
     }

@@ -1,6 +1,6 @@
 //! Rays against the true shapes of geoms.
 
-use super::convex::{Point, dot, minus, plus, point, scaled, vector};
+use super::convex::{Convex, Point, closest, dot, minus, plus, point, scaled, vector};
 use super::finite;
 use super::world_shape::{self, RoundPiece};
 use crate::Result;
@@ -39,7 +39,7 @@ impl Ray {
     pub(super) fn hit(&self, objects: &Objects, id: GeomId) -> Option<(f64, RayCastHit)> {
         let outline = objects.geom(id)?.outline();
         // The polygon of a concave outline has no edges between its convex pieces.
-        if !matches!(outline, Outline::Circle { .. } | Outline::Capsule { .. }) {
+        if matches!(outline, Outline::Polygon | Outline::Chain { .. } | Outline::TwoSidedChain { .. }) {
             return self.hit_of_polygon(objects, id);
         }
         let Some(round) = world_shape::round_piece(objects, id) else {
@@ -49,6 +49,7 @@ impl Ray {
         let (fraction, normal) = match round {
             RoundPiece::Circle { centre, radius } => enter_circle(start, way, centre, radius)?,
             RoundPiece::Capsule { ends, radius } => enter_capsule(start, way, ends, radius)?,
+            RoundPiece::Polygon(polygon) => enter_rounded_polygon(start, way, &polygon)?,
         };
         let at = plus(start, scaled(way, fraction));
         let hit =
@@ -70,6 +71,17 @@ fn enter_circle(start: Point, way: Point, centre: Point, radius: f64) -> Option<
     let fraction = c / (-b + discriminant.sqrt());
     let normal = scaled(plus(from_centre, scaled(way, fraction)), 1.0 / radius);
     (fraction <= 1.0).then_some((fraction, normal))
+}
+
+/// Fraction of the way at which a ray enters a rounded polygon, and the outward normal there. `None` if it starts inside. From
+/// outside the ray first meets the capsule about one of the edges.
+fn enter_rounded_polygon(start: Point, way: Point, polygon: &Convex) -> Option<(f64, Point)> {
+    let from = Convex { core: vec![start], radius: 0.0, free_side: None };
+    if closest(&from, polygon).distance < 0.0 {
+        return None;
+    }
+    let hits = polygon.edges().filter_map(|edge| enter_capsule(start, way, edge, polygon.radius));
+    hits.reduce(|first, hit| if hit.0 < first.0 { hit } else { first })
 }
 
 /// Fraction of the way at which a ray enters a capsule, and the outward normal there. `None` if it starts inside.

@@ -24,9 +24,10 @@ pub(super) fn pieces_of(objects: &Objects, geom: GeomId) -> impl Iterator<Item =
 pub(super) enum RoundPiece {
     Circle { centre: Point, radius: f64 },
     Capsule { ends: [Point; 2], radius: f64 },
+    Polygon(Convex),
 }
 
-/// The circle or capsule of a geom at its present place; `None` for another shape.
+/// The circle, capsule or rounded polygon of a geom at its present place; `None` for another shape.
 pub(super) fn round_piece(objects: &Objects, geom: GeomId) -> Option<RoundPiece> {
     let geom = objects.geom(geom)?;
     let to_world = to_world(&geom.matrix());
@@ -38,6 +39,7 @@ pub(super) fn round_piece(objects: &Objects, geom: GeomId) -> Option<RoundPiece>
         Piece::Capsule { ends, radius } if *radius > 0.0 => {
             Some(RoundPiece::Capsule { ends: ends.map(at), radius: f64::from(*radius) })
         }
+        piece @ Piece::Rounded { .. } => Some(RoundPiece::Polygon(Convex::of_piece(piece, &to_world))),
         _ => None,
     }
 }

@@ -6,6 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::broad_phase::proxies::{BodyType, Proxies};
+use crate::constraint_graph::saved_constraint::SavedConstraint;
 use crate::constraint_graph::{ConstraintHandle, ConstraintKind};
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::math::plane::Vector;
@@ -134,6 +135,9 @@ pub struct Pair {
     pub is_static_sensor: bool,
     /// Whether a one-way geom stops the other body of the pair or lets it pass.
     pub one_way_state: OneWayState,
+    /// Accumulated angular impulse of [rolling resistance](crate::contact_solver::rolling_resistance) in one substep, mass
+    /// units * length units^2/s.
+    pub rolling_impulse: f32,
 }
 
 impl Pair {
@@ -527,6 +531,7 @@ impl Pairs {
             is_on_ground: false,
             is_static_sensor: false,
             one_way_state: OneWayState::Closed,
+            rolling_impulse: 0.0,
         });
         for side in 0..2 {
             self.link(at, side);
@@ -584,10 +589,18 @@ impl Pairs {
         })
     }
 
-    /// Invalidates the cached manifold of a pair, so that the next step computes the manifold again.
+    /// Invalidates the cached manifold of a pair, so that the next step computes the manifold again. Rolling resistance loses its
+    /// accumulated impulse, since the geoms may have other surfaces.
     pub fn invalidate(&mut self, pair: PairIndex) {
         self.triggers[pair].motion_tolerance = 0;
         self.manifolds[pair].rotations = [0.0; 4];
+        self.all[pair].rolling_impulse = 0.0;
+    }
+
+    /// Restores the angular impulse of rolling resistance of a pair from its saved constraint. Edits since the save
+    /// [invalidate](Self::invalidate) the pair after that.
+    pub fn restore_rolling(&mut self, pair: PairIndex, saved: &SavedConstraint) {
+        self.all[pair].rolling_impulse = saved.rolling_impulse();
     }
 
     /// Inserts a pair at the head of the list of its proxy A (`side` 0) or B (`side` 1).

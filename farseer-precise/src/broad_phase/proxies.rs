@@ -22,6 +22,7 @@ use crate::reusing_clone;
 use crate::scaled_parameters::{AabbMargin, Parameters};
 use crate::shape::{Shape, ShapeRef, VertexPool};
 use crate::storage::order::packed_key;
+use crate::surface::SurfaceOptions;
 
 /// Value in place of the index of a proxy: the list of a body's proxies ends.
 const NO_PROXY: ProxyIndex = ProxyIndex(u32::MAX);
@@ -77,6 +78,8 @@ pub struct Proxy {
     pub friction: f32,
     /// Coefficient of restitution of the geom, dimensionless.
     pub restitution: f32,
+    /// Combination rules, surface speed and rolling resistance of the geom.
+    pub surface: SurfaceOptions,
     /// Whether contacts of the geom exert impulses (collision response); false for a sensor.
     pub responds: bool,
     /// Whether a handler of the game is called for contacts of the geom.
@@ -112,6 +115,7 @@ impl Proxy {
             fingerprint: 0,
             friction: 0.0,
             restitution: 0.0,
+            surface: SurfaceOptions::default(),
             responds: false,
             is_reported: false,
             filter: [0; 5],
@@ -200,6 +204,8 @@ pub struct Proxies {
     pub live_count: usize,
     /// Number of proxies with a one-way geom.
     pub one_way_count: usize,
+    /// Whether any proxy may have rolling resistance; else the solver skips it.
+    pub resist_rolling: bool,
     /// Number of proxies whose geom wants hits as events.
     pub hit_count: usize,
     /// Vertices and edge normals of all shapes.
@@ -220,7 +226,7 @@ pub struct Proxies {
 
 reusing_clone! {
     Proxies {
-        all, summaries, movable_end, first_fixed, live_count, one_way_count, hit_count, vertices, local_aabbs, fat_aabbs, travel, refitted, heads, next
+        all, summaries, movable_end, first_fixed, live_count, one_way_count, resist_rolling, hit_count, vertices, local_aabbs, fat_aabbs, travel, refitted, heads, next
     }
 }
 
@@ -379,6 +385,12 @@ impl Proxies {
         (gather(&self.local_aabbs, proxies), f32x4::new(radii))
     }
 
+    /// Sets the [surface](Proxy::surface) of a proxy.
+    pub fn set_surface(&mut self, at: ProxyIndex, surface: SurfaceOptions) {
+        self.all[at].surface = surface;
+        self.resist_rolling |= surface.rolling_resistance > 0.0;
+    }
+
     /// Sets the [wanted events](Proxy::events) of a proxy.
     pub fn set_events(&mut self, at: ProxyIndex, events: u8) {
         self.all[at].set_events(events, &mut self.hit_count);
@@ -395,6 +407,7 @@ impl Proxies {
         self.all.clear();
         self.summaries.clear();
         (self.live_count, self.one_way_count, self.hit_count) = (0, 0, 0);
+        self.resist_rolling = false;
         self.vertices.clear();
         self.local_aabbs.clear();
         self.fat_aabbs.clear();
@@ -435,6 +448,7 @@ impl Proxies {
         self.travel.push(0);
         self.live_count += usize::from(!proxy.is_empty());
         self.one_way_count += usize::from(proxy.one_way.is_some());
+        self.resist_rolling |= proxy.surface.rolling_resistance > 0.0;
         self.hit_count += usize::from(proxy.wants_hits());
     }
 
@@ -452,6 +466,7 @@ impl Proxies {
             self.summaries[at] = ProxySummary::of(&proxy);
             (self.movable_end, self.live_count) = (self.movable_end.max(at.next()), self.live_count + 1);
             self.one_way_count += usize::from(proxy.one_way.is_some());
+            self.resist_rolling |= proxy.surface.rolling_resistance > 0.0;
             self.hit_count += usize::from(proxy.wants_hits());
         } else {
             return None;

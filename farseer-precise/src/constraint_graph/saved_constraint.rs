@@ -29,6 +29,8 @@ pub struct SavedConstraint {
     /// points and both tangents. Units: mass units * length units/s; twist: mass units * length units^2/s.
     #[serde(rename = "space")]
     depth_impulses: [f32; 6],
+    /// Angular impulse of rolling resistance. Unit: mass units * length units^2/s.
+    rolling_impulse: f32,
     /// Normal impulses of both points. Unit: mass units * length units/s.
     impulses: [f32; 2],
     /// Rest impulses of both points, which load adaptation has set. Unit: mass units * length units/s.
@@ -52,7 +54,7 @@ pub struct SavedConstraint {
 crate::saved_record!(SavedConstraint);
 
 impl Record for SavedConstraint {
-    const WORDS: usize = 30;
+    const WORDS: usize = 31;
 
     #[inline(always)]
     fn visit(&mut self, words: &mut impl Words) {
@@ -68,6 +70,7 @@ impl Record for SavedConstraint {
         self.direct = h.map(|[h]| (h, exact.map(f64::from_bits)));
         words.float(&mut self.tangent_impulse);
         words.floats(&mut self.depth_impulses);
+        words.float(&mut self.rolling_impulse);
         words.floats(&mut self.impulses);
         words.floats(&mut self.load_offsets);
         let [first, second] = &mut self.are_disabled;
@@ -94,6 +97,7 @@ impl SavedConstraint {
             direct: parked.filter(|_| sleeping.is_none()).map(|row| (row.h, row.exact_impulses)),
             tangent_impulse,
             depth_impulses: [depth.across_impulse, depth.twist_impulse, one, other, along, across],
+            rolling_impulse: pair.rolling_impulse,
             impulses: points.map(|point| point.normal_impulse),
             load_offsets: points.map(|point| point.rest_impulse),
             // Not by effective masses: those of the constraint are out of date after an edit of a mass.
@@ -119,7 +123,7 @@ impl SavedConstraint {
             ..
         } = self;
         Color(self.colour).position() < COLOR_COUNT
-            && finite(&[*tangent_impulse, sleeping_h.unwrap_or(0.0)])
+            && finite(&[*tangent_impulse, self.rolling_impulse, sleeping_h.unwrap_or(0.0)])
             && direct.is_none_or(|(h, exact)| h.is_finite() && exact.iter().all(|x| x.is_finite()))
             && finite(&sleeping_surface.unwrap_or_default())
             && finite(depth_impulses)
@@ -140,6 +144,11 @@ impl SavedConstraint {
     /// overridden them; else `None`.
     pub fn surface(&self) -> Option<[f32; 3]> {
         self.sleeping_surface.or(self.awake_surface)
+    }
+
+    /// Returns the angular impulse of rolling resistance, mass units * length units^2/s.
+    pub(crate) fn rolling_impulse(&self) -> f32 {
+        self.rolling_impulse
     }
 
     /// Returns for both points whether a handler has removed the point, or it does not exist.

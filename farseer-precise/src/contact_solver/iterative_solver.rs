@@ -19,6 +19,9 @@ use crate::constraint_graph::{ColorUsage, ConstraintGraph, ConstraintGraph3};
 use crate::contact_solver::held_contacts::{HeldContacts, hold_deep_contacts};
 use crate::contact_solver::restitution::apply_restitution;
 use crate::contact_solver::rolling::{RollingContact, RollingSolver};
+use crate::contact_solver::rolling_resistance::{
+    RollingRow, list_rolling_rows, relax_rolling, store_rolling, warm_start_rolling,
+};
 use crate::contact_solver::soft_step::{ContactSubstep, relax, solve_with_bias, solve_with_joint_softness};
 use crate::contact_solver::warm_start::accumulate_warm_start;
 use crate::depth::feature_gate::FeatureGate;
@@ -47,6 +50,8 @@ pub(crate) struct IterativeSolver<'a> {
     pub(crate) awake_body_runs: &'a [Range<usize>],
     /// Contacts of polygons that roll over a static face in this step.
     pub(crate) rolling_contacts: &'a mut Vec<RollingContact>,
+    /// Rows of rolling resistance; empty without it.
+    pub(crate) rolling_rows: &'a mut Vec<RollingRow>,
     /// Workspace with an entry for each proxy, all false.
     pub(crate) proxy_flags: &'a mut IndexedVec<ProxyIndex, bool>,
     /// Whether any contact may have restitution.
@@ -75,6 +80,7 @@ impl IterativeSolver<'_> {
             records_active_points: may_bounce,
             has_contacts: !self.constraints.is_empty(),
         };
+        self.begin_rolling_resistance(is_planar);
         self.warm_start_hinges();
         if !is_planar {
             self.prepare_rolling(step);
@@ -85,12 +91,36 @@ impl IterativeSolver<'_> {
             self.solve_with_bias(step, contact_substep, has_joints);
             integrate_positions(self.bodies, self.awake_body_runs, step.h, substep == 0);
             self.relax(step, contact_substep, has_joints);
+            self.relax_rolling_resistance();
         }
+        self.end_rolling_resistance();
         self.correct_displacements(step);
         if may_bounce {
             self.apply_restitution(step);
         }
         true
+    }
+
+    /// Lists the rows of rolling resistance, and adds their impulses to the warm start; none in three axes.
+    #[inline(never)]
+    fn begin_rolling_resistance(&mut self, is_planar: bool) {
+        if is_planar && self.proxies.resist_rolling {
+            list_rolling_rows(self.rolling_rows, self.pairs, self.proxies, self.constraints);
+            warm_start_rolling(self.rolling_rows, self.bodies);
+        }
+    }
+
+    /// Solves rolling resistance once, after the contacts of a relaxation.
+    #[inline(never)]
+    fn relax_rolling_resistance(&mut self) {
+        relax_rolling(self.rolling_rows, self.constraints, &mut self.bodies.states);
+    }
+
+    /// Stores the impulses of rolling resistance in the pairs, and clears the list of rows.
+    #[inline(never)]
+    fn end_rolling_resistance(&mut self) {
+        store_rolling(self.rolling_rows, self.pairs);
+        self.rolling_rows.clear();
     }
 
     /// Finds the rolling contacts of this step, and among them the polygons that pivot in closed form.

@@ -9,5 +9,6 @@ pub mod pivoting;
 pub mod pivoting_bodies;
 pub mod restitution;
 pub mod rolling;
+pub(crate) mod rolling_resistance;
 pub mod soft_step;
 pub mod warm_start;

@@ -108,7 +108,7 @@ impl SweptPair<'_> {
     /// Returns whether A is a one-sided chain edge that B cannot hit: B is behind the edge, or does not move towards it.
     pub(crate) fn is_behind_edge(&self) -> bool {
         let [normal, _] = self.a.shape.normals else { return false };
-        if self.a.shape.adjacency().is_empty() {
+        if !self.a.shape.is_one_sided() {
             return false;
         }
         let normal = rotate(rotation(self.a.pose), *normal);

@@ -16,6 +16,7 @@ use crate::broad_phase::proxies::{BodyType, Proxies, Proxy};
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, ProxyIndex};
 use crate::island::sleep::SleepState;
 use crate::math::scalar::nearest_finite;
+use crate::narrow_phase::combined_surface::{friction_of, restitution_of};
 use crate::reusing_clone;
 use crate::scaled_parameters::{AabbMargin, Parameters};
 use crate::shape::ShapeRef;
@@ -163,11 +164,10 @@ impl DepthState {
         [a, b]: [&Proxy; 2],
         mix: FrictionType,
     ) -> [f32; 2] {
-        let [friction, restitution] = if proxies[0] == self.ground_proxy {
-            self.extents[proxies[1]].ground_surface.unwrap_or_default()
-        } else {
-            [a.friction, a.restitution]
-        };
+        if proxies[0] != self.ground_proxy {
+            return [friction_of(mix, a, b), restitution_of(a, b)];
+        }
+        let [friction, restitution] = self.extents[proxies[1]].ground_surface.unwrap_or_default();
         // The mean of huge coefficients overflows.
         let restitution = mix_restitution(restitution, b.restitution).clamp(f32::MIN, f32::MAX);
         [mix_friction(mix, friction, b.friction).min(f32::MAX), restitution]

@@ -84,6 +84,8 @@ pub struct IslandStats {
     pub(super) has_unsupported_joint: bool,
     /// Whether a contact of the island is about to apply restitution.
     pub(super) bounces: bool,
+    /// Whether a contact of the island has rolling resistance.
+    pub(super) resists_rolling: bool,
     /// Whether a body of the island is not calm: faster than
     /// [`CALM_ISLAND_MAX_SPEED`](crate::parameters::direct::CALM_ISLAND_MAX_SPEED).
     pub(super) moves: bool,
@@ -123,6 +125,7 @@ impl IslandStats {
             (choice == SolverChoice::Iterative, SolverReason::Chosen),
             (self.bodies > DIRECT_ISLAND_BODIES && self.contacts > self.joints, SolverReason::TooLarge),
             (self.bounces, SolverReason::Bounces),
+            (self.resists_rolling, SolverReason::RollingResistance),
         ];
         first_reason(&refusals)
             .or_else(|| if choice == SolverChoice::Direct { None } else { self.cost_objection() })

@@ -17,6 +17,7 @@ use crate::island::union_find::UnionFind;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
 use crate::math::plane::Vector;
+use crate::narrow_phase::combined_surface::rolling_arm_of;
 use crate::parameters::direct::{
     ACCEPTED_JOINT_ERROR, CALM_ISLAND_MAX_SPEED, FRICTION_CHECK_MAX_DOUBLINGS, SLIP_SPEED,
     STICKING_FRICTION_FRACTION,
@@ -57,7 +58,9 @@ impl SolverSelection<'_> {
         let is_rejected = |contact: &ContactConstraint| {
             let velocity = |body: BodyIndex| self.bodies.states[body].velocity;
             let velocities = [contact.a, contact.b].map(velocity);
-            self.bounces(contact, velocities) || self.blocks_planar_solution(contact, velocities)
+            self.bounces(contact, velocities)
+                || self.blocks_planar_solution(contact, velocities)
+                || self.resists_rolling(contact.pair)
         };
         self.constraints.direct_constraints().iter().any(|row| is_rejected(&row.constraint))
     }
@@ -137,6 +140,7 @@ impl SolverSelection<'_> {
             stats.contacts += 1;
             stats.has_unsupported_joint |= mobility == BodyType::Hinged;
             stats.has_depth = self.has_depth;
+            stats.resists_rolling |= self.resists_rolling(pair);
             if !(stats.has_depth || stats.slips && stats.has_load) {
                 let contact = self.constraints.get(kind, handle);
                 stats.slips |= slips(&contact, velocity, SLIP_SPEED * self.parameters.length_unit);
@@ -182,6 +186,19 @@ impl SolverSelection<'_> {
                 union_find.unite(a, b);
             }
         }
+    }
+
+    /// Returns whether a contact has rolling resistance, for which the direct solver has no row. Always false with a depth axis.
+    #[inline(always)]
+    fn resists_rolling(&self, pair: PairIndex) -> bool {
+        self.proxies.resist_rolling && !self.has_depth && self.rolling_arm(pair) > 0.0
+    }
+
+    /// Returns the [lever arm of rolling resistance](rolling_arm_of) of a pair, length units, >= 0.
+    #[inline(never)]
+    fn rolling_arm(&self, pair: PairIndex) -> f32 {
+        let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
+        rolling_arm_of(a, b)
     }
 
     /// Returns whether restitution applies at a contact. `velocities` are those of its bodies A and B.

@@ -12,7 +12,7 @@ use crate::depth::interface::HingeFeature;
 use crate::depth::state::DepthState;
 use crate::index::{BodyIndex, PairIndex};
 use crate::math::plane::{Vector, cross, difference, dot, rotate, scaled, sum};
-use crate::surface::{mix_friction, mix_restitution};
+use crate::narrow_phase::combined_surface::{friction_of, restitution_of};
 
 impl NarrowPhase<'_> {
     /// Returns the contact constraint of a pair, built from its cached manifold. All impulses of the constraint are 0.
@@ -35,13 +35,12 @@ impl NarrowPhase<'_> {
             normal,
             inverse_masses: [mass_a, mass_b],
             inverse_inertias: [inertia_a, inertia_b],
-            // The mixed coefficient of very large ones may overflow.
-            friction: mix_friction(self.friction, two.a.friction, two.b.friction).min(f32::MAX),
+            friction: friction_of(self.friction, two.a, two.b),
             tangent_arms,
             tangent_mass: effective_mass(tangent_arms[0], tangent_arms[1]),
             tangent_impulse: 0.0,
-            tangent_speed: tangent_surface_speed(two.a, normal, cached.anchors[0]).clamp(f32::MIN, f32::MAX),
-            restitution: mix_restitution(two.a.restitution, two.b.restitution).clamp(f32::MIN, f32::MAX),
+            tangent_speed: tangent_surface_speed(two, normal, cached.anchors[0]).clamp(f32::MIN, f32::MAX),
+            restitution: restitution_of(two.a, two.b),
             points,
             depth: ContactConstraintZ::default(),
         };
@@ -85,7 +84,7 @@ impl NarrowPhase<'_> {
         }
         let proxies = self.pairs.proxies_of(pair);
         let [friction, restitution] = space.combined_surface(proxies, [two.a, two.b], self.friction);
-        let belt_speed = |axis: Vector| tangent_surface_speed(two.a, axis, anchors[0]);
+        let belt_speed = |axis: Vector| belt_speed(two.a, axis, anchors[0]);
         let across_speed = belt_speed([-uy, ux]) + uz * two.a.surface_velocity[3];
         ContactConstraint {
             friction,
@@ -195,10 +194,18 @@ pub(super) fn transfer_friction_impulse(constraint: &mut ContactConstraint, old:
     constraint.depth.across_impulse = dot([x, y], [second[0], second[1]]) + z * second[2];
 }
 
-/// Returns the speed of a conveyor belt on the surface of A along the tangent (normal y, -normal x), in length units/s. The
-/// speed is that at the point [ax, ay], given relative to the origin of A's body. Friction drives the tangential velocity of B
-/// relative to A to this speed.
-fn tangent_surface_speed(a: &Proxy, normal: Vector, [ax, ay, ..]: [f32; 4]) -> f32 {
+/// Returns the speed of the surface of A less that of B, along the tangent (normal y, -normal x), in length units/s. The speed is
+/// that at the point [ax, ay, ..], relative to the origin of A's body. Friction drives the tangential velocity of B relative to A
+/// to this speed.
+///
+/// Surfaces run clockwise on the screen: that of A, which has the outward normal n, along (-n.y, n.x), and that of B against it.
+fn tangent_surface_speed(two: ProxyPair<'_>, normal: Vector, anchors: [f32; 4]) -> f32 {
+    belt_speed(two.a, normal, anchors) - (two.a.surface.speed + two.b.surface.speed)
+}
+
+/// Returns the speed along the tangent (normal y, -normal x), in length units/s, of a static body A that is a conveyor belt. The
+/// speed is that at the point [ax, ay, ..], given relative to the origin of A's body.
+fn belt_speed(a: &Proxy, normal: Vector, [ax, ay, ..]: [f32; 4]) -> f32 {
     let [x, y, spin, _] = a.surface_velocity;
     let at = [x - spin * ay, y + spin * ax];
     dot(at, [normal[1], -normal[0]])

@@ -33,6 +33,7 @@ impl NarrowPhase<'_> {
     pub(crate) fn remove_constraint(&mut self, pair: PairIndex) {
         let kind = self.pairs.state(pair).kind;
         let Some(handle) = self.pairs.state_mut(pair).constraint.take() else { return };
+        self.pairs.state_mut(pair).rolling_impulse = 0.0;
         let [a, b] = self.constraints.bodies_of(kind, handle);
         let color = self.constraints.color_of(handle);
         self.palette.set_color(kind, [a, b], color, false);

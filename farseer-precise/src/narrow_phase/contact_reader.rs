@@ -13,7 +13,8 @@ use crate::math::plane::{
     Vector, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar::nearest_finite;
-use crate::surface::{FrictionType, mix_friction};
+use crate::narrow_phase::combined_surface::friction_of;
+use crate::surface::FrictionType;
 
 /// Contact of a pair in the plane, in the present poses.
 pub struct PlanarContact {
@@ -96,7 +97,7 @@ impl ContactReader<'_> {
                 }),
             };
         }
-        let friction = mix_friction(self.friction, a.friction, b.friction);
+        let friction = friction_of(self.friction, a, b);
         PlanarContact { normal, friction, count: manifold.point_count(), points }
     }
 

@@ -111,7 +111,8 @@ pub(crate) fn circle(a: ShapeRef<'_>, b: ShapeRef<'_>, pose_a: Pose, pose_b: Pos
         return Manifold::separated(0.0);
     }
     let (normal, distance) = match vertex_region(a, edge, centre) {
-        Some((offset, is_own)) if is_outside => {
+        // A two-sided edge has no inside, also where the centre is on its line.
+        Some((offset, is_own)) if is_outside || a.is_two_sided() => {
             if !is_own {
                 return Manifold::separated(0.0);
             }
@@ -173,18 +174,13 @@ fn larger(a: f32, b: f32) -> f32 {
 
 /// Returns whether both shapes are edges of chains. Such edges have no inside, and do not collide with each other.
 fn are_both_chain_edges(shapes: &ShapePair<'_>) -> bool {
-    [shapes.a, shapes.b].iter().all(|side| is_chain_edge(side.shape_ref))
+    [shapes.a, shapes.b].iter().all(|side| side.shape_ref.is_chain_edge())
 }
 
-/// Returns whether a shape is an edge of a chain.
-fn is_chain_edge(shape: ShapeRef<'_>) -> bool {
-    shape.shape.is_linked() && shape.shape.vertex_count == 2
-}
-
-/// Returns whether a point is on the colliding side of a chain edge; true for all other shapes. `point` is in the frame of the
-/// shape's body.
+/// Returns whether a point is on the colliding side of a one-sided chain edge; true for all other shapes. `point` is in the frame
+/// of the shape's body.
 fn is_in_front(shape: ShapeRef<'_>, point: Vector) -> bool {
-    !is_chain_edge(shape) || dot(shape.normals[0], difference(point, shape.vertices[0])) >= 0.0
+    !shape.is_one_sided() || dot(shape.normals[0], difference(point, shape.vertices[0])) >= 0.0
 }
 
 /// Returns the separations of the shape `other`, without its radius, along the edge normals of the shape `this`.
@@ -312,6 +308,9 @@ fn classify_normal(side: &PairSide<'_>, w: Vector) -> Verdict {
         return Verdict::Admitted;
     }
     let vertex = support_vertex(shape, w);
+    if shape.is_two_sided() {
+        return classify_on_two_sided_edge(shape, vertex, w);
+    }
     let before = (vertex + adjacency.len() - 1) % adjacency.len();
     match (adjacency[before].is_internal, adjacency[vertex].is_internal) {
         (false, false) => Verdict::Admitted,
@@ -324,6 +323,19 @@ fn classify_normal(side: &PairSide<'_>, w: Vector) -> Verdict {
             classify_at_vertex(earlier, shape.normals[vertex], cross(w, earlier))
         }
         (true, true) => Verdict::Skipped,
+    }
+}
+
+/// Classifies the unit normal w at a `vertex` (0 or 1) of a chain edge that collides on both sides. The side that w points to has
+/// the contact.
+fn classify_on_two_sided_edge(shape: ShapeRef<'_>, vertex: usize, w: Vector) -> Verdict {
+    // Edge i of the two runs from vertex i to the other one.
+    let side = usize::from(dot(w, shape.normals[0]) < 0.0);
+    let (normal, [before, after]) = (shape.normals[side], shape.adjacency()[side].neighbours);
+    if vertex == side {
+        classify_at_vertex(before, normal, cross(w, before))
+    } else {
+        classify_at_vertex(normal, after, cross(after, w))
     }
 }
 

@@ -38,7 +38,7 @@ mod upright;
 pub use calm::{CalmDepth, CalmPlane};
 pub use depth::Depth;
 pub use engine::Engine;
-pub use plane::{OneWayPlane, Plane, StagedPlane};
+pub use plane::{OneWayPlane, Plane, StagedPlane, SurfacePlane};
 pub use random::Random;
 pub use tied::Tied;
 pub use upright::Upright;

@@ -11,7 +11,7 @@ use crate::small::small_scene_holds;
 use crate::soak::does_not_grow;
 use crate::textures::outlines_of_a_picture;
 use crate::twins::twins_stay_equal;
-use crate::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
+use crate::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, SurfacePlane, Tied, Upright};
 
 /// A property that `fuzz` tests for one seed after the other.
 #[derive(Debug, Clone, Copy)]
@@ -47,6 +47,11 @@ pub const SUBJECTS: &[Subject] = &[
         name: "one-way",
         about: "random calls of the 2D engine with one-way geoms, and its twins",
         check: game::<OneWayPlane>,
+    },
+    Subject {
+        name: "surfaces",
+        about: "random calls of the 2D engine with round and thin shapes and surfaces of all kinds, and its twins",
+        check: game::<SurfacePlane>,
     },
     Subject {
         name: "calm",

@@ -43,13 +43,14 @@ impl SavedProxy {
         let SavedProxy {
             fat_aabb,
             depth_interval,
-            imported: ImportedState { pose, contact_properties, one_way, .. },
+            imported: ImportedState { pose, contact_properties, surface, one_way, .. },
             ..
         } = self;
         finite(&[depth_interval.low, depth_interval.high])
             && finite(fat_aabb)
             && finite(pose)
             && finite(contact_properties)
+            && surface.is_valid()
             && finite(&one_way.unwrap_or_default())
     }
 }

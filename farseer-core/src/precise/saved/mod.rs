@@ -33,7 +33,7 @@ use farseer_precise::index::IndexedVec;
 use farseer_precise::math::plane::Vector;
 use farseer_precise::narrow_phase::{TouchEvent, TouchKind};
 use farseer_precise::scaled_parameters::Parameters;
-use farseer_precise::surface::FrictionType;
+use farseer_precise::surface::{FrictionType, SurfaceOptions};
 
 /// Saved state of the precise set. `Pairs`: the pairs, as a list or as an iterator that only a serializer reads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -152,6 +152,8 @@ struct ImportedState {
     /// (dimensionless).
     #[serde(rename = "contacts")]
     contact_properties: [f32; 8],
+    /// Combination rules, surface speed and rolling resistance of the geom.
+    surface: SurfaceOptions,
     /// Collision filter: masks of the own and of the colliding categories, group, flags (1: collision is enabled, 2: both
     /// geoms must agree), number of changes of the ignored geoms. The last number has further flags. 1: contacts respond; then
     /// follow the bits of the wanted events.

@@ -8,6 +8,7 @@ use farseer_precise::broad_phase::proxies::BodyType;
 use farseer_precise::depth::interface::DepthInterval;
 use farseer_precise::saved_record;
 use farseer_precise::storage::words::{Record, Words};
+use farseer_precise::surface::{CombinationRule, SurfaceOptions};
 
 saved_record!(SavedManifold);
 saved_record!(SavedProxy);
@@ -49,7 +50,7 @@ impl Default for SavedProxy {
 }
 
 impl Record for SavedProxy {
-    const WORDS: usize = 36;
+    const WORDS: usize = 40;
 
     #[inline(always)]
     fn visit(&mut self, words: &mut impl Words) {
@@ -71,6 +72,7 @@ impl Record for SavedProxy {
         words.flags([&mut self.is_refitted]);
         words.floats(&mut self.imported.pose);
         words.floats(&mut self.imported.contact_properties);
+        visit_surface(&mut self.imported.surface, words);
         for number in &mut self.imported.filter {
             let mut word = number.cast_unsigned();
             words.word(&mut word);
@@ -81,6 +83,28 @@ impl Record for SavedProxy {
     }
 }
 
+/// Visits the four words of a surface.
+#[inline(always)]
+fn visit_surface(surface: &mut SurfaceOptions, words: &mut impl Words) {
+    let SurfaceOptions { friction_rule, restitution_rule, speed, rolling_resistance } = surface;
+    for rule in [friction_rule, restitution_rule] {
+        let rules = [
+            None,
+            Some(CombinationRule::Mean),
+            Some(CombinationRule::GeometricMean),
+            Some(CombinationRule::Minimum),
+            Some(CombinationRule::Product),
+            Some(CombinationRule::Maximum),
+        ];
+        let mut word = rules.iter().position(|known| known == rule).unwrap_or(0) as u32;
+        words.word(&mut word);
+        // Of damaged data any rule is a possible one.
+        *rule = rules.get(word as usize).copied().flatten();
+    }
+    words.float(speed);
+    words.float(rolling_resistance);
+}
+
 impl Default for SavedSleepingBody {
     fn default() -> Self {
         SavedSleepingBody {
@@ -88,14 +112,14 @@ impl Default for SavedSleepingBody {
             first: SavedSleeperIndex::default(),
             pose: [0.0; 4],
             supported_acceleration: [0.0; 4],
-            mass_and_gravity: [0.0; 3],
+            constants: [0.0; 4],
             is_newly_asleep: false,
         }
     }
 }
 
 impl Record for SavedSleepingBody {
-    const WORDS: usize = 15;
+    const WORDS: usize = 16;
 
     #[inline(always)]
     fn visit(&mut self, words: &mut impl Words) {
@@ -105,7 +129,7 @@ impl Record for SavedSleepingBody {
         words.word(&mut self.first.0);
         words.floats(&mut self.pose);
         words.floats(&mut self.supported_acceleration);
-        words.floats(&mut self.mass_and_gravity);
+        words.floats(&mut self.constants);
         words.flags([&mut self.is_newly_asleep]);
     }
 }

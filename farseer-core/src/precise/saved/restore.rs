@@ -4,10 +4,11 @@
 //! both paths give the same bits.
 
 use super::{
-    EditPolicy, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex, SavedSleeperIndex,
-    SavedSleepingBody, SavedTouchEvent,
+    EditPolicy, ImportedState, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex,
+    SavedSleeperIndex, SavedSleepingBody, SavedTouchEvent,
 };
 use crate::body::BodyId;
+use crate::geom::GeomId;
 use crate::objects::Objects;
 use crate::precise::Precise;
 use crate::precise::body_import::velocity_of;
@@ -261,12 +262,7 @@ impl Precise {
             now.filter = then.filter;
         }
         if edits == EditPolicy::Defer {
-            let [.., friction, restitution] = then.contact_properties;
-            let proxy = self.solver.proxies.proxy_mut(proxy_index);
-            if [proxy.friction, proxy.restitution] != [friction, restitution] {
-                (proxy.friction, proxy.restitution) = (friction, restitution);
-                self.edits.geoms.push(geom_of(proxy));
-            }
+            restore_former_surface(&mut self.solver.proxies, &mut self.edits.geoms, proxy_index, &then);
         }
         self.solver.proxies.set_travel(proxy_index, saved.travel);
         self.solver.fat_aabbs().insert_saved(proxy_index, saved.fat_aabb, saved.depth_interval);
@@ -286,6 +282,7 @@ impl Precise {
         has_moved
             || is_reshaped
             || then.contact_properties != now.contact_properties
+            || then.surface != now.surface
             || then.filter != now.filter
             || then.one_way != now.one_way
     }
@@ -322,7 +319,24 @@ impl Precise {
         {
             self.solver.pairs.recheck(pair);
         }
-        constraint.map(|row| (pair, row))
+        constraint.inspect(|row| self.solver.pairs.restore_rolling(pair, row)).map(|row| (pair, row))
+    }
+}
+
+/// Restores the surface that a proxy had at the save. Its geom is added to the `edited` ones if that was another surface, so that
+/// the next update imports the present one.
+fn restore_former_surface(
+    proxies: &mut Proxies,
+    edited: &mut Vec<GeomId>,
+    proxy_index: ProxyIndex,
+    then: &ImportedState,
+) {
+    let ([.., friction, restitution], surface) = (then.contact_properties, then.surface);
+    let proxy = proxies.proxy_mut(proxy_index);
+    if ([proxy.friction, proxy.restitution], proxy.surface) != ([friction, restitution], surface) {
+        (proxy.friction, proxy.restitution) = (friction, restitution);
+        edited.push(geom_of(proxy));
+        proxies.set_surface(proxy_index, surface);
     }
 }
 

@@ -115,6 +115,7 @@ impl Precise {
             body,
             friction,
             restitution,
+            surface,
             surface_velocity,
             filter,
             responds,
@@ -129,6 +130,7 @@ impl Precise {
         ImportedState {
             pose: self.pose_of(body),
             contact_properties: [mass, inertia, vx, vy, spin, vz, friction, restitution],
+            surface,
             filter: [is, with, group, enabled, ignores, i32::from(responds) | i32::from(events) << 1],
             one_way,
             fingerprint,

@@ -5,6 +5,7 @@ use crate::builders::GeomBuilder;
 use crate::math::Vector2;
 use crate::shape::Aabb;
 use crate::{Error, Result};
+use farseer_precise::pieces::Piece;
 
 /// Gap that a mover keeps, as a fraction of its size. Value chosen: a fortieth of a pixel for a figure of 24 px, invisible, and
 /// far more than the rounding of `f64`.
@@ -31,7 +32,7 @@ impl MoverShape {
             return Err(Error::invalid("shape", pieces.len(), "one convex shape"));
         };
         let local = Convex::of_piece(piece, |point| at.apply(point));
-        if local.free_side.is_some() {
+        if matches!(piece, Piece::Edge { .. }) {
             return Err(Error::invalid("shape", "a chain", "one convex shape"));
         }
         let aabb = aabb_of(std::slice::from_ref(&local));

@@ -6,6 +6,7 @@ use super::obstacles::{Kind, MoverHit, Obstacles, Passable, SKIN_SLACK, first_to
 use super::shape::MoverShape;
 use super::{CharacterMover, Ground, MoverInput, MoverOptions, MoverReport, MoverState, MoverTouch};
 use crate::body::BodyId;
+use crate::geom::GeomId;
 use crate::math::Vector2;
 use crate::math::scalar::{nearest_finite, sin_cos_of_any};
 use crate::simulator::PhysicsSimulator;
@@ -97,13 +98,15 @@ impl<'a> Step<'a> {
         };
         let (is_fixed, position) = (body.is_static(), body.position());
         let contact = plus(point(position), turned(ground.point - ground.position));
-        self.carried = self.velocity_of(ground.body, contact);
+        let normal = turned(ground.normal);
+        let belt = self.belt_velocity(ground.geom, normal);
+        self.carried = plus(self.velocity_of(ground.body, contact), belt);
         let way = match is_fixed {
             // A belt.
             true => scaled(self.carried, self.dt),
-            false => minus(contact, point(ground.point)),
+            false => plus(minus(contact, point(ground.point)), scaled(belt, self.dt)),
         };
-        let normal = vector(turned(ground.normal));
+        let normal = vector(normal);
         let geom = ground.geom;
         self.ground = Some(MoverTouch { geom, body: ground.body, point: vector(contact), normal });
         self.stood = true;
@@ -276,6 +279,17 @@ impl<'a> Step<'a> {
         self.cover(from, way);
         let passable = self.passable(but);
         self.obstacles.cast(self.shape, from, way, self.skin, passable)
+    }
+
+    /// The velocity of the surface of a geom relative to its body, where it has the outward unit `normal`, in length units/s.
+    fn belt_velocity(&self, geom: GeomId, [x, y]: Point) -> Point {
+        let speed = self.simulator.geom(geom).map_or(0.0, |_| self.simulator[geom].surface().speed);
+        scaled([-y, x], f64::from(speed))
+    }
+
+    /// The velocity of the ground at a hit, in length units/s.
+    pub(super) fn ground_velocity(&self, hit: &MoverHit) -> Point {
+        plus(self.velocity_of(hit.body, hit.point), self.belt_velocity(hit.geom, hit.normal))
     }
 
     /// Velocity of a body at a point, in length units/s.

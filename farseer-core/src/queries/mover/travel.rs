@@ -136,7 +136,7 @@ impl Step<'_> {
             return;
         };
         self.ground = Some(touch_of(&hit, normal));
-        let velocity = self.velocity_of(hit.body, hit.point);
+        let velocity = self.ground_velocity(&hit);
         self.velocity[0] += self.carried[0] - velocity[0];
         self.carried = velocity;
     }
@@ -164,7 +164,7 @@ impl Step<'_> {
 
     /// Lands on a ground, unless the mover rises from it.
     fn lands_on(&mut self, hit: &MoverHit) -> bool {
-        let ground = self.velocity_of(hit.body, hit.point);
+        let ground = self.ground_velocity(hit);
         let speed = self.velocity[1] + self.carried[1] - ground[1];
         if speed < 0.0 {
             return false;

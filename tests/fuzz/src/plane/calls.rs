@@ -230,7 +230,7 @@ const SETTINGS: &[fn(&mut PhysicsSimulator, &mut Random) -> Result<()>] = &[
 ];
 
 impl Plane {
-    fn is_crowded(&self) -> bool {
+    pub(super) fn is_crowded(&self) -> bool {
         self.simulator.geoms().count() > MOST_GEOMS
     }
 }

@@ -11,6 +11,7 @@ mod paths;
 mod pools;
 mod queries;
 mod stages;
+mod surfaces;
 mod things;
 
 use farseer_core::math::Vector2;
@@ -23,6 +24,7 @@ pub(crate) use edits::{BODY_EDITS, GEOM_EDITS, JOINT_EDITS, SPRING_EDITS};
 pub(crate) use numbers::check_numbers;
 pub use one_way::OneWayPlane;
 pub use stages::StagedPlane;
+pub use surfaces::SurfacePlane;
 pub(crate) use things::create_thing;
 
 use crate::game::{Call, Game};

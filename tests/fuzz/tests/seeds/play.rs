@@ -3,7 +3,7 @@
 use fuzz::checks::{failed_calls_change_nothing, numbers_are_finite};
 use fuzz::long_run::failures;
 use fuzz::twins::twins_stay_equal;
-use fuzz::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, Tied, Upright};
+use fuzz::{CalmDepth, CalmPlane, Depth, OneWayPlane, Plane, StagedPlane, SurfacePlane, Tied, Upright};
 
 /// Asserts that a check holds for all seeds. Fails with a line for each seed for which it does not.
 macro_rules! holds_for {
@@ -21,12 +21,14 @@ fn a_2d_simulator_equals_its_restored_cloned_and_json_twins() {
 #[test]
 fn a_2d_simulator_with_one_way_geoms_equals_its_twins() {
     holds_for!(0..PLANE, twins_stay_equal::<OneWayPlane>);
+    holds_for!(0..PLANE, twins_stay_equal::<SurfacePlane>);
 }
 
 #[test]
 fn failed_calls_with_one_way_geoms_change_no_state_and_leave_all_numbers_finite() {
     holds_for!(0..PLANE, failed_calls_change_nothing::<OneWayPlane>);
     holds_for!(0..PLANE, numbers_are_finite::<OneWayPlane>);
+    holds_for!(0..PLANE, numbers_are_finite::<SurfacePlane>);
 }
 
 #[test]

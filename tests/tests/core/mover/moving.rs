@@ -68,13 +68,17 @@ fn a_turning_platform_and_a_belt_carry_it() {
         let (sine, cosine) = 0.3f32.sin_cos();
         near(stage.at().x - start.x, 60.0 * (cosine - 1.0) + 10.0 * sine, 4.0);
 
-        let mut stage = Stage::new(case, [0.0, -0.1]);
-        let belt = BodyBuilder::fixed().position([0.0, 10.0]).linear_velocity([50.0, 0.0]);
-        stage.simulator.add_body(belt, [GeomBuilder::rectangle(4000.0, 20.0)]).unwrap();
-        stage.run(STILL, 0.2, |_| {});
-        let start = stage.at().x;
-        stage.run(STILL, 1.0, |_| {});
-        near(stage.at().x - start, 50.0, 0.01);
+        let (body, slab) = (BodyBuilder::fixed().position([0.0, 10.0]), GeomBuilder::rectangle(4000.0, 20.0));
+        let belts =
+            [(body.clone().linear_velocity([50.0, 0.0]), slab.clone()), (body, slab.surface_speed(50.0))];
+        for (body, geom) in belts {
+            let mut stage = Stage::new(case.clone(), [0.0, -0.1]);
+            stage.simulator.add_body(body, [geom]).unwrap();
+            stage.run(STILL, 0.2, |_| {});
+            let start = stage.at().x;
+            stage.run(STILL, 1.0, |_| {});
+            near(stage.at().x - start, 50.0, 0.01);
+        }
     }
 }
 
