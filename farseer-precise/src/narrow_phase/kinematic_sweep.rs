@@ -97,13 +97,14 @@ impl<'a> NarrowPhase<'a> {
     /// Adds the contact of a kinematic body A with a dynamic body B that A will hit within the step.
     fn add_swept_contact(&mut self, pair: PairIndex) {
         let two = self.proxy_pair(pair);
-        if self.is_carried_equally(pair, two) {
-            return;
-        }
+        // Most pairs end here, so the search among the pairs of B follows.
         let Some(SweptContact { poses: then, mut manifold, approach }) = self.find_swept_contact(pair, two)
         else {
             return;
         };
+        if self.is_carried_equally(pair, two) {
+            return;
+        }
         manifold.keep_deepest(self.max_contacts);
         if manifold.count == 0 || (self.proxies.one_way_count > 0 && self.is_passable(pair, two, &manifold)) {
             return;
