@@ -168,7 +168,7 @@ impl<'a> ShapeRef<'a> {
     /// Returns for each edge the adjacent edges of the whole outline; an empty slice if the shape itself is a whole outline.
     pub(crate) fn adjacency(&self) -> &'a [Seam] {
         if self.shape.is_linked() {
-            &self.pool.adjacency[self.shape.adjacency_start as usize..][..self.shape.vertex_count as usize]
+            &self.pool.adjacency[self.shape.adjacency_start as usize..][..self.shape.vertex_range().len()]
         } else {
             &[]
         }

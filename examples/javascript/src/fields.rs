@@ -185,7 +185,7 @@ impl Fields {
 }
 
 fn read<T: Argument>(name: &'static str, number: f64) -> Outcome<T> {
-    T::read(number).ok_or(()).or_else(|()| Err(invalid(name, number, T::REQUIREMENT)))
+    T::read(number).ok_or_else(|| invalid(name, number, T::REQUIREMENT))
 }
 
 impl Argument for WantedEvents {

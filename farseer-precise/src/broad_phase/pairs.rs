@@ -6,7 +6,6 @@
 use serde::{Deserialize, Serialize};
 
 use crate::broad_phase::proxies::{BodyType, Proxies};
-use crate::constraint_graph::saved_constraint::SavedConstraint;
 use crate::constraint_graph::{ConstraintHandle, ConstraintKind};
 use crate::index::{BodyIndex, DenseIndex, IndexedVec, PairIndex, ProxyIndex};
 use crate::math::plane::Vector;
@@ -597,10 +596,10 @@ impl Pairs {
         self.all[pair].rolling_impulse = 0.0;
     }
 
-    /// Restores the angular impulse of rolling resistance of a pair from its saved constraint. Edits since the save
+    /// Restores the angular impulse of rolling resistance of a pair, mass units * length units^2/s. Edits since the save
     /// [invalidate](Self::invalidate) the pair after that.
-    pub fn restore_rolling(&mut self, pair: PairIndex, saved: &SavedConstraint) {
-        self.all[pair].rolling_impulse = saved.rolling_impulse();
+    pub fn restore_rolling_impulse(&mut self, pair: PairIndex, impulse: f32) {
+        self.all[pair].rolling_impulse = impulse;
     }
 
     /// Inserts a pair at the head of the list of its proxy A (`side` 0) or B (`side` 1).

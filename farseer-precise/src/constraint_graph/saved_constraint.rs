@@ -147,7 +147,7 @@ impl SavedConstraint {
     }
 
     /// Returns the angular impulse of rolling resistance, mass units * length units^2/s.
-    pub(crate) fn rolling_impulse(&self) -> f32 {
+    pub fn rolling_impulse(&self) -> f32 {
         self.rolling_impulse
     }
 

@@ -319,7 +319,9 @@ impl Precise {
         {
             self.solver.pairs.recheck(pair);
         }
-        constraint.inspect(|row| self.solver.pairs.restore_rolling(pair, row)).map(|row| (pair, row))
+        let row = constraint?;
+        self.solver.pairs.restore_rolling_impulse(pair, row.rolling_impulse());
+        Some((pair, row))
     }
 }
 
