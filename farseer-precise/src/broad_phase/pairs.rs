@@ -598,7 +598,7 @@ impl Pairs {
 
     /// Restores the angular impulse of rolling resistance of a pair, mass units * length units^2/s. Edits since the save
     /// [invalidate](Self::invalidate) the pair after that.
-    pub fn restore_rolling_impulse(&mut self, pair: PairIndex, impulse: f32) {
+    pub(crate) fn restore_rolling_impulse(&mut self, pair: PairIndex, impulse: f32) {
         self.all[pair].rolling_impulse = impulse;
     }
 

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{COLOR_COUNT, Color, ConstraintGraph, ConstraintHandle, ContactConstraint};
-use crate::broad_phase::pairs::Pair;
-use crate::index::DenseIndex;
+use crate::broad_phase::pairs::{Pair, Pairs};
+use crate::index::{DenseIndex, PairIndex};
 use crate::math::scalar::nearest_finite;
 use crate::storage::words::{Record, Words};
 
@@ -146,9 +146,9 @@ impl SavedConstraint {
         self.sleeping_surface.or(self.awake_surface)
     }
 
-    /// Returns the angular impulse of rolling resistance, mass units * length units^2/s.
-    pub fn rolling_impulse(&self) -> f32 {
-        self.rolling_impulse
+    /// Restores the angular impulse of rolling resistance of the pair.
+    pub fn restore_rolling(&self, pairs: &mut Pairs, pair: PairIndex) {
+        pairs.restore_rolling_impulse(pair, self.rolling_impulse);
     }
 
     /// Returns for both points whether a handler has removed the point, or it does not exist.

@@ -320,7 +320,7 @@ impl Precise {
             self.solver.pairs.recheck(pair);
         }
         let row = constraint?;
-        self.solver.pairs.restore_rolling_impulse(pair, row.rolling_impulse());
+        row.restore_rolling(&mut self.solver.pairs, pair);
         Some((pair, row))
     }
 }
