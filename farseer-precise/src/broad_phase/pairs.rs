@@ -134,7 +134,7 @@ pub struct Pair {
     pub is_static_sensor: bool,
     /// Whether a one-way geom stops the other body of the pair or lets it pass.
     pub one_way_state: OneWayState,
-    /// Accumulated angular impulse of [rolling resistance](crate::contact_solver::rolling_resistance) in one substep, mass
+    /// Accumulated angular impulse of rolling resistance in one substep, mass
     /// units * length units^2/s.
     pub rolling_impulse: f32,
 }

@@ -1,5 +1,5 @@
 //! Narrow phase: chooses the routine that computes the manifold of two shapes. Circles and polygons are in [`manifold`], capsules
-//! and rounded polygons in [`capsule`] and [`rounded_polygon`], parts of concave outlines and chains in [`ghost_filter`].
+//! and rounded polygons in [`capsule`] and `rounded_polygon`, parts of concave outlines and chains in [`ghost_filter`].
 
 use super::capsule;
 use super::ghost_filter;
