@@ -605,7 +605,7 @@ export class Simulator {
 
   /**
    * Adds a body with its geoms. Mass, centre and moment of inertia follow from the geoms.
-   * @throws {PhysicsError} for values that are not possible; {TypeError} for unknown names. Nothing is added then.
+   * @throws {PhysicsError} for values that are not possible; {TypeError} for unknown names. No object is added then.
    */
   addBody(options?: AddBodyOptions, geoms?: readonly AddGeomOptions[]): { body: Body; geoms: Geom[] };
   /** Adds a geom to a body, whose mass stays. */
@@ -618,7 +618,7 @@ export class Simulator {
   explode(explosion: Explosion): number;
   /** Pushes dynamic bodies near a point by forces in the next step; returns the number of geoms. */
   applyRadialForce(explosion: Explosion): number;
-  /** All of a {@link snapshot} but the geoms, in less than half of the bytes: for rollback. */
+  /** All of a {@link snapshot} but the geoms, in about three quarters of the bytes: for rollback. */
   snapshotMoving(): Uint8Array;
   /**
    * Puts back such a state. Geoms keep the settings that they have now.

@@ -85,5 +85,7 @@ export class CharacterMover {
   dispose() {
     registry.unregister(this);
     call('mover_dispose', this.#simulator.handle, this.#id);
+    // The number goes to the next mover.
+    this.#id = -1;
   }
 }

@@ -20,7 +20,12 @@ function checked(what, options, names) {
 }
 
 function numbersOf(options, names) {
-  return names.flatMap((name) => (POINTS.has(name) ? [number(options[name]?.x), number(options[name]?.y)] : [number(options[name])]));
+  return names.flatMap((name) => (POINTS.has(name) ? pointOf(options[name]) : [number(options[name])]));
+}
+
+// A point without x or y gets Infinity there, which no option takes.
+function pointOf(point) {
+  return point === undefined || point === null ? [NaN, NaN] : [number(point.x ?? Infinity), number(point.y ?? Infinity)];
 }
 
 const POINTS = new Set(['position', 'linearVelocity', 'offset', 'oneWay']);

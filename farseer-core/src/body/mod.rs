@@ -104,7 +104,7 @@ macro_rules! finite_properties {
             self.$field
         }
 
-        #[doc = concat!("Sets [`", stringify!($field), "`](Self::", stringify!($field), "). What is not finite is rejected.")]
+        #[doc = concat!("Sets [`", stringify!($field), "`](Self::", stringify!($field), "). A number that is not finite is rejected.")]
         #[inline]
         pub fn $setter(&mut self, value: f32) {
             if self.accepts(stringify!($field), value) {

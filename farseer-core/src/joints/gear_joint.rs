@@ -77,7 +77,8 @@ impl GearJoint {
         self.ratio
     }
 
-    /// Sets the ratio; the present angles of the bodies are without error.
+    /// Sets the ratio; the present angles of the bodies are without error, up to the precision of an `f32` for the difference of
+    /// both angles.
     fn set_ratio(&mut self, ratio: f32, body1: &Body, body2: &Body) -> Result<()> {
         self.ratio = check_ratio(ratio)?;
         let angle = body2.unwrapped_rotation() - f64::from(ratio) * body1.unwrapped_rotation();

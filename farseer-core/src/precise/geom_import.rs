@@ -113,7 +113,8 @@ impl<'a> ProxyImport<'a> {
         };
         let [friction, restitution] = surface_coefficients(&geom.geom);
         let bounces_on_ground = self.depth.is_some_and(|space| space.shape(id.slot()).bounces_on_ground());
-        *self.has_restitution |= restitution > 0.0 || bounces_on_ground;
+        // Two negative coefficients may have a positive product.
+        *self.has_restitution |= restitution != 0.0 || bounces_on_ground;
         let (shape, fingerprint) = self.add_shape(id, geom, piece);
         let surface_velocity = match body_type {
             BodyType::Fixed => surface_velocity(&self.objects.bodies[geom.body].body, geom.body, self.depth),

@@ -117,7 +117,7 @@ impl Precise {
         let (geom, one_way) = (&entry.geom, one_way_direction(entry, self.solver.depth.is_some()));
         let [friction, restitution] = surface_coefficients(geom);
         let is_reported = geom.collision_callbacks_enabled();
-        self.solver.has_restitution |= restitution > 0.0;
+        self.solver.has_restitution |= restitution != 0.0;
         let surface = geom.surface();
         self.solver.proxies.resist_rolling |= surface.rolling_resistance > 0.0;
         self.update_proxies(id, |proxy| {

@@ -60,3 +60,59 @@ fn wake_both(solver: &mut Solver, ids: &IdTable, (one, other): BodyPair) -> Opti
     bodies.into_iter().for_each(|body| solver.sleep.request_wake(body));
     Some(bodies)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::math::Vector2;
+    use crate::{BodyFactory, BodyId, GeomFactory, GeomPlacement, JointFactory, Methods, PhysicsSimulator};
+
+    /// A hub, which collides with no other body, and boxes that overlap it, each at a place of its own.
+    fn hub(boxes: usize) -> (PhysicsSimulator, BodyId, Vec<BodyId>) {
+        let mut simulator = PhysicsSimulator::default();
+        simulator.set_methods(Methods::PRECISE).unwrap();
+        let mut add = |size: f32, x: f32| {
+            let body = BodyFactory::create_rectangle_body_in(&mut simulator, size, 4.0, 1.0).unwrap();
+            simulator[body].set_position(Vector2::new(x, 0.0));
+            let place = GeomPlacement::default();
+            let geom = GeomFactory::create_rectangle_geom_in(&mut simulator, body, size, 4.0, place).unwrap();
+            simulator[geom].set_collision_response_enabled(false);
+            body
+        };
+        let width = 10.0 * boxes as f32;
+        let hub = add(width, 0.5 * width);
+        let all = (0..boxes).map(|at| add(4.0, 10.0 * at as f32)).collect();
+        (simulator, hub, all)
+    }
+
+    #[test]
+    fn the_pairs_of_two_bodies_are_found_from_the_one_with_fewer_pairs() {
+        let (mut simulator, hub, boxes) = hub(200);
+        simulator.update(0.01);
+        let precise = simulator.pipeline.precise.as_ref().unwrap();
+        let (pairs, proxies) = (&precise.solver.pairs, &precise.solver.proxies);
+        let index = |body| precise.ids.body_index(body).unwrap();
+        let (hub, one, other) = (index(hub), index(boxes[70]), index(boxes[3]));
+        for bodies in [[hub, one], [one, hub]] {
+            let between = pairs.pairs_between(proxies, bodies);
+            assert_eq!(between.len(), 1);
+            assert_eq!(between, pairs.pairs_of_body(proxies, one).collect::<Vec<_>>());
+            assert_eq!(pairs.body_with_fewer_pairs(proxies, bodies), one);
+        }
+        assert!(pairs.pairs_between(proxies, [one, other]).is_empty());
+    }
+
+    #[test]
+    fn a_flag_at_one_of_many_boxes_on_a_hub_removes_and_finds_one_pair() {
+        let (mut simulator, hub, boxes) = hub(200);
+        let at = simulator[boxes[70]].position();
+        let joint = JointFactory::create_revolute_joint_in(&mut simulator, hub, boxes[70], at).unwrap();
+        simulator.update(0.01);
+        let count = |simulator: &PhysicsSimulator| simulator.pipeline.precise.as_ref().unwrap().pair_count();
+        let all = count(&simulator);
+        for (do_collide, expected) in [(false, all - 1), (true, all), (false, all - 1)] {
+            simulator.set_joint_bodies_collide(joint, do_collide).unwrap();
+            simulator.update(0.01);
+            assert_eq!(count(&simulator), expected);
+        }
+    }
+}

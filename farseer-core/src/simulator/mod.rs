@@ -116,7 +116,7 @@ pub struct PhysicsSimulator {
     #[serde(with = "SavedObjects")]
     objects: Objects,
     contacts: ArbiterList,
-    pipeline: Pipeline,
+    pub(crate) pipeline: Pipeline,
     #[serde(skip)]
     report: Report,
     /// Not saved: they stay those of the simulator, as its limits do.

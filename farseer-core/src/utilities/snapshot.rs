@@ -152,7 +152,8 @@ impl PhysicsSimulator {
     }
 
     /// The simulator without its geoms as bytes, to be put [back](Self::restore_moving) into this simulator or a clone: for
-    /// rollback, and for states sent over a network. Less than half of a [`snapshot`](Self::snapshot).
+    /// rollback, and for states sent over a network. In a pile about three quarters of a
+    /// [`snapshot`](Self::snapshot).
     ///
     /// All of a snapshot but shapes, materials, filters and other settings of geoms: bodies, joints, springs, contacts, sleep,
     /// edits since the last update.

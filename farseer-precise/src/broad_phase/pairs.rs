@@ -134,8 +134,7 @@ pub struct Pair {
     pub is_static_sensor: bool,
     /// Whether a one-way geom stops the other body of the pair or lets it pass.
     pub one_way_state: OneWayState,
-    /// Accumulated angular impulse of rolling resistance in one substep, mass
-    /// units * length units^2/s.
+    /// Accumulated angular impulse of rolling resistance in one substep, mass units * length units^2/s.
     pub rolling_impulse: f32,
 }
 
@@ -143,6 +142,13 @@ impl Pair {
     /// Returns whether contacts of the pair exert impulses: neither geom is a sensor, and no handler has disabled the contact.
     pub fn has_response(&self) -> bool {
         self.responds && !self.is_vetoed
+    }
+
+    /// Multiplies the angular impulse of rolling resistance by `factor`, dimensionless: the ratio of two substep lengths. A result
+    /// that is not finite becomes 0.
+    pub(crate) fn scale_rolling_impulse(&mut self, factor: f32) {
+        let impulse = self.rolling_impulse * factor;
+        self.rolling_impulse = if impulse.is_finite() { impulse } else { 0.0 };
     }
 }
 

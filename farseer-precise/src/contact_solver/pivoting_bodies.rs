@@ -12,6 +12,7 @@ use crate::math::plane::{
     Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar;
+use crate::narrow_phase::combined_surface::rolling_arm_of;
 use crate::parameters::contacts::{PIVOT_MAX_PENETRATION, PIVOT_PLANE_TOLERANCE};
 use crate::scaled_parameters::StepContext;
 
@@ -41,7 +42,8 @@ impl RollingSolver<'_> {
         let outline = self.proxies.shape_of(at_b);
         let ([x, y, spin, z], force_delta) = (self.bodies.states[b].velocity, self.bodies.force_delta[b]);
         let is_in_plane = [z, force_delta[3]] == [0.0; 2] && outline.shape.radius == 0.0;
-        if !(is_in_plane && outline.vertices.len() > 2) || self.joints.has_joint(b) {
+        let is_jointed = self.joints.has_joint(b) || self.joints.has_iterative_joint(b);
+        if !(is_in_plane && outline.vertices.len() > 2) || is_jointed {
             return None;
         }
         let pose_a = self.bodies.poses[self.proxies.body_of(at_a)];
@@ -103,10 +105,15 @@ impl RollingSolver<'_> {
             let is_still =
                 [constraint.tangent_speed, constraint.depth.across_speed, constraint.depth.normal_z]
                     == [0.0; 3];
+            let resists_rolling = self.proxies.resist_rolling && {
+                let [a, b] = self.pairs.proxies_of(pair).map(|proxy| self.proxies.proxy(proxy));
+                rolling_arm_of(a, b) > 0.0
+            };
             let is_static =
                 state.kind.is_static && other == roll.proxies[1] && self.constraints.parked(handle).is_none();
             if !(is_static
                 && is_still
+                && !resists_rolling
                 && self.height_above_plane(pair, plane)
                     <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit)
             {

@@ -101,8 +101,7 @@ pub(crate) fn store_rolling(rows: &[RollingRow], pairs: &mut Pairs) {
 /// Multiplies the accumulated impulses of all awake pairs by `factor`, dimensionless: the ratio of two substep lengths.
 pub(crate) fn scale_rolling_impulses(pairs: &mut Pairs, factor: f32) {
     for pair in pairs.awake() {
-        let impulse = &mut pairs.state_mut(pair).rolling_impulse;
-        *impulse = if (*impulse * factor).is_finite() { *impulse * factor } else { 0.0 };
+        pairs.state_mut(pair).scale_rolling_impulse(factor);
     }
 }
 

@@ -298,7 +298,7 @@ impl Constraint for ContactRows {
         let impulses = [
             if first { one } else { 0.0 },
             if second { two } else { 0.0 },
-            if sticks { along } else { self.friction_limit.copysign(along) },
+            clamp_magnitude(self.friction_limit, along),
         ];
         let is_bounded = sticks & (self.friction_limit > 0.0);
         (impulses, u8::from(first) | u8::from(second) << 1 | u8::from(is_bounded) << FRICTION)
@@ -347,8 +347,8 @@ pub(super) fn is_penetration_corrected(is_loaded: bool, separation: f64, slop: f
     is_loaded | (separation < -UNLOADED_POINT_DEPTH * slop)
 }
 
-/// Returns `impulse` clamped to -`bound`..=`bound`, in the unit of both; NaN stays NaN.
+/// Returns `impulse` clamped to -`bound`..=`bound`, in the unit of both. NaN stays NaN: its sign depends on the processor.
 #[inline(always)]
 fn clamp_magnitude(bound: f64, impulse: f64) -> f64 {
-    if impulse.abs() <= bound { impulse } else { bound.copysign(impulse) }
+    if impulse.abs() <= bound || impulse.is_nan() { impulse } else { bound.copysign(impulse) }
 }

@@ -221,7 +221,8 @@ impl IslandSystem {
             if !plan.has_cycles {
                 self.recompute_velocity_changes();
             }
-            let before = if index == 0 { tolerances.initial_residual } else { stats.residual };
+            let before =
+                if stats.residual.is_finite() { stats.residual } else { tolerances.initial_residual };
             let improves = self.keep_best(&mut stats);
             if is_over || self.is_finished(&plan, &round, (stats.residual, improves), tolerances) {
                 break;

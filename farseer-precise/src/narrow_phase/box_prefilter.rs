@@ -66,8 +66,10 @@ struct PosedBoxes {
     half_extents: [f32x4; 2],
     /// Radius of the shape, length units, >= 0.
     radii: f32x4,
-    /// World coordinates of the centre, length units.
-    centre: [f32x4; 2],
+    /// World coordinates of the origin of the body, length units.
+    origin: [f32x4; 2],
+    /// Vector from there to the centre of the box, in world axes, length units.
+    arm: [f32x4; 2],
     /// Cosine and sine of the body's angle.
     rotation: [f32x4; 2],
 }
@@ -77,8 +79,8 @@ impl PosedBoxes {
     /// units; `poses`: x, y in length units, cosine, sine.
     #[inline(always)]
     fn new([cx, cy, hx, hy]: [f32x4; 4], radii: f32x4, [x, y, c, s]: [f32x4; 4]) -> Self {
-        let centre = [x + (c * cx - s * cy), y + (s * cx + c * cy)];
-        PosedBoxes { half_extents: [hx, hy], radii, centre, rotation: [c, s] }
+        let arm = [c * cx - s * cy, s * cx + c * cy];
+        PosedBoxes { half_extents: [hx, hy], radii, origin: [x, y], arm, rotation: [c, s] }
     }
 }
 
@@ -90,7 +92,8 @@ impl PosedBoxes {
 #[inline(always)]
 fn box_separations(a: &PosedBoxes, b: &PosedBoxes, margin: f32) -> [f32; 4] {
     let ([cos_a, sin_a], [cos_b, sin_b]) = (a.rotation, b.rotation);
-    let (x, y) = (b.centre[0] - a.centre[0], b.centre[1] - a.centre[1]);
+    // Origins first: far from the origin of the world, rounding would lose the arms.
+    let [x, y] = [0, 1].map(|axis| (b.origin[axis] - a.origin[axis]) + (b.arm[axis] - a.arm[axis]));
     let at = [cos_a * x + sin_a * y, cos_a * y - sin_a * x];
     let rotation = [cos_a * cos_b + sin_a * sin_b, cos_a * sin_b - sin_a * cos_b];
     let position_back =

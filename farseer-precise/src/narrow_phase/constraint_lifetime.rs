@@ -150,6 +150,9 @@ impl NarrowPhase<'_> {
         let moved = if falls_asleep {
             self.constraints.park(kind, handle, false, h)
         } else {
+            if let Some(sleeping) = self.constraints.sleeping_constraint(handle) {
+                self.pairs.state_mut(pair).scale_rolling_impulse(h / sleeping.h);
+            }
             self.constraints.unpark(kind, handle, h)
         };
         // A body that wakes may join an island of the direct solver.

@@ -6,11 +6,12 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{GeomEntry, GeomPose, PlaneMatrix};
 use crate::body::BodyId;
-use crate::geom::Geom;
 use crate::geom::distance_grid::DistanceGrid;
 use crate::geom::outline::Outline;
+use crate::geom::{Geom, GeomArguments};
 use crate::math::{Matrix, Vector2};
 use crate::shape::{Aabb, Vertices};
+use crate::storage::rejected_arguments::RejectedArguments;
 
 /// The saved fields of a geom, as of [`GeomEntry`].
 #[derive(Serialize, Deserialize)]
@@ -113,6 +114,7 @@ pub(crate) struct GeomMotion {
     refresh_is_due: bool,
     collision_id: i32,
     is_touched: bool,
+    rejected: RejectedArguments<GeomArguments>,
 }
 
 impl GeomEntry {
@@ -139,6 +141,7 @@ impl GeomEntry {
             refresh_is_due: self.refresh_is_due,
             collision_id: self.collision_id,
             is_touched: self.is_touched,
+            rejected: self.geom.rejected.clone(),
         }
     }
 
@@ -149,6 +152,7 @@ impl GeomEntry {
         self.refresh_is_due = motion.refresh_is_due;
         self.collision_id = motion.collision_id;
         self.is_touched = motion.is_touched;
+        self.geom.rejected = motion.rejected;
     }
 }
 
