@@ -6,7 +6,7 @@ import { geomNumbers, leave, moverNumbers, pointNumbers } from './options.js';
 
 const registry = new FinalizationRegistry(([simulator, mover]) => {
   try {
-    call('mover_dispose', simulator, mover);
+    call('mover_dispose', simulator.handle, mover);
   } catch {
     // The simulator was freed before.
   }
@@ -22,7 +22,8 @@ export class CharacterMover {
     leave([...pointNumbers(position), ...moverNumbers(options), ...geomNumbers(shape)]);
     this.#simulator = simulator;
     this.#id = call('mover_new', simulator.handle);
-    registry.register(this, [simulator.handle, this.#id], this);
+    // The simulator, not its number: after `free` that belongs to the next one.
+    registry.register(this, [simulator, this.#id], this);
   }
 
   set options(options) {
@@ -86,6 +87,6 @@ export class CharacterMover {
     registry.unregister(this);
     call('mover_dispose', this.#simulator.handle, this.#id);
     // The number goes to the next mover.
-    this.#id = -1;
+    this.#id = 2 ** 32 - 1;
   }
 }

@@ -44,15 +44,18 @@ impl Argument for Simulator {
 }
 
 impl Simulator {
-    /// Keeps a new one; returns its number. No two simulators have the same number, since the finalizer of an object in
-    /// JavaScript may name a simulator that was freed before.
+    /// Keeps a new one; returns its number.
     #[inline(never)]
     pub(crate) fn keep(engine: Engine) -> f64 {
         let world =
             Box::new(World { engine, log: Log::default(), movers: Vec::new(), positions: Vec::new() });
         WORLDS.with_borrow_mut(|worlds| {
-            worlds.push(Some(world));
-            (worlds.len() - 1) as f64
+            let free = worlds.iter().position(Option::is_none).unwrap_or(worlds.len());
+            if free == worlds.len() {
+                worlds.push(None);
+            }
+            worlds[free] = Some(world);
+            free as f64
         })
     }
 
