@@ -1,6 +1,8 @@
 //! The precise set: gears and pulleys.
 
-use conformance::fixtures::plane::{add_box, add_ghost, add_post, precise, run, simulator, v};
+use conformance::fixtures::plane::{
+    SOLVERS, add_box, add_ghost, add_post, precise, run, simulator, v, with_solver,
+};
 use farseer_core::{
     BodyId, Error, GearJoint, JointFactory, JointId, JointMotor, PhysicsSimulator, PulleyJoint, SolverChoice,
     TypedJointId,
@@ -8,20 +10,13 @@ use farseer_core::{
 
 const GRAVITY: f32 = 320.0;
 const RATES: [f32; 3] = [30.0, 60.0, 240.0];
-const SOLVERS: [SolverChoice; 3] = [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct];
-
-fn with(choice: SolverChoice, gravity: f32) -> PhysicsSimulator {
-    let mut simulator = precise(gravity);
-    simulator.set_solver_choice(choice);
-    simulator
-}
 
 /// Two wheels on axles at the world with a gear of this ratio between them.
 fn wheels(
     choice: SolverChoice,
     ratio: f32,
 ) -> (PhysicsSimulator, [BodyId; 2], [JointId; 2], TypedJointId<GearJoint>) {
-    let mut simulator = with(choice, 0.0);
+    let mut simulator = with_solver(choice, 0.0);
     let bodies = [0.0, 100.0].map(|x| add_ghost(&mut simulator, (20.0, 20.0), v(x, 0.0)));
     let axles = bodies.map(|body| {
         let at = simulator[body].position();
@@ -88,7 +83,7 @@ fn a_gear_passes_on_the_torque_by_its_ratio_and_its_closed_form_acceleration() {
 #[test]
 fn a_gear_on_moving_bodies_keeps_linear_momentum_and_another_ratio_counts_from_now_on() {
     for choice in SOLVERS {
-        let mut simulator = with(choice, 0.0);
+        let mut simulator = with_solver(choice, 0.0);
         let [a, b] = [0.0, 100.0].map(|x| add_ghost(&mut simulator, (20.0, 10.0), v(x, 0.0)));
         let gear = JointFactory::create_gear_joint_in(&mut simulator, a, b, 2.0).unwrap();
         simulator[a].set_angular_velocity(3.0);
@@ -111,7 +106,7 @@ fn weights(
     mass: f32,
     ratio: f32,
 ) -> (PhysicsSimulator, [BodyId; 2], TypedJointId<PulleyJoint>) {
-    let mut simulator = with(choice, GRAVITY);
+    let mut simulator = with_solver(choice, GRAVITY);
     let bodies = [(-50.0, 1.0), (50.0, mass)].map(|(x, mass)| {
         let body = add_ghost(&mut simulator, (10.0, 10.0), v(x, 0.0));
         simulator[body].set_mass(mass).unwrap();

@@ -1,7 +1,7 @@
 //! The precise set: bodies whose x or y coordinate is locked.
 
 use conformance::fixtures::plane::{
-    add_box, add_circle, add_floor, add_ghost, add_post, precise, run, simulator, v,
+    SOLVERS, add_box, add_circle, add_floor, add_ghost, add_post, precise, run, simulator, v, with_solver,
 };
 use farseer_core::{
     BodyBuilder, BodyId, Error, GeomBuilder, JointFactory, Methods, PhysicsSimulator, SolverChoice,
@@ -9,17 +9,10 @@ use farseer_core::{
 
 const GRAVITY: f32 = 320.0;
 const RATES: [f32; 3] = [30.0, 60.0, 240.0];
-const SOLVERS: [SolverChoice; 3] = [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct];
-
-fn with(choice: SolverChoice, gravity: f32) -> PhysicsSimulator {
-    let mut simulator = precise(gravity);
-    simulator.set_solver_choice(choice);
-    simulator
-}
 
 /// A box without friction on an incline of .5 rad.
 fn on_incline(choice: SolverChoice) -> (PhysicsSimulator, BodyId) {
-    let mut simulator = with(choice, GRAVITY);
+    let mut simulator = with_solver(choice, GRAVITY);
     let (ground, top) = add_box(&mut simulator, (400.0, 40.0), v(0.0, 0.0));
     simulator[ground].set_is_static(true);
     simulator[ground].set_rotation(0.5);
@@ -51,7 +44,7 @@ fn a_body_with_locked_x_rests_on_an_incline_for_ten_minutes_with_the_same_bits()
         // The contact may be as deep as its slop, .16 px, most of which the body reaches in the first second.
         assert!((rest.y - at.y).abs() < 0.3 && (end.y - rest.y).abs() < 0.1, "{choice:?}: {at} {rest} {end}");
         // The normal force N carries the weight alone: N cos(.5) = m g, compared with a box on a level floor.
-        let mut level = with(choice, GRAVITY);
+        let mut level = with_solver(choice, GRAVITY);
         add_floor(&mut level, (400.0, 20.0), v(0.0, 20.0));
         let (resting, _) = add_box(&mut level, (20.0, 20.0), v(0.0, 0.0));
         level.set_sleep_enabled(false);
@@ -115,7 +108,7 @@ fn gravity_acts_along_the_free_axis_alone_by_its_closed_form() {
 #[test]
 fn an_oblique_impact_has_the_impulse_of_infinite_mass_along_the_locked_axis() {
     for choice in SOLVERS {
-        let mut simulator = with(choice, 0.0);
+        let mut simulator = with_solver(choice, 0.0);
         let [a, b] = [v(-20.0, -20.0), v(0.0, 0.0)].map(|at| {
             let (body, geom) = add_circle(&mut simulator, 10.0, 32, at);
             simulator[geom].set_friction_coefficient(0.0);
@@ -143,7 +136,7 @@ fn an_oblique_impact_has_the_impulse_of_infinite_mass_along_the_locked_axis() {
 fn a_pendulum_on_a_cart_with_locked_y_keeps_momentum_along_x() {
     for choice in SOLVERS {
         for rate in RATES {
-            let mut simulator = with(choice, GRAVITY);
+            let mut simulator = with_solver(choice, GRAVITY);
             let cart = add_ghost(&mut simulator, (20.0, 10.0), v(5.5, 1.1));
             let bob = add_ghost(&mut simulator, (6.0, 6.0), v(45.5, 1.1));
             JointFactory::create_revolute_joint_in(&mut simulator, cart, bob, v(5.5, 1.1)).unwrap();
@@ -164,7 +157,7 @@ fn a_pendulum_on_a_cart_with_locked_y_keeps_momentum_along_x() {
 #[test]
 fn a_column_a_bullet_and_a_pushed_heap_keep_their_locked_coordinates() {
     for choice in SOLVERS {
-        let mut simulator = with(choice, GRAVITY);
+        let mut simulator = with_solver(choice, GRAVITY);
         add_floor(&mut simulator, (2000.0, 20.0), v(0.0, 10.0));
         let column: Vec<BodyId> = (0..6)
             .map(|at| {

@@ -1,6 +1,8 @@
 //! The precise set: servos of hinges and prismatic joints.
 
-use conformance::fixtures::plane::{add_box, add_ghost, add_post, precise, run, simulator, state, v};
+use conformance::fixtures::plane::{
+    SOLVERS, add_box, add_ghost, add_post, precise, run, simulator, state, v, with_solver,
+};
 use farseer_core::{
     BodyId, Error, Event, JointFactory, JointId, JointLimits, JointServo, Methods, PhysicsSimulator,
     PoseServo, SolverChoice,
@@ -8,17 +10,10 @@ use farseer_core::{
 
 const GRAVITY: f32 = 320.0;
 const RATES: [f32; 3] = [30.0, 60.0, 240.0];
-const SOLVERS: [SolverChoice; 3] = [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct];
-
-fn with(choice: SolverChoice, gravity: f32) -> PhysicsSimulator {
-    let mut simulator = precise(gravity);
-    simulator.set_solver_choice(choice);
-    simulator
-}
 
 /// A box on a hinge of the world at its centre, and its moment of inertia.
 fn hinge(choice: SolverChoice) -> (PhysicsSimulator, BodyId, JointId, f32) {
-    let mut simulator = with(choice, 0.0);
+    let mut simulator = with_solver(choice, 0.0);
     let body = add_ghost(&mut simulator, (20.0, 10.0), v(0.0, 0.0));
     let joint = JointFactory::create_fixed_revolute_joint_in(&mut simulator, body, v(0.0, 0.0)).unwrap();
     let inertia = simulator[body].moment_of_inertia();
@@ -27,7 +22,7 @@ fn hinge(choice: SolverChoice) -> (PhysicsSimulator, BodyId, JointId, f32) {
 
 /// A box that slides down a post, and its mass.
 fn lift(choice: SolverChoice, gravity: f32) -> (PhysicsSimulator, BodyId, JointId, f32) {
-    let mut simulator = with(choice, gravity);
+    let mut simulator = with_solver(choice, gravity);
     let post = add_post(&mut simulator, v(0.0, 0.0));
     let body = add_ghost(&mut simulator, (16.0, 8.0), v(0.0, 0.0));
     let joint = JointFactory::create_prismatic_joint_in(&mut simulator, post, body, v(0.0, 0.0), v(0.0, 1.0))
@@ -113,7 +108,7 @@ fn a_servo_exerts_at_most_its_greatest_effort() {
 #[test]
 fn a_servo_between_two_bodies_keeps_momentum_and_turns_with_the_first_one() {
     for choice in SOLVERS {
-        let mut simulator = with(choice, 0.0);
+        let mut simulator = with_solver(choice, 0.0);
         let a = add_ghost(&mut simulator, (40.0, 20.0), v(0.0, 0.0));
         let b = add_ghost(&mut simulator, (10.0, 10.0), v(20.0, 0.0));
         simulator[a].set_angular_velocity(2.0);
@@ -151,7 +146,7 @@ fn a_row_of_servos_carries_a_mass_much_larger_than_its_links_without_shaking() {
     let cases = [(SolverChoice::Auto, 200.0, 50.0, 12.0), (SolverChoice::Direct, 200.0, 50.0, 12.0)];
     for (choice, mass, strength, most) in cases {
         for rate in RATES {
-            let mut simulator = with(choice, GRAVITY);
+            let mut simulator = with_solver(choice, GRAVITY);
             let mut holder = add_post(&mut simulator, v(0.0, 0.0));
             let mut joints = Vec::new();
             let mut load = holder;

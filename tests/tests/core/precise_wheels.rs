@@ -1,7 +1,8 @@
 //! The precise set: wheel joints, springs between two angles, and motor joints.
 
 use conformance::fixtures::plane::{
-    add_box, add_circle, add_floor, add_ghost, add_post, precise, run, simulator, state, v,
+    SOLVERS, add_box, add_circle, add_floor, add_ghost, add_post, precise, run, simulator, state, v,
+    with_solver,
 };
 use farseer_core::{
     AngleSpringJoint, BodyId, Error, Event, JointFactory, JointLimits, JointMotor, JointServo, Methods,
@@ -10,13 +11,6 @@ use farseer_core::{
 
 const GRAVITY: f32 = 320.0;
 const RATES: [f32; 3] = [30.0, 60.0, 240.0];
-const SOLVERS: [SolverChoice; 3] = [SolverChoice::Auto, SolverChoice::Iterative, SolverChoice::Direct];
-
-fn with(choice: SolverChoice, gravity: f32) -> PhysicsSimulator {
-    let mut simulator = precise(gravity);
-    simulator.set_solver_choice(choice);
-    simulator
-}
 
 /// A car; half of its chassis' weight sinks the suspension of a wheel by two length units.
 struct Car {
@@ -28,7 +22,7 @@ struct Car {
 
 /// A car of two wheels on a long floor; `ratio` is the mass of its chassis divided by that of a wheel.
 fn car(choice: SolverChoice, ratio: f32) -> Car {
-    let mut simulator = with(choice, GRAVITY);
+    let mut simulator = with_solver(choice, GRAVITY);
     add_floor(&mut simulator, (20000.0, 20.0), v(0.0, 42.0));
     let (chassis, _) = add_box(&mut simulator, (80.0, 16.0), v(0.0, 0.0));
     simulator[chassis].set_mass(ratio).unwrap();
@@ -132,7 +126,7 @@ fn a_wheel_stays_on_its_axis_when_the_car_jumps_and_turns() {
 
 /// Two free boxes with a spring between their angles, and the moments of both.
 fn twins(choice: SolverChoice) -> (PhysicsSimulator, [BodyId; 2], TypedJointId<AngleSpringJoint>, [f32; 2]) {
-    let mut simulator = with(choice, 0.0);
+    let mut simulator = with_solver(choice, 0.0);
     let a = add_ghost(&mut simulator, (40.0, 10.0), v(0.0, 0.0));
     let b = add_ghost(&mut simulator, (20.0, 10.0), v(100.0, 0.0));
     simulator[b].set_rotation(0.5);
@@ -187,7 +181,7 @@ fn held(
     gravity: f32,
     servo: PoseServo,
 ) -> (PhysicsSimulator, BodyId, TypedJointId<MotorJoint>) {
-    let mut simulator = with(choice, gravity);
+    let mut simulator = with_solver(choice, gravity);
     let post = add_post(&mut simulator, v(0.0, 0.0));
     let body = add_ghost(&mut simulator, (20.0, 10.0), v(50.0, 0.0));
     let joint = JointFactory::create_motor_joint_in(&mut simulator, post, body, servo).unwrap();
@@ -241,7 +235,7 @@ fn the_force_of_a_motor_joint_is_bounded_in_any_direction_and_its_torque_too() {
 #[test]
 fn a_motor_joint_between_two_bodies_keeps_momentum() {
     for choice in SOLVERS {
-        let mut simulator = with(choice, 0.0);
+        let mut simulator = with_solver(choice, 0.0);
         let a = add_ghost(&mut simulator, (30.0, 30.0), v(0.0, 0.0));
         let b = add_ghost(&mut simulator, (20.0, 10.0), v(50.0, 0.0));
         let joint = JointFactory::create_motor_joint_in(&mut simulator, a, b, PoseServo::default()).unwrap();
