@@ -151,12 +151,6 @@ impl IterativeSolver<'_> {
         rolling_solver.restore_delta_poses(rolling);
     }
 
-    /// Sets the sums of the warm start of all awake bodies to 0.
-    fn clear_warm_start(&mut self) {
-        let warm_start = &mut self.bodies.warm_start;
-        self.awake_body_runs.iter().for_each(|run| warm_start.slice_mut(run.clone()).fill([0.0; 4]));
-    }
-
     /// Start of a substep: applies the warm start of all bodies, and moves the points of rolling contacts. `is_first`: whether the
     /// substep is the first of the step.
     fn begin_substep(&mut self, step: &StepContext, is_first: bool) {
@@ -299,8 +293,8 @@ impl IterativeSolver<'_> {
     /// each body. Load adaptation of the contacts runs in this loop, too, and constraints with restitution store their approach
     /// velocities. Returns whether an approach speed exceeds the restitution threshold.
     fn accumulate_warm_start(&mut self, step: &StepContext) -> bool {
-        self.clear_warm_start();
         let (warm_start, states) = (&mut self.bodies.warm_start, &self.bodies.states);
+        self.awake_body_runs.iter().for_each(|run| warm_start.slice_mut(run.clone()).fill([0.0; 4]));
         let may_bounce = if self.depth.is_some() {
             self.accumulate_warm_start_3d(step)
         } else {

@@ -11,6 +11,7 @@
 use crate::math::lanes::sin_cos;
 use crate::math::plane::{Rot, Vector, cross, difference, dot, length, rotate, rotate_inverse, scaled, sum};
 use crate::math::scalar;
+use crate::narrow_phase::manifold::next_index;
 use crate::parameters::contacts::{PIVOT_MAX_IMPACTS_PER_STEP, PIVOT_MAX_SLIP, PIVOT_MIN_SUBSTEP};
 use crate::shape::ShapeRef;
 use wide::f32x4;
@@ -211,7 +212,7 @@ impl PivotingPolygon<'_> {
         let [along_before, along_after] =
             [before, after].map(|edge| dot(self.outline.normals[edge], away_from_face));
         let edge = if along_before < along_after { before } else { after };
-        [edge, (edge + 1) % count].map(|end| rotate(state.rotation, self.outline.vertices[end]))
+        [edge, next_index(edge, count)].map(|end| rotate(state.rotation, self.outline.vertices[end]))
     }
 
     /// Returns the angular acceleration of the polygon about the vertex on the face by forces and torques, rad/s^2. `arm`: vector

@@ -21,6 +21,7 @@ use crate::math::plane::{
     Rot, Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
 use crate::math::scalar;
+use crate::narrow_phase::manifold::{find_incident_edge, next_index};
 use crate::parameters::contacts::ROLLING_VERTEX_TOLERANCE;
 use crate::scaled_parameters::{Parameters, StepContext};
 use crate::shape::ShapeRef;
@@ -342,14 +343,8 @@ impl RollingEdge {
 /// Returns the indices of the two vertices of the incident edge, whose normal is most opposite to `direction`, in the order in
 /// which clipping gives them. `direction` is in the frame of the outline.
 pub(crate) fn incident_edge(outline: ShapeRef<'_>, direction: Vector) -> [u32; 2] {
-    let (mut least, mut edge) = (f32::MAX, 0);
-    for (at, &normal) in outline.normals.iter().enumerate() {
-        let along = dot(normal, direction);
-        if along < least {
-            (least, edge) = (along, at);
-        }
-    }
-    [((edge + 1) % outline.vertices.len()) as u32, edge as u32]
+    let edge = find_incident_edge(outline, direction);
+    [next_index(edge, outline.vertices.len()) as u32, edge as u32]
 }
 
 /// Returns whether `point` projects onto the face of `face` whose normal is `normal`. Point and normal are in world axes, the

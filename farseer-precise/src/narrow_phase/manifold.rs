@@ -275,7 +275,7 @@ fn find_max_box_separation(
 
 /// Returns the incident edge: the index of the edge whose normal is most opposed to `direction`, a vector in the frame of the
 /// shape.
-fn find_incident_edge(shape: ShapeRef<'_>, direction: Vector) -> usize {
+pub(crate) fn find_incident_edge(shape: ShapeRef<'_>, direction: Vector) -> usize {
     let (mut best, mut edge) = (f32::MAX, 0);
     for (i, &normal) in shape.normals.iter().enumerate() {
         let d = dot(normal, direction);
