@@ -125,7 +125,7 @@ mod tests {
     use crate::math::lanes::columns;
     use crate::math::plane::Vector;
     use crate::narrow_phase::shape_dispatch::collide;
-    use crate::pieces::Piece;
+    use crate::pieces::{Piece, rounded_piece};
     use crate::shape::{Shape, VertexPool};
     use wide::f32x4;
 
@@ -150,9 +150,10 @@ mod tests {
                 let shapes = std::array::from_fn(|lane| {
                     let offset: Vector = [random(-1.0, 1.0), random(-1.0, 1.0)];
                     let radius = random(0.1, 1.0);
-                    let piece = match (trial + lane) % 3 {
+                    let piece = match (trial + lane) % 4 {
                         0 => Piece::Circle { centre: [0.0; 2], radius },
-                        1 => Piece::Capsule { ends: [[-radius, 0.0], [random(0.0, 1.0), 0.3]], radius },
+                        1 => rounded_piece(vec![[-0.3, 0.0], [0.3, -0.2], [0.0, 0.4]], radius),
+                        2 => Piece::Capsule { ends: [[-radius, 0.0], [random(0.0, 1.0), 0.3]], radius },
                         _ => Piece::Polygon(vec![[-radius, 0.0], [radius, -0.2], [random(0.0, 0.5), radius]]),
                     };
                     corners.add(&piece, (offset, random(-3.0, 3.0)))
@@ -174,6 +175,18 @@ mod tests {
             }
         }
         assert!(counts[0] > counts[1] / 2, "{counts:?} are rejected, are separated");
+    }
+
+    #[test]
+    fn boxes_beside_the_origins_of_their_bodies_have_their_gap_far_from_the_origin_of_the_world() {
+        // Coordinates there are multiples of 1/4.
+        let far = 2_097_152.0;
+        let posed = |x: f32, centre: f32| {
+            let bounds = [centre, 0.0, 0.5, 0.5].map(f32x4::splat);
+            PosedBoxes::new(bounds, f32x4::ZERO, [x, far, 1.0, 0.0].map(f32x4::splat))
+        };
+        let [gap, ..] = box_separations(&posed(far, 0.125), &posed(far + 1.25, -0.0625), 0.0);
+        assert_eq!(gap, 1.25 - 0.1875 - 1.0);
     }
 
     #[test]

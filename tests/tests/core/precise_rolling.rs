@@ -3,9 +3,12 @@
 
 use std::f32::consts::TAU;
 
+use conformance::fixtures::plane::SOLVERS;
 use farseer_core::math::Vector2;
 use farseer_core::shape::Vertices;
-use farseer_core::{BodyFactory, BodyId, GeomFactory, GeomPlacement, Methods, PhysicsSimulator};
+use farseer_core::{
+    BodyFactory, BodyId, GeomFactory, GeomPlacement, Methods, PhysicsSimulator, SpringFactory,
+};
 
 fn v(x: f32, y: f32) -> Vector2 {
     Vector2::new(x, y)
@@ -250,5 +253,30 @@ fn separations_of_a_rolling_polygon_do_not_depend_on_other_bodies() {
                 assert!(difference <= bound, "{corners} corners, step {step}: {difference}, {bound}");
             }
         }
+    }
+}
+
+#[test]
+fn a_spring_at_a_rolling_polygon_turns_it_round() {
+    for choice in SOLVERS {
+        let rolling = Rolling { speed: 100.0, ..LEVEL };
+        let (mut simulator, wheel) = rolling.world();
+        simulator.set_solver_choice(choice);
+        let stiffness = 30.0;
+        let at = simulator[wheel].position();
+        SpringFactory::create_fixed_linear_spring_in(&mut simulator, wheel, v(0.0, 0.0), at, stiffness, 0.0)
+            .unwrap();
+        let mut farthest = 0.0_f32;
+        for _ in 0..120 {
+            simulator.update(1.0 / 60.0);
+            farthest = farthest.max(simulator[wheel].position().x);
+        }
+        // A disc that rolls without slip has 1.5 times its mass: the amplitude is v / w with w^2 = k / (1.5 m). Impacts of corners
+        // take energy, so it may be smaller.
+        let amplitude = rolling.speed * (1.5 * rolling.mass / stiffness).sqrt();
+        assert!(
+            farthest < 1.02 * amplitude && farthest > 0.8 * amplitude,
+            "{choice:?}: {farthest} {amplitude}"
+        );
     }
 }

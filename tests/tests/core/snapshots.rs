@@ -253,6 +253,19 @@ fn edits_of_geoms_stay_when_the_rest_goes_back() {
 }
 
 #[test]
+fn refused_arguments_of_geoms_are_in_a_snapshot_without_geoms() {
+    let (mut simulator, _) = everything(Methods::PRECISE, 60);
+    let geom = simulator.geoms().next().unwrap();
+    simulator[geom].set_friction_coefficient(f32::NAN);
+    let (moving, mut twin) = (simulator.snapshot_moving(), simulator.clone());
+    twin.update(0.01);
+    twin.restore_moving(&moving).unwrap();
+    [&mut simulator, &mut twin].into_iter().for_each(|it| it.update(0.01));
+    assert_eq!(twin.events(), simulator.events());
+    assert!(twin.snapshot() == simulator.snapshot());
+}
+
+#[test]
 fn pending_edits_are_in_the_snapshot() {
     for methods in [Methods::default(), Methods::PRECISE] {
         let (mut original, _) = everything(methods, 30);

@@ -156,7 +156,17 @@ test('a mover walks, jumps, is restored, and rides a body that follows it', () =
   mover.options = { jumpHeight: 10 };
   assert.throws(() => (mover.options = { hop: 1 }), { name: 'TypeError' });
   mover.dispose();
+  // The next mover has the number of the disposed one.
+  const next = new CharacterMover(simulator, { capsule: { height: 60, endRadius: 12 } }, { x: 200, y: 0 });
   assert.throws(() => mover.position, { name: 'PhysicsError', message: /disposed/ });
+  near(next.position.x, 200);
+});
+
+test('a point without x or y is refused', () => {
+  const { simulator } = world();
+  for (const position of [[5, 3], { x: 5 }]) {
+    assert.throws(() => simulator.addBody({ position }), { name: 'PhysicsError', message: /position/ });
+  }
 });
 
 test('joints: wheel, servo, angle spring, motor joint, and joined bodies that pass through each other', () => {
