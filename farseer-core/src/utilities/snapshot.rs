@@ -59,8 +59,8 @@ impl SnapshotFormat {
     /// Reads a value from a container.
     ///
     /// # Errors
-    /// [`Error::UnknownSaveVersion`] for another version; [`Error::DamagedSave`] for all bytes that
-    /// [`write`](Self::write) has not made.
+    /// [`Error::UnknownSaveVersion`] for another version; [`Error::DamagedSave`] for bytes with a
+    /// wrong checksum or content that does not fit the type.
     pub fn read<T: DeserializeOwned>(&self, bytes: &[u8]) -> Result<T> {
         let damaged = |reason| Err(Error::DamagedSave { reason });
         if bytes.len() < MAGIC_LENGTH || bytes[..MAGIC_LENGTH] != self.magic {
@@ -180,8 +180,8 @@ impl PhysicsSimulator {
     /// ```
     ///
     /// # Errors
-    /// As [`restore`](Self::restore); [`Error::DamagedSave`] if geoms were made, added, removed or disposed since, or the methods
-    /// changed. The simulator is unchanged then.
+    /// As [`restore`](Self::restore); [`Error::DamagedSave`] if geoms were made, added, removed, disposed or given to another body
+    /// since, if the methods changed, or if a geom whose matrix the game has set has another number of vertices. The simulator is unchanged then.
     pub fn restore_moving(&mut self, moving: &[u8]) -> Result<()> {
         let loaded = MOVING.read::<LoadedMovingSimulator>(moving)?.load_with_geoms_of(self)?;
         self.replace_by(loaded);

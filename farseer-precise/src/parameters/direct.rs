@@ -318,8 +318,8 @@ pub(crate) const CYCLIC_PENETRATION_SPEED: f64 = 0.25;
 /// Unit: dimensionless, at most 1.
 ///
 /// These islands resolve a [fraction](CYCLIC_PENETRATION_FRACTION) per update. Without hysteresis they stop just below the slop,
-/// and the next contact that is found anew starts a solution. It applies after an update with Newton steps. Measured with the houses of [`CYCLIC_STEP_TOLERANCE`]: 1,043
-/// Newton steps with 1; 1,031, 962 and 1,090 with 0.7, 0.5 and 0.3.
+/// and the next contact that is found anew starts a solution. It applies after an update with Newton steps. Measured with the
+/// houses of [`CYCLIC_STEP_TOLERANCE`]: 1,043 Newton steps with 1; 1,031, 962 and 1,090 with 0.7, 0.5 and 0.3.
 pub(crate) const CORRECTED_SLOP_FRACTION: f64 = 0.5;
 
 /// Mass ratio above which a body may jam lighter ones between itself and another body. Unit: dimensionless. Measured on 250,000
