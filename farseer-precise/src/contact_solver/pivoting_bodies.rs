@@ -7,7 +7,7 @@
 use crate::constraint_graph::ContactConstraint;
 use crate::contact_solver::pivoting::{PivotState, PivotingPolygon};
 use crate::contact_solver::rolling::{FaceExtent, RollingContact, RollingSolver, StaticPlane, incident_edge};
-use crate::index::{BodyIndex, PairIndex, ProxyIndex};
+use crate::index::{BodyIndex, PairIndex};
 use crate::math::plane::{
     Vector, cross, difference, dot, rotate, rotate_inverse, rotation, scaled, sum, translation,
 };
@@ -79,9 +79,9 @@ impl RollingSolver<'_> {
         if !is_on_plane {
             return None;
         }
-        let after = pivoting.advance(ends, [x, y, spin], step.dt, step.h)?;
+        let after = pivoting.advance(ends, [x, y, spin], step.dt)?;
         let points = ends_before_and_after(&pivoting, ends, &after);
-        self.are_supported(at_b, &plane, &points).then_some(after)
+        self.are_supported(roll, &plane, &points).then_some(after)
     }
 
     /// Returns the constraint of the rolling contact of body `b`, and the least friction coefficient (dimensionless) of all its
@@ -143,11 +143,12 @@ impl RollingSolver<'_> {
         above + outline.shape.radius + outline.max_projection(direction)
     }
 
-    /// Returns whether static faces in the plane are under all `points`. These are relative to the origin of body B, in world
-    /// axes, length units.
-    fn are_supported(&self, at_b: ProxyIndex, plane: &StaticPlane, points: &[Vector; 4]) -> bool {
+    /// Returns whether static faces in `plane`, that of the contact `roll`, are under all `points`. These are relative to the origin
+    /// of body B, in world axes, length units.
+    fn are_supported(&self, roll: &RollingContact, plane: &StaticPlane, points: &[Vector; 4]) -> bool {
         let mut is_supported = [false; 4];
-        for pair in self.pairs.pairs_of(at_b).filter(|&pair| self.has_level_face(pair, at_b, plane)) {
+        let at_b = roll.proxies[1];
+        for pair in self.pairs.pairs_of(at_b).filter(|&pair| self.has_level_face(pair, roll, plane)) {
             if self.pairs.state(pair).is_on_ground {
                 return true;
             }
@@ -167,15 +168,17 @@ impl RollingSolver<'_> {
         is_supported == [true; 4]
     }
 
-    /// Returns whether the pair is of the polygon `at_b` and of a static shape whose highest points lie in `plane`.
-    fn has_level_face(&self, pair: PairIndex, at_b: ProxyIndex, plane: &StaticPlane) -> bool {
+    /// Returns whether the pair is of the polygon of `roll` and of a static shape whose highest points lie in `plane`, that of the
+    /// contact `roll`.
+    fn has_level_face(&self, pair: PairIndex, roll: &RollingContact, plane: &StaticPlane) -> bool {
         let (state, [_, other]) = (self.pairs.state(pair), self.pairs.proxies_of(pair));
         let is_met = state.constraint.is_some() || self.is_planar;
         let is_static_contact = state.kind.is_static && state.has_response();
         let is_level = || {
-            self.height_above_plane(pair, plane).abs() <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit
+            let height = || self.height_above_plane(pair, plane).abs();
+            pair == roll.pair || height() <= PIVOT_PLANE_TOLERANCE * self.parameters.length_unit
         };
-        other == at_b && is_met && is_static_contact && is_level()
+        other == roll.proxies[1] && is_met && is_static_contact && is_level()
     }
 
     /// Returns the number of contact constraints of the polygons in `rolling` that pivot in closed form.

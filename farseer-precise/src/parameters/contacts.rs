@@ -117,9 +117,9 @@ pub(crate) const PIVOT_MAX_IMPACTS_PER_STEP: usize = 64;
 /// next vertex may already be below the face. Value chosen; its sensitivity is not measured.
 pub(crate) const PIVOT_MAX_SLIP: f32 = 0.05;
 
-/// Least time that a pivoting polygon integrates at the end of a step, as a fraction of a substep. Unit: dimensionless. A
-/// shorter time left over is a rounding error. Value chosen; its sensitivity is not measured.
-pub(crate) const PIVOT_MIN_SUBSTEP: f32 = 1e-4;
+/// Least time that a pivoting polygon integrates after an impact, as a fraction of the step. Unit: dimensionless. A shorter time
+/// left over is a rounding error. Value chosen; its sensitivity is not measured.
+pub(crate) const PIVOT_MIN_TIME: f32 = 1e-4;
 
 /// Greatest distance of the lowest vertex from the plane with which a polygon pivots, as a fraction of the speculative
 /// distance. Unit: dimensionless. The distance is 0.005 length units, Box2D's linear slop: the speculative distance is four
