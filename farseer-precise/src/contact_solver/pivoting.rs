@@ -277,8 +277,8 @@ mod tests {
     const SPIN: f64 = 1.5;
     const SECONDS: f64 = 0.6;
 
-    /// Returns the rotation, in radians, of a wheel of `count` vertices that begins upright on an edge: steps of 2 us of a
-    /// compound pendulum, and at an impact the angular momentum about the new vertex.
+    /// Returns the rotation, in radians, of a wheel of `count` vertices that begins on an edge. A compound pendulum is integrated in
+    /// steps of 2 us; an impact keeps the angular momentum about the new vertex.
     fn reference_rotation(count: usize) -> f64 {
         let (half, h) = (PI / count as f64, 2e-6);
         let (mut lean, mut spin, mut rotation) = (-half, SPIN, 0.0);
