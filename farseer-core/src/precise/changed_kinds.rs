@@ -18,7 +18,7 @@ reusing_clone! { ChangedKinds { changes } }
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ChangedKind {
     /// Creation numbers of both geoms, the smaller one first.
-    numbers: [u32; 2],
+    pub(super) numbers: [u32; 2],
     /// The geoms, in the same order.
     pub(crate) geoms: (GeomId, GeomId),
     /// The kind with which the touch began.
@@ -28,6 +28,11 @@ pub(crate) struct ChangedKind {
 }
 
 impl ChangedKinds {
+    /// Returns the list of these pairs.
+    pub(super) fn of(changes: Vec<ChangedKind>) -> Self {
+        ChangedKinds { changes }
+    }
+
     /// Adds a pair of geoms, each given by creation number and id. A pair counts once, whatever the number of its convex pieces.
     pub(super) fn note(&mut self, sides: [(u32, GeomId); 2], before: TouchKind, after: TouchKind) {
         let [(number, geom), (other_number, other)] = sides;
@@ -45,7 +50,14 @@ impl ChangedKinds {
 
     /// Removes and returns all pairs, in the order of creation numbers.
     pub(crate) fn drain(&mut self) -> Vec<ChangedKind> {
-        let mut changes = std::mem::take(&mut self.changes);
+        let changes = self.ordered();
+        self.changes.clear();
+        changes
+    }
+
+    /// Returns all pairs, in the order of creation numbers.
+    pub(super) fn ordered(&self) -> Vec<ChangedKind> {
+        let mut changes = self.changes.clone();
         sort_by_number(&mut changes, |change| packed_key([change.numbers[0], change.numbers[1], 0, 0]));
         changes.dedup();
         changes

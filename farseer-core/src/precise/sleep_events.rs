@@ -64,10 +64,29 @@ impl SleepEvents {
         }
     }
 
-    /// Lists the sleeping bodies after a snapshot was loaded: all that slept after the last update.
-    pub(super) fn list_sleeping(&mut self, sleeping: &[BodyId]) {
-        self.asleep.clear();
-        sleeping.iter().for_each(|&body| list(&mut self.asleep, body));
+    /// Returns the bodies that have woken since the last report, in the order of their slots. `is_asleep` returns whether a body
+    /// sleeps now.
+    pub(super) fn woken_since_report(&self, is_asleep: impl Fn(BodyId) -> bool) -> Vec<BodyId> {
+        self.asleep.iter().flatten().copied().filter(|&body| !is_asleep(body)).collect()
+    }
+
+    /// Returns the bodies that have fallen asleep since the last report, in the order in which they are reported.
+    pub(super) fn fallen_asleep_since_report(&self) -> &[BodyId] {
+        &self.fallen_asleep
+    }
+
+    /// Restores the state after a snapshot was loaded: bodies that slept at the last report, and those that have woken or fallen
+    /// asleep since.
+    pub(super) fn restore(
+        &mut self,
+        asleep: impl Iterator<Item = BodyId>,
+        woken: impl Iterator<Item = BodyId>,
+        fallen_asleep: impl Iterator<Item = BodyId>,
+    ) {
+        *self = SleepEvents::default();
+        asleep.for_each(|body| list(&mut self.asleep, body));
+        self.woken.extend(woken);
+        self.fallen_asleep.extend(fallen_asleep);
     }
 }
 

@@ -101,10 +101,10 @@ fn checksum(bytes: &[u8]) -> u32 {
     crc32([&bytes[..CHECKSUM.start], &bytes[CHECKSUM.end..]])
 }
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 20 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"Farseer2", version: 21 };
 
 /// Content: all of a simulator but its geoms.
-const MOVING: SnapshotFormat = SnapshotFormat { magic: *b"FarsMove", version: 1 };
+const MOVING: SnapshotFormat = SnapshotFormat { magic: *b"FarsMove", version: 2 };
 
 impl PhysicsSimulator {
     /// The whole simulator as bytes, to be [restored](Self::restore) later, in this program or another.

@@ -1,6 +1,6 @@
 //! Plays a game several times with simulators that are saved and loaded in between, and compares these twins.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::engine::Engine;
 use crate::game::{Game, Outcome, play};
@@ -72,8 +72,13 @@ pub fn twins_stay_equal<G: Game>(seed: u64) -> Result<(), String> {
     })
 }
 
+/// Returns the state and the events of a simulator after update `update`, null after every other one.
 fn state_at(update: usize, number: usize, simulator: &impl Engine) -> Value {
-    if number == update { serde_json::to_value(simulator).unwrap_or_default() } else { Value::Null }
+    if number != update {
+        return Value::Null;
+    }
+    let state = serde_json::to_value(simulator).unwrap_or_default();
+    json!({ "state": state, "events": simulator.events().split("}, ").collect::<Vec<_>>() })
 }
 
 /// Returns the path to the first number or text at which two states differ, with both values. `None` if the states are equal.

@@ -141,6 +141,34 @@ fn an_edit_of_the_kind_ends_one_event_and_begins_another() {
 }
 
 #[test]
+fn an_update_of_no_time_between_an_edit_and_a_snapshot_loses_no_typed_event() {
+    let edits: [fn(&mut PhysicsSimulator, BodyId, GeomId); 5] = [
+        |simulator, _, geom| simulator.set_sensor(geom, true).unwrap(),
+        |simulator, _, geom| simulator[geom].set_wanted_events(WantedEvents::NONE),
+        |simulator, body, _| simulator[body].set_is_static(true),
+        |simulator, body, _| simulator.wake(body),
+        |simulator, body, _| simulator[body].set_position(Vector2::new(0.0, -500.0)),
+    ];
+    for (kind, edit) in edits.into_iter().enumerate() {
+        for updates in [30, 150] {
+            let mut simulator = precise(300.0);
+            let floor = add_floor(&mut simulator);
+            simulator[floor].set_wanted_events(WantedEvents::NONE);
+            let (body, geom) = add(&mut simulator, [0.0, -17.0], square());
+            events_of(&mut simulator, updates);
+            edit(&mut simulator, body, geom);
+            simulator.update(0.0);
+            let mut loaded = PhysicsSimulator::default();
+            loaded.restore(&simulator.snapshot()).unwrap();
+            let after = events_of(&mut simulator, 1);
+            // Only a body that is awake already cannot wake.
+            assert!(!after.is_empty() || (kind, updates) == (3, 30), "{kind}, {updates}: {after:?}");
+            assert_eq!(events_of(&mut loaded, 1), after, "{kind}, {updates}");
+        }
+    }
+}
+
+#[test]
 fn sensors_on_moving_bodies_find_bodies_of_every_kind() {
     let mut simulator = precise(0.0);
     let carrier =

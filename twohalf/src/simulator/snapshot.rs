@@ -4,7 +4,7 @@ use farseer_core::snapshot::SnapshotFormat;
 
 use crate::{Result, SavedTwoHalfSimulator, TwoHalfPhysicsSimulator};
 
-const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"TwoHalf1", version: 21 };
+const SIMULATOR: SnapshotFormat = SnapshotFormat { magic: *b"TwoHalf1", version: 22 };
 
 impl TwoHalfPhysicsSimulator {
     /// The whole simulator as bytes, to [restore](Self::restore) later, in this program or another.

@@ -112,9 +112,12 @@ impl Precise {
         self.rebuild(objects, &saved, EditPolicy::Defer);
         swap_states(&mut others, objects, false);
         // A damaged snapshot may name a body that does not exist, of any slot.
+        let exists = |body: &BodyId| objects.bodies.get(*body).is_some();
         let sleeping = saved.sleeping_bodies.iter().map(|sleeping| sleeping.body);
-        let asleep: Vec<BodyId> = sleeping.filter(|&body| objects.bodies.get(body).is_some()).collect();
-        self.sleep_events.list_sleeping(&asleep);
+        let asleep = saved.pending_events.asleep_at_report(sleeping).filter(exists);
+        let [woken, fallen_asleep] =
+            saved.pending_events.sleep_changes().map(|bodies| bodies.iter().copied().filter(exists));
+        self.sleep_events.restore(asleep, woken, fallen_asleep);
         self.edits.bodies.extend(others.into_iter().map(|(id, _)| id));
         // The engine above sends all data of the depth axis again.
         if self.has_depth() || has_moved || self.save() != saved {

@@ -10,9 +10,11 @@
 //! | `records` | the parts of [`Saved`] of which there are many, as words |
 //! | `load` | serialises the engine, and lists everything anew from a loaded [`Saved`] |
 //! | `restore` | applies a [`Saved`] to rebuilt lists |
+//! | `pending_events` | typed events that the next update reports |
 
 mod check;
 mod load;
+mod pending_events;
 mod records;
 mod restore;
 mod save;
@@ -34,6 +36,7 @@ use farseer_precise::math::plane::Vector;
 use farseer_precise::narrow_phase::{TouchEvent, TouchKind};
 use farseer_precise::scaled_parameters::Parameters;
 use farseer_precise::surface::{FrictionType, SurfaceOptions};
+use pending_events::SavedPendingEvents;
 
 /// Saved state of the precise set. `Pairs`: the pairs, as a list or as an iterator that only a serializer reads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -86,6 +89,8 @@ pub(crate) struct Saved<Pairs = Vec<SavedPair>> {
     /// Touch events that the game has not received yet.
     #[serde(rename = "changes")]
     touch_events: Vec<SavedTouchEvent>,
+    /// Other typed events that the next update reports.
+    pending_events: SavedPendingEvents,
 }
 
 /// Saved form of a sleeping body.

@@ -33,6 +33,7 @@ impl From<Saved> for Precise {
         solver.set_step_lengths([saved.substep, saved.dt]);
         (solver.friction, solver.max_contacts) = (saved.friction, saved.most_contacts);
         solver.depth = saved.is_in_space.then(FeatureGate::new).flatten();
+        precise.changed_kinds = saved.pending_events.changed_kinds();
         precise.loaded = Some(saved);
         precise
     }

@@ -3,6 +3,7 @@
 use serde::ser::SerializeSeq;
 use serde::{Serialize, Serializer};
 
+use super::pending_events::SavedPendingEvents;
 use super::{
     ImportedState, Saved, SavedManifold, SavedPair, SavedProxy, SavedProxyIndex, SavedSleeperIndex,
     SavedSleepingBody, SavedTouchEvent,
@@ -195,6 +196,7 @@ pub(super) fn saved_with<Pairs>(
         woken: precise.edits.wake_requests.clone(),
         wake_requests: wake_requests(&precise.ids, &solver.sleep).collect(),
         touch_events: precise.save_touch_events(),
+        pending_events: SavedPendingEvents::of(precise),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Games with rounded polygons, chains that are solid on both sides, height fields and surfaces of all kinds, amid all other calls.
 
 use farseer_core::math::Vector2;
-use farseer_core::{BodyBuilder, CombinationRule, GeomBuilder, Methods, SurfaceOptions, WantedEvents};
+use farseer_core::{BodyBuilder, CombinationRule, GeomBuilder, Methods, SurfaceOptions};
 
 use super::Plane;
 use super::stages::any_call;
@@ -24,7 +24,7 @@ const RULES: [Option<CombinationRule>; 6] = [
     Some(CombinationRule::Maximum),
 ];
 
-/// Returns a random shape without typed events. Some have impossible numbers.
+/// Returns a random shape. Some have impossible numbers.
 fn shape(random: &mut Random) -> GeomBuilder {
     let geom = match random.below(6) {
         0 => GeomBuilder::segment(random.vector(40.0), random.vector(40.0)).mass(random.number(0.5, 5.0)),
@@ -41,7 +41,6 @@ fn shape(random: &mut Random) -> GeomBuilder {
         }
     };
     let surface = surface(random);
-    let geom = geom.events(WantedEvents::NONE);
     let geom = geom.surface_speed(surface.speed).rolling_resistance(surface.rolling_resistance);
     geom.friction(random.number(0.0, 1.0))
         .offset(random.vector(20.0))
@@ -67,8 +66,7 @@ fn add_body(game: &mut Plane) -> Outcome {
         1 => BodyBuilder::kinematic().linear_velocity(game.random.vector(30.0)),
         _ => BodyBuilder::dynamic().linear_velocity(game.random.vector(200.0)),
     };
-    let body =
-        body.sleep_events(false).position(game.random.vector(150.0)).rotation(game.random.number(-3.0, 3.0));
+    let body = body.position(game.random.vector(150.0)).rotation(game.random.number(-3.0, 3.0));
     let geoms: Vec<GeomBuilder> = (0..1 + game.random.below(2)).map(|_| shape(&mut game.random)).collect();
     Outcome::of(game.simulator.add_body_with(&body, &geoms).map(|(body, geoms)| {
         game.pools.bodies.push(body);
