@@ -394,7 +394,7 @@ fn contain(magic: &[u8; 8], version: u32, content: &[u8]) -> Vec<u8> {
 }
 
 /// Version of the present layout.
-const VERSION: u32 = 20;
+const VERSION: u32 = 21;
 const MAGIC: &[u8; 8] = b"Farseer2";
 
 #[test]

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::BodyId;
 use crate::geom::GeomId;
-use crate::precise::Precise;
 use crate::precise::changed_kinds::{ChangedKind, ChangedKinds};
+use crate::precise::sleep_events::SleepEvents;
 use farseer_precise::narrow_phase::TouchKind;
 
 /// Typed events that the next update reports.
@@ -31,17 +31,20 @@ struct SavedChangedKind {
 }
 
 impl SavedPendingEvents {
-    /// Returns the saved form of the events that the next update reports.
-    pub(super) fn of(precise: &Precise) -> Self {
-        let changed_kinds = precise.changed_kinds.ordered().into_iter().map(|change| {
+    /// Returns the saved form of the events that the next update reports. `is_asleep` returns whether a body sleeps now.
+    pub(super) fn of(
+        changed_kinds: &ChangedKinds,
+        sleep_events: &SleepEvents,
+        is_asleep: impl Fn(BodyId) -> bool,
+    ) -> Self {
+        let changed_kinds = changed_kinds.ordered().into_iter().map(|change| {
             let ChangedKind { numbers, geoms, before, after } = change;
             SavedChangedKind { numbers, geoms, kinds: [before.code(), after.code()] }
         });
-        let is_asleep = |body| precise.is_asleep(body);
         SavedPendingEvents {
             changed_kinds: changed_kinds.collect(),
-            woken: precise.sleep_events.woken_since_report(is_asleep),
-            fallen_asleep: precise.sleep_events.fallen_asleep_since_report().to_vec(),
+            woken: sleep_events.woken_since_report(is_asleep),
+            fallen_asleep: sleep_events.fallen_asleep_since_report().to_vec(),
         }
     }
 

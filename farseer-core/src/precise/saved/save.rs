@@ -196,7 +196,9 @@ pub(super) fn saved_with<Pairs>(
         woken: precise.edits.wake_requests.clone(),
         wake_requests: wake_requests(&precise.ids, &solver.sleep).collect(),
         touch_events: precise.save_touch_events(),
-        pending_events: SavedPendingEvents::of(precise),
+        pending_events: SavedPendingEvents::of(&precise.changed_kinds, &precise.sleep_events, |body| {
+            precise.is_asleep(body)
+        }),
     }
 }
 
