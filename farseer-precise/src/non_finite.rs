@@ -1,7 +1,7 @@
 //! Bodies whose pose or velocity is not finite after the solver. They get back the pose and velocity that they had before the
 //! step.
 
-use crate::index::BodyIndex;
+use crate::index::{BodyIndex, DenseIndex};
 use wide::f32x4;
 
 use super::bodies::BodySet;
@@ -29,16 +29,18 @@ pub fn are_motions_finite(
             sum += (place + f32x4::new(state.velocity)) * f32x4::ZERO;
         }
     }
-    sum.to_array() == [0.0; 4]
-        && depth.is_none_or(|space| {
-            sleep.awake_bodies(bodies.last_movable).all(|body| is_z_finite(bodies, &space, body))
-        })
+    sum.to_array() == [0.0; 4] && depth.is_none_or(|space| are_z_motions_finite(bodies, sleep, &space))
 }
 
-/// Returns whether the new z position of a body, and its angular velocity about x and y, are finite.
-fn is_z_finite(bodies: &BodySet, space: &DepthState, body: BodyIndex) -> bool {
-    let place = (space.z_positions[body] + bodies.delta_pose[body][3]) * COORDINATE_HEADROOM;
-    place.is_finite() && space.is_spin_finite(body)
+/// Returns whether the new z positions of all awake bodies, and their angular velocities about x and y, are finite.
+fn are_z_motions_finite(bodies: &BodySet, sleep: &SleepState, space: &DepthState) -> bool {
+    // The sum of zeros; a number that is not finite gives NaN.
+    let mut sum = f32x4::ZERO;
+    for body in sleep.awake_body_runs.iter().cloned().flatten().map(BodyIndex::new) {
+        let place = (space.z_positions[body] + bodies.delta_pose[body][3]) * COORDINATE_HEADROOM;
+        sum += (space.spin_velocity(body) + f32x4::splat(place)) * f32x4::ZERO;
+    }
+    sum.to_array() == [0.0; 4]
 }
 
 /// Returns whether the new pose and velocity of a body are finite.

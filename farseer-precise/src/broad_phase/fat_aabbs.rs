@@ -13,6 +13,7 @@ use crate::math::plane::length;
 use crate::math::scalar::nearest_finite;
 use crate::parameters::narrow_phase::CCD_MAX_COORDINATE;
 use crate::scaled_parameters::{AabbMargin, Parameters};
+use wide::f32x4;
 
 /// AABB of the ground of `twohalf` (low x, low y, high x, high y, length units): all points with y >= 0, since y points down.
 const GROUND_BOUNDS: [f32; 4] = [f32::MIN, 0.0, f32::MAX, f32::MAX];
@@ -40,15 +41,28 @@ impl Proxies {
     pub(crate) fn swept_aabb(
         &self,
         proxy: ProxyIndex,
+        displacement: [f32; 4],
+        bodies: &BodySet,
+        parameters: &Parameters,
+    ) -> PackedAabb {
+        self.unbounded_swept_aabb(proxy, displacement, bodies, parameters).map(nearest_finite)
+    }
+
+    /// Returns the [swept AABB](Self::swept_aabb) of a proxy with coordinates that may be infinite or NaN.
+    #[inline(always)]
+    fn unbounded_swept_aabb(
+        &self,
+        proxy: ProxyIndex,
         [dx, dy, turned, _]: [f32; 4],
         bodies: &BodySet,
         parameters: &Parameters,
     ) -> PackedAabb {
         let turning = self.max_extent_of(proxy) * turned.abs().min(2.0);
-        let [x, y, to_x, to_y] = self.tight_aabb(proxy, bodies, parameters);
-        let low = |from: f32, way: f32| from - turning + if way < 0.0 { way } else { 0.0 };
-        let high = |from: f32, way: f32| from + turning + if way < 0.0 { 0.0 } else { way };
-        [low(x, dx), low(y, dy), high(to_x, dx), high(to_y, dy)].map(nearest_finite)
+        let tight = f32x4::new(self.tight_aabb(proxy, bodies, parameters));
+        let least = |way: f32| if way < 0.0 { way } else { 0.0 };
+        let most = |way: f32| if way < 0.0 { 0.0 } else { way };
+        let ways = f32x4::new([least(dx), least(dy), most(dx), most(dy)]);
+        (tight + f32x4::new([-turning, -turning, turning, turning]) + ways).to_array()
     }
 }
 
@@ -150,7 +164,12 @@ impl FatAabbs<'_> {
     /// Enlarges the fat AABB of a proxy to its swept AABB, unless it contains the swept AABB already. Returns whether the fat
     /// AABB has changed. `displacement`: x, y (length units), rotation (radians), z (length units).
     pub(crate) fn enlarge_to_sweep(&mut self, proxy: ProxyIndex, displacement: [f32; 4]) -> bool {
-        let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
+        // A coordinate that is not finite is in no fat AABB, unless it is replaced by a finite one.
+        let unbounded = self.proxies.unbounded_swept_aabb(proxy, displacement, self.bodies, self.parameters);
+        if self.contains(proxy, &unbounded, displacement[3]) {
+            return false;
+        }
+        let swept = unbounded.map(nearest_finite);
         if self.contains(proxy, &swept, displacement[3]) {
             return false;
         }
@@ -207,6 +226,7 @@ impl FatAabbs<'_> {
 
     /// Returns whether the fat AABB of a proxy contains `swept_aabb` and, with a depth axis, the fat interval contains the
     /// swept interval of a displacement `dz` along z, length units.
+    #[inline(always)]
     fn contains(&self, proxy: ProxyIndex, swept_aabb: &PackedAabb, dz: f32) -> bool {
         let body = self.proxies.proxy(proxy).body;
         aabb_contains(self.proxies.fat_aabb_of(proxy), swept_aabb)

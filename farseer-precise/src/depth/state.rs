@@ -1,6 +1,7 @@
 //! State of the depth axis: depth data of bodies, geoms, proxies and world boxes.
 
 use std::ops::Range;
+use wide::f32x4;
 
 use super::friction_3d::BallSpin;
 use super::hinged_box_state::HingedBoxState;
@@ -230,6 +231,11 @@ impl DepthState {
                 state.residual_penetration = state.residual_penetration.max(depth);
             }
         }
+    }
+
+    /// Returns the angular velocity of a body about the world axes x and y, rad/s; components 2 and 3 are 0.
+    pub(crate) fn spin_velocity(&self, body_index: BodyIndex) -> f32x4 {
+        f32x4::new(self.ball_spins[body_index].velocity)
     }
 
     pub(crate) fn is_spin_finite(&self, body_index: BodyIndex) -> bool {
