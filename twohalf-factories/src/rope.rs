@@ -4,10 +4,19 @@ use twohalf::farseer_core::{Body, BodyId, Error, JointFactory, JointId, Objects,
 use twohalf::{DepthScheme, Result, TwoHalfPhysicsSimulator, Vector2, Vector3};
 
 use crate::{Ball, Spawned, spawn};
+use std::f32::consts::PI;
 
 /// Moment of inertia of a bead, mass · px²: so great that it does not roll. Beads of a real rope are no
 /// wheels: friction makes a rope lie still.
 const BEAD_INERTIA: f32 = 1e20;
+
+/// Damping ratio of a rope, dimensionless, unless it is set: 1 / sqrt(2), with which a swing comes to rest soonest without
+/// swinging back by more than a twentieth.
+const DAMPING_RATIO: f32 = std::f32::consts::FRAC_1_SQRT_2;
+
+/// Frequency of the slowest swing of a hanging rope divided by that of a pendulum of its length, dimensionless: half the first
+/// zero of the Bessel function J0 (Daniel Bernoulli, 1732).
+const SWING_FREQUENCY: f32 = 1.202_413;
 
 /// End of a rope.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +46,10 @@ pub struct Rope {
     radius: f32,
     /// Force at which a joint breaks, mass · px/s².
     greatest_force: f32,
+    /// Damping ratio of the swing, dimensionless.
+    damping_ratio: f32,
+    /// Greatest angle between neighbouring parts, radians.
+    greatest_bend: f32,
 }
 
 /// Ids of a [spawned](spawn_rope) rope.
@@ -46,12 +59,24 @@ pub struct SpawnedRope {
     pub bodies: Vec<BodyId>,
     /// Joints between neighbouring bodies.
     pub joints: Vec<JointId>,
+    /// Joints between each body and the next but one, which limit the [bend](Rope::greatest_bend); empty without a limit.
+    pub bends: Vec<JointId>,
 }
 
 impl Rope {
-    /// A rope of ten parts and of mass 1, as long as the distance of its ends, with beads of radius 2 px.
+    /// A rope of ten parts and of mass 1, as long as the distance of its ends, with beads of radius 2 px. It bends freely, and
+    /// hangs still a few seconds after it was let go.
     pub fn new(from: RopeEnd, to: RopeEnd) -> Self {
-        Rope { ends: [from, to], length: None, parts: 10, mass: 1.0, radius: 2.0, greatest_force: f32::MAX }
+        Rope {
+            ends: [from, to],
+            length: None,
+            parts: 10,
+            mass: 1.0,
+            radius: 2.0,
+            greatest_force: f32::MAX,
+            damping_ratio: DAMPING_RATIO,
+            greatest_bend: PI,
+        }
     }
 
     /// Sets the length, px: finite and greater than 0. A rope shorter than the distance of its ends pulls
@@ -87,7 +112,43 @@ impl Rope {
         self
     }
 
+    /// Sets the damping ratio of the swing, dimensionless, finite and at least 0: 0 for a rope that swings for ever, 0.7 for
+    /// one that comes to rest soonest, which is the default. From 1 on it creeps to rest.
+    ///
+    /// The beads have a [linear drag](twohalf::farseer_core::Body::set_linear_drag_coefficient) of twice this ratio times the
+    /// frequency of the slowest swing under the present gravity. Bodies at its ends have their own drag alone: a
+    /// heavy load swings on until it has one.
+    pub fn damping_ratio(mut self, ratio: f32) -> Self {
+        self.damping_ratio = ratio;
+        self
+    }
+
+    /// Sets the greatest angle between neighbouring parts, radians, 0.5 to pi: a thick rope or a cable does not fold. Pi, the
+    /// default, lets it bend freely.
+    ///
+    /// Parts of such a rope have one length, and joints keep each body at a distance from the next but one. Where the rope
+    /// hits something it may bend by a quarter more.
+    pub fn greatest_bend(mut self, angle: f32) -> Self {
+        self.greatest_bend = angle;
+        self
+    }
+
+    /// Fraction of its velocity that drag takes from a bead per second, 1/s. `gravity` in px/s², `length` of the rope in px.
+    fn drag_rate(&self, gravity: f32, length: f32) -> Result<f32> {
+        let rate = 2.0 * self.damping_ratio * SWING_FREQUENCY * (gravity / length).sqrt();
+        if !rate.is_finite() {
+            Err(Error::invalid("damping_ratio", self.damping_ratio, "small enough for a finite drag"))?;
+        }
+        Ok(rate)
+    }
+
     fn check(&self) -> Result<()> {
+        if !(self.damping_ratio.is_finite() && self.damping_ratio >= 0.0) {
+            Err(Error::invalid("damping_ratio", self.damping_ratio, "finite and at least 0"))?;
+        }
+        if !(0.5..=PI).contains(&self.greatest_bend) {
+            Err(Error::invalid("greatest_bend", self.greatest_bend, "0.5 to pi"))?;
+        }
         if !(1..=1000).contains(&self.parts) {
             Err(Error::invalid("parts", self.parts, "1 to 1000"))?;
         }
@@ -161,12 +222,12 @@ pub fn spawn_rope(simulator: &mut TwoHalfPhysicsSimulator, rope: Rope) -> Result
     if !(length.is_finite() && length > 0.0) {
         Err(Error::invalid("length", length, "finite and greater than 0"))?;
     }
-    let mut made = SpawnedRope { bodies: Vec::new(), joints: Vec::new() };
+    let mut made = SpawnedRope { bodies: Vec::new(), joints: Vec::new(), bends: Vec::new() };
     let mut own = Vec::new();
     match lay(simulator, &rope, [from, to], length, (&mut made, &mut own)) {
         Ok(()) => Ok(made),
         Err(error) => {
-            made.joints.into_iter().try_for_each(|joint| simulator.dispose(joint))?;
+            made.joints.into_iter().chain(made.bends).try_for_each(|joint| simulator.dispose(joint))?;
             own.into_iter().try_for_each(|body| simulator.dispose(body))?;
             Err(error)
         }
@@ -182,6 +243,8 @@ fn lay(
     (made, own): (&mut SpawnedRope, &mut Vec<BodyId>),
 ) -> Result<()> {
     let part = length / rope.parts as f32;
+    let drag_rate = rope.drag_rate(simulator.core().gravity().norm(), length)?;
+    let nearest = if rope.greatest_bend < PI { part } else { 0.0 };
     for at in 0..=rope.parts {
         let point = from + (to - from) * (at as f32 / rope.parts as f32);
         let end = match at {
@@ -192,12 +255,19 @@ fn lay(
         let body = match end {
             RopeEnd::Body(body) => body,
             RopeEnd::Fixed(_) => hook(simulator, point, own)?,
-            RopeEnd::Free(_) => bead(simulator, rope, point, own)?,
+            RopeEnd::Free(_) => bead(simulator, rope, point, drag_rate, own)?,
         };
         if let Some(&before) = made.bodies.last() {
-            let tied =
-                simulator.edit_objects(|objects| tie(objects, [before, body], part, rope.greatest_force));
+            let tied = simulator
+                .edit_objects(|objects| tie(objects, [before, body], [nearest, part], rope.greatest_force));
             made.joints.push(tied?);
+        }
+        let last_but_one = made.bodies.len().checked_sub(2).map(|at| made.bodies[at]);
+        if let Some(before) = last_but_one.filter(|_| rope.greatest_bend < PI) {
+            let apart = [2.0 * part * (rope.greatest_bend / 2.0).cos(), f32::MAX];
+            let tied =
+                simulator.edit_objects(|objects| tie(objects, [before, body], apart, rope.greatest_force));
+            made.bends.push(tied?);
         }
         made.bodies.push(body);
     }
@@ -221,6 +291,7 @@ fn bead(
     simulator: &mut TwoHalfPhysicsSimulator,
     rope: &Rope,
     point: Vector3,
+    drag_rate: f32,
     own: &mut Vec<BodyId>,
 ) -> Result<BodyId> {
     let mass = rope.mass / (rope.parts as f32 + 1.0);
@@ -229,6 +300,7 @@ fn bead(
     own.push(body);
     if let Some(mut view) = simulator.body_mut(body) {
         view.core_mut().set_moment_of_inertia(BEAD_INERTIA)?;
+        view.core_mut().set_linear_drag_coefficient(drag_rate * mass);
     }
     if let Some(settings) = simulator.geom_mut(geom) {
         settings.set_collision_group(-1 - own[0].slot() as i32);
@@ -243,14 +315,15 @@ fn bead(
     Ok(body)
 }
 
+/// A joint that limits the distance of two bodies, px.
 fn tie(
     objects: &mut Objects,
     [before, body]: [BodyId; 2],
-    part: f32,
+    [nearest, farthest]: [f32; 2],
     greatest_force: f32,
 ) -> Result<JointId, Error> {
     let zero = Vector2::zeros();
-    let joint = JointFactory::create_slider_joint(objects, before, zero, body, zero, 0.0, part)?;
+    let joint = JointFactory::create_slider_joint(objects, before, zero, body, zero, nearest, farthest)?;
     objects.joint_as_mut::<SliderJoint>(joint)?.set_slop(0.0)?;
     objects[joint].set_greatest_force(greatest_force)?;
     objects.add(joint)?;

@@ -251,6 +251,11 @@ fn invalid_ropes_are_refused_and_leave_no_bodies_behind() {
             Rope::new(ends[0], RopeEnd::Body(stale)),
             rope.greatest_force(f32::NAN),
             rope.mass(1e-44).parts(100),
+            rope.damping_ratio(-0.1),
+            rope.damping_ratio(f32::NAN),
+            rope.damping_ratio(f32::MAX),
+            rope.greatest_bend(0.4),
+            rope.greatest_bend(3.2),
         ] {
             assert!(spawn_rope(&mut simulator, bad).is_err(), "{bad:?}");
             run(&mut simulator, 1);
@@ -259,5 +264,77 @@ fn invalid_ropes_are_refused_and_leave_no_bodies_behind() {
         let mut faithful = TwoHalfPhysicsSimulator::new(100).unwrap();
         faithful.set_depth_scheme(DepthScheme::Faithful).unwrap();
         assert!(spawn_rope(&mut faithful, rope).is_err());
+    });
+}
+
+/// Greatest displacement, px, of a body of the rope from where it is now, in the next `seconds`.
+fn restlessness(
+    simulator: &mut TwoHalfPhysicsSimulator,
+    rope: &SpawnedRope,
+    (seconds, dt): (f32, f32),
+) -> f32 {
+    let start = middles(simulator, rope);
+    let mut greatest = 0.0f32;
+    for _ in 0..(seconds / dt).round() as usize {
+        simulator.update(dt);
+        let ways = middles(simulator, rope).into_iter().zip(&start).map(|(now, then)| (now - then).norm());
+        greatest = ways.fold(greatest, f32::max);
+    }
+    greatest
+}
+
+#[test]
+fn a_rope_that_was_let_go_hangs_still_after_three_seconds() {
+    precise(|| {
+        for dt in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0] {
+            for [length, parts] in [[50.0, 3.0], [100.0, 10.0], [200.0, 20.0]] {
+                let mut simulator = simulator();
+                simulator.set_gravity(Vector2::new(0.0, 900.0)).unwrap();
+                let end = RopeEnd::Free(below([0.6 * length, 0.0, 0.8 * length]));
+                let rope = Rope::new(RopeEnd::Fixed(HOOK), end).parts(parts as usize);
+                let rope = spawn_rope(&mut simulator, rope).unwrap();
+                assert!(restlessness(&mut simulator, &rope, (3.0, dt)) > length);
+                let moved = restlessness(&mut simulator, &rope, (5.0, dt));
+                // Measured: 1.8 px for the longest rope, and none for the others, which sleep.
+                assert!(moved < 0.01 * length, "{moved} px, {length} px, {parts} parts, {dt} s");
+                assert_near(middles(&simulator, &rope).last().unwrap().y, HOOK[1] - length, 0.2);
+            }
+        }
+    });
+}
+
+#[test]
+fn a_rope_without_damping_swings_on() {
+    precise(|| {
+        let mut simulator = simulator();
+        let end = RopeEnd::Free(below([60.0, 80.0, 0.0]));
+        let rope = Rope::new(RopeEnd::Fixed(HOOK), end).parts(5).damping_ratio(0.0);
+        let rope = spawn_rope(&mut simulator, rope).unwrap();
+        restlessness(&mut simulator, &rope, (30.0, 1.0 / 60.0));
+        let on = restlessness(&mut simulator, &rope, (8.0, 1.0 / 60.0));
+        assert!(on > 60.0, "{on}");
+    });
+}
+
+#[test]
+fn a_stiff_rope_bends_by_no_more_than_its_greatest_angle() {
+    precise(|| {
+        for bend in [0.5, 0.7, 1.0, 2.0] {
+            let mut simulator = simulator();
+            // Dropped on the ground by one end, so that it folds as far as it can.
+            let rope = Rope::new(RopeEnd::Free([0.0, 110.0, 0.0]), RopeEnd::Free([1.0, 10.0, 3.0]));
+            let rope = spawn_rope(&mut simulator, rope.greatest_bend(bend)).unwrap();
+            assert_eq!((rope.joints.len(), rope.bends.len()), (10, 9));
+            let mut greatest = 0.0f32;
+            for _ in 0..600 {
+                simulator.update(1.0 / 60.0);
+                let angle = |three: &[Vector3]| {
+                    (three[1] - three[0]).normalize().dot(&(three[2] - three[1]).normalize()).min(1.0).acos()
+                };
+                greatest = middles(&simulator, &rope).windows(3).map(angle).fold(greatest, f32::max);
+            }
+            // It folds, and by a quarter more at most, as its docs say; measured: 24 % at 0.5, 1 % at 1.
+            assert!((0.9 * bend..1.25 * bend).contains(&greatest), "{bend}: {greatest}");
+        }
     });
 }
