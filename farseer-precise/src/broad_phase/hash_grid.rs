@@ -13,8 +13,11 @@ mod segment;
 
 pub use segment::GridSegment;
 
-use crate::index::{IndexedVec, ProxyIndex};
-use crate::parameters::broad_phase::{GRID_LEVELS, GRID_MAX_CELL_INDEX, GRID_MIN_CELL_EXPONENT};
+use crate::index::{DenseIndex, IndexedVec, ProxyIndex, index_type};
+use crate::parameters::broad_phase::{
+    GRID_ENTRIES_PER_CELL, GRID_FEW_ENTRIES, GRID_FEW_STOPPERS, GRID_LEVELS, GRID_MAX_CELL_INDEX,
+    GRID_MIN_CELL_EXPONENT,
+};
 use wide::f32x4;
 
 use crate::math::lanes::select;
@@ -75,13 +78,21 @@ impl Default for GridEntry {
     }
 }
 
-/// Cell in which an entry of the grid lies, the index of the previous entry of the same bucket, or [`NO_ENTRY`], and whether
-/// the entry counts in [`GridLevel::stopper_count`].
+index_type! {
+    /// Position of an entry in the list of its level, or in [`HashGrid::stoppers`].
+    struct MemberPosition;
+}
+
+/// Cell in which an entry of the grid lies, and the index of the previous entry of the same bucket, or [`NO_ENTRY`].
+///
+/// The other fields are the positions of the entry in the list of its level and in [`HashGrid::stoppers`]; `None` if it may not stop
+/// fast bodies.
 #[derive(Debug, Clone, Copy)]
 struct BucketLink {
     cell: GridCell,
     previous: ProxyIndex,
-    may_stop: bool,
+    in_level: MemberPosition,
+    in_stoppers: Option<MemberPosition>,
 }
 
 /// One level of the grid: number of its AABBs, their bounds and largest sizes. A query reads it to skip the level or to choose
@@ -115,9 +126,15 @@ pub struct HashGrid {
     used_levels: u64,
     /// Bit mask of the levels that have entries which may stop fast bodies: bit i for level i.
     stopper_levels: u64,
+    /// Indices of the entries of each level, in no particular order. Levels that no entry has been in yet may be missing at the end.
+    members: Vec<Vec<ProxyIndex>>,
+    /// Indices of all entries that may stop fast bodies, in no particular order.
+    stoppers: Vec<ProxyIndex>,
 }
 
-reusing_clone! { HashGrid { entries, links, bucket_heads, levels, used_levels, stopper_levels } }
+reusing_clone! {
+    HashGrid { entries, links, bucket_heads, levels, used_levels, stopper_levels, members, stoppers }
+}
 
 /// Returns the index of the level for an AABB. The cell size of the level, 2^(level + `GRID_MIN_CELL_EXPONENT`), is more than
 /// twice the larger side of the AABB.
@@ -174,6 +191,8 @@ impl HashGrid {
         self.levels.clear();
         self.levels.resize(GRID_LEVELS as usize, GridLevel::default());
         (self.used_levels, self.stopper_levels) = (0, 0);
+        self.members.iter_mut().for_each(Vec::clear);
+        self.stoppers.clear();
     }
 
     /// Returns whether the grid has at least one bucket for each of `capacity` entries.
@@ -216,12 +235,36 @@ impl HashGrid {
         let bucket = self.bucket(cell);
         let next = std::mem::replace(&mut self.bucket_heads[bucket], index);
         self.entries[index].next = next;
-        self.links[index] = Some(BucketLink { cell, previous: NO_ENTRY, may_stop });
+        let in_level = self.push_member(level, index);
+        let in_stoppers = may_stop.then(|| push_to(&mut self.stoppers, index));
+        self.links[index] = Some(BucketLink { cell, previous: NO_ENTRY, in_level, in_stoppers });
         self.set_previous(next, index);
         self.levels[usize::from(level)].count += 1;
         self.levels[usize::from(level)].stopper_count += u32::from(may_stop);
         self.used_levels |= 1 << level;
         self.stopper_levels |= u64::from(may_stop) << level;
+    }
+
+    /// Appends an entry to the list of its level, and returns its position there.
+    fn push_member(&mut self, level: u8, index: ProxyIndex) -> MemberPosition {
+        let level = usize::from(level);
+        if self.members.len() <= level {
+            self.members.resize(level + 1, Vec::new());
+        }
+        push_to(&mut self.members[level], index)
+    }
+
+    /// Removes an entry from the list of its level and from the stoppers. `link` was its link.
+    fn remove_member(&mut self, link: &BucketLink) {
+        let of_level = &mut self.members[usize::from(link.cell.level)];
+        of_level.swap_remove(link.in_level.position());
+        let moved = of_level.get(link.in_level.position()).and_then(|&other| self.links[other].as_mut());
+        moved.into_iter().for_each(|other| other.in_level = link.in_level);
+        if let Some(at) = link.in_stoppers {
+            self.stoppers.swap_remove(at.position());
+            let moved = self.stoppers.get(at.position()).and_then(|&other| self.links[other].as_mut());
+            moved.into_iter().for_each(|other| other.in_stoppers = Some(at));
+        }
     }
 
     /// Stores `previous` as the previous entry in the bucket list of entry `index`, if there is such an entry.
@@ -233,7 +276,9 @@ impl HashGrid {
 
     /// Removes the entry `index` from the grid, if it is in the grid.
     pub fn remove(&mut self, index: ProxyIndex) {
-        let Some(BucketLink { cell, previous, may_stop }) = self.links[index].take() else { return };
+        let Some(link) = self.links[index].take() else { return };
+        self.remove_member(&link);
+        let BucketLink { cell, previous, in_stoppers, .. } = link;
         let next = self.entries[index].next;
         if previous == NO_ENTRY {
             let bucket = self.bucket(cell);
@@ -244,7 +289,7 @@ impl HashGrid {
         self.set_previous(next, previous);
         let level = &mut self.levels[usize::from(cell.level)];
         level.count -= 1;
-        level.stopper_count -= u32::from(may_stop);
+        level.stopper_count -= u32::from(in_stoppers.is_some());
         if level.count == 0 {
             self.used_levels &= !(1 << cell.level);
         }
@@ -266,9 +311,19 @@ impl HashGrid {
         self.for_each_overlap_in_levels(!0, bounds, found);
     }
 
+    /// Calls `found` with the index of each entry that may stop fast bodies and whose AABB overlaps the query AABB `bounds`, as
+    /// [`for_each_overlap`](Self::for_each_overlap). It may find other entries of the same levels, too.
+    #[inline(always)]
+    pub(crate) fn for_each_stopper(&self, bounds: &PackedAabb, mut found: impl FnMut(ProxyIndex)) {
+        if self.stoppers.len() <= GRID_FEW_STOPPERS {
+            return self.for_each_of(&self.stoppers, query_limits(bounds), &mut found);
+        }
+        self.for_each_overlap_in_levels(self.stopper_levels, bounds, found);
+    }
+
     /// Runs [`for_each_overlap`](Self::for_each_overlap) on the levels of the mask `levels`: bit i for level i.
     #[inline(always)]
-    pub(crate) fn for_each_overlap_in_levels(
+    fn for_each_overlap_in_levels(
         &self,
         levels: u64,
         bounds: &PackedAabb,
@@ -281,8 +336,13 @@ impl HashGrid {
         while used != 0 {
             let level = used.trailing_zeros() as u8;
             used &= used - 1;
-            let GridLevel { bounds: level_bounds, max_half_extents, .. } = &self.levels[usize::from(level)];
+            let GridLevel { bounds: level_bounds, max_half_extents, count, .. } =
+                &self.levels[usize::from(level)];
             if !overlaps_query(level_bounds, limits) {
+                continue;
+            }
+            if *count <= GRID_FEW_ENTRIES {
+                self.for_each_of(&self.members[usize::from(level)], limits, &mut found);
                 continue;
             }
             let enlargement = f32x4::new([
@@ -298,8 +358,10 @@ impl HashGrid {
             // Query AABBs may have a maximum below the minimum, and a large AABB may overlap them all the same.
             let is_reversed = width <= 0 || height <= 0;
             let is_last = i32::from(level) == GRID_LEVELS - 1;
-            if is_last || is_reversed || width.saturating_mul(height) > self.entries.len() as i64 + 16 {
-                self.for_each_in_level(level, limits, &mut found);
+            let are_few =
+                || i64::from(*count) <= width.saturating_mul(height).saturating_mul(GRID_ENTRIES_PER_CELL);
+            if is_last || is_reversed || are_few() {
+                self.for_each_of(&self.members[usize::from(level)], limits, &mut found);
                 continue;
             }
             for y in top..=bottom {
@@ -324,16 +386,22 @@ impl HashGrid {
         }
     }
 
-    /// Calls `found` for each entry of a level that overlaps the query. Used for queries that cover more cells than there are
-    /// entries. `limits`: see [`query_limits`].
-    #[cold]
-    fn for_each_in_level(&self, level: u8, limits: f32x4, found: &mut impl FnMut(ProxyIndex)) {
-        for ((at, entry), link) in self.entries.enumerated().zip(self.links.iter()) {
-            if link.is_some_and(|link| link.cell.level == level) && overlaps_query(&entry.aabb, limits) {
+    /// Calls `found` for each of these entries that overlaps the query. `limits`: see [`query_limits`].
+    #[inline(always)]
+    fn for_each_of(&self, entries: &[ProxyIndex], limits: f32x4, found: &mut impl FnMut(ProxyIndex)) {
+        for &at in entries {
+            if overlaps_query(&self.entries[at].aabb, limits) {
                 found(at);
             }
         }
     }
+}
+
+/// Appends an entry to a list, and returns its position there.
+fn push_to(list: &mut Vec<ProxyIndex>, index: ProxyIndex) -> MemberPosition {
+    let position = MemberPosition::new(list.len());
+    list.push(index);
+    position
 }
 
 #[cfg(test)]

@@ -100,7 +100,7 @@ pub(crate) fn toi_of_carried(motion: SweptMotion<'_>, flight: &FastBody) -> Opti
 
 /// Finds the first time of impact of each fast body, and its pair.
 fn find_first_impacts(motion: SweptMotion<'_>, fast: &mut [FastBody]) {
-    if motion.depth.is_none() && motion.stopper_levels() == 0 {
+    if motion.depth.is_none() && !motion.has_obstacles() {
         return;
     }
     for flight in fast {

@@ -53,11 +53,14 @@ impl<'a> SweptMotion<'a> {
         }
     }
 
-    /// Returns the mask of the grid's levels that may contain obstacles of fast bodies: all levels if a body sleeps or is a
-    /// bullet, since dynamic bodies then are obstacles, too.
-    pub(crate) fn stopper_levels(&self) -> u64 {
-        let are_dynamic_obstacles = self.sleep.count > 0 || self.bodies.are_bullets.contains(&true);
-        if are_dynamic_obstacles { !0 } else { self.grid.stopper_levels() }
+    /// Returns whether dynamic bodies may be obstacles of fast bodies: some body sleeps or is a bullet.
+    fn are_dynamic_obstacles(&self) -> bool {
+        self.sleep.count > 0 || self.bodies.are_bullets.contains(&true)
+    }
+
+    /// Returns whether fast bodies may have obstacles.
+    pub(crate) fn has_obstacles(&self) -> bool {
+        self.grid.stopper_levels() != 0 || self.are_dynamic_obstacles()
     }
 
     /// Stores in `pairs` the new pairs that fast bodies have along their paths, sorted by creation numbers. `is_known` is a
@@ -67,12 +70,12 @@ impl<'a> SweptMotion<'a> {
         fast_bodies: &[FastBody],
         (is_known, pairs): (&mut IndexedVec<ProxyIndex, bool>, &mut Vec<[ProxyIndex; 2]>),
     ) {
-        let stoppers = self.stopper_levels();
+        let (are_dynamic_obstacles, has_obstacles) = (self.are_dynamic_obstacles(), self.has_obstacles());
         for &FastBody { body, .. } in fast_bodies {
             for proxy in self.proxies.proxies_of(body) {
-                let levels = if self.proxies.proxy(proxy).responds { stoppers } else { !0 };
-                if levels != 0 {
-                    self.query_sweep(proxy, self.displacement(body), levels, (is_known, pairs));
+                let finds_all = are_dynamic_obstacles || !self.proxies.proxy(proxy).responds;
+                if finds_all || has_obstacles {
+                    self.query_sweep(proxy, self.displacement(body), finds_all, (is_known, pairs));
                 }
             }
         }
@@ -81,15 +84,15 @@ impl<'a> SweptMotion<'a> {
     }
 
     /// Appends to `pairs` the new pairs of a proxy that collide on its path in this step. `is_known` is a workspace, with an
-    /// entry for each proxy. `displacement`: x, y (length units), rotation (radians), z (length units). `levels`: mask of the
-    /// levels of the grid that may contain obstacles.
+    /// entry for each proxy. `displacement`: x, y (length units), rotation (radians), z (length units). `finds_all`: whether
+    /// any proxy may be an obstacle, not only those that [may stop](Proxy::may_stop) bodies.
     ///
     /// A proxy whose fat AABB contains the path has all its pairs already.
     fn query_sweep(
         &self,
         proxy: ProxyIndex,
         displacement: [f32; 4],
-        levels: u64,
+        finds_all: bool,
         (is_known, pairs): (&mut IndexedVec<ProxyIndex, bool>, &mut Vec<[ProxyIndex; 2]>),
     ) {
         let swept = self.proxies.swept_aabb(proxy, displacement, self.bodies, self.parameters);
@@ -97,7 +100,7 @@ impl<'a> SweptMotion<'a> {
             return;
         }
         let mut are_marked = false;
-        self.grid.for_each_overlap_in_levels(levels, &swept, |other| {
+        let visit = |other: ProxyIndex| {
             if !self.is_ccd_candidate(proxy, other) {
                 return;
             }
@@ -109,7 +112,11 @@ impl<'a> SweptMotion<'a> {
             }
             let pair = order_pair(self.proxies, self.depth, [proxy, other]);
             pairs.extend(pair.filter(|&pair| self.time_of_impact(pair, 0.0).is_some()));
-        });
+        };
+        match finds_all {
+            true => self.grid.for_each_overlap(&swept, visit),
+            false => self.grid.for_each_stopper(&swept, visit),
+        }
         if are_marked {
             self.pairs.partners(proxy).for_each(|partner| is_known[partner] = false);
         }

@@ -45,6 +45,18 @@ pub(crate) const GRID_MIN_CELL_EXPONENT: i32 = -32;
 /// value is below 2^31, so that an index fits into an `i32`. Unit: dimensionless.
 pub(crate) const GRID_MAX_CELL_INDEX: f32 = 1e9;
 
+/// Number of entries of a level of the hash grid up to which a query tests all of them. For so few, the indices of the cells cost more
+/// than the tests. Value chosen; it has no effect on the result. Unit: dimensionless, a count.
+pub(crate) const GRID_FEW_ENTRIES: u32 = 12;
+
+/// Number of entries of a level, for each cell of a query, up to which the query tests all entries instead of the cells. A cell costs
+/// about as much as so many tests. Value chosen; it has no effect on the result. Unit: dimensionless, a count.
+pub(crate) const GRID_ENTRIES_PER_CELL: i64 = 3;
+
+/// Number of entries that may stop fast bodies up to which continuous collision tests all of them instead of the levels that they are
+/// in. Value chosen; it has no effect on the result. Unit: dimensionless, a count.
+pub(crate) const GRID_FEW_STOPPERS: usize = 32;
+
 /// Largest absolute coordinate at which shapes collide, in the unit of the coordinates. The square of the value, 1e36, stays
 /// below the largest `f32`, 3.4e38, so that squared distances are finite. Unit: the length unit of coordinates.
 pub(crate) const COLLISION_MAX_COORDINATE: f32 = 1e18;
