@@ -17,8 +17,8 @@ use crate::parameters::direct::{
     BUDGET_AFTER_OVERDRAFT, BUDGET_OVERDRAFT, CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT, FACTOR_BLOCK_COST,
     FACTOR_PRODUCT_COST, FAILED_SOLUTION_COST, FIRST_BUDGET_PAUSE, FREE_UPDATE_NEWTON_STEPS,
     ITERATIVE_CONTACT_COST, ITERATIVE_ISLAND_COST, ITERATIVE_JOINT_COST, JOINTED_BUDGET, MASS_RATIO_BUDGET,
-    NEWTON_BODY_COST, NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST, RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT,
-    UPDATE_NEWTON_STEPS, WORLD_COST_LIMIT,
+    MOVING_BUDGET_OVERDRAFT, NEWTON_BODY_COST, NEWTON_CONSTRAINT_COST, NEWTON_STEP_COST,
+    RESTING_CONSTRAINT_COST, UPDATE_COST_LIMIT, UPDATE_NEWTON_STEPS, WORLD_COST_LIMIT,
 };
 use crate::solver_choice::SolverChoice;
 
@@ -45,6 +45,9 @@ pub(super) fn update_budget(
     let (income, overdraft) = match island.has_joints() {
         true if island.has_large_mass_ratio() => (MASS_RATIO_BUDGET, BUDGET_OVERDRAFT),
         true => (JOINTED_BUDGET, BUDGET_OVERDRAFT),
+        false if history.formed_by_motion => {
+            (CYCLIC_BUDGET, MOVING_BUDGET_OVERDRAFT / iterative_update_cost(island))
+        }
         false => (CYCLIC_BUDGET, CYCLIC_BUDGET_OVERDRAFT / iterative_update_cost(island)),
     };
     // The budget is a fraction, since islands with different overdrafts may merge.

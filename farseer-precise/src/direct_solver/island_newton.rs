@@ -72,7 +72,7 @@ pub(super) struct Tolerances {
     pub(super) resting: f64,
     /// Velocity residual at which the solution of an island with contact cycles that is not at rest ends, length units/s.
     pub(super) moving_cycles: f64,
-    /// Maximum number of Newton steps for an island with joints. For other islands the limit is a constant.
+    /// Maximum number of Newton steps for an island with joints or contact cycles. For other islands the limit is a constant.
     pub(super) max_newton_steps: usize,
 }
 
@@ -247,6 +247,7 @@ impl IslandSystem {
         let max_newton_steps = match self.has_joints() {
             true => tolerances.max_newton_steps,
             false if has_cycles && is_cold_start => FRESH_SOLUTION_NEWTON_STEPS,
+            false if has_cycles => tolerances.max_newton_steps,
             false => SOLUTION_NEWTON_STEPS,
         };
         self.set_compliance(match has_cycles {

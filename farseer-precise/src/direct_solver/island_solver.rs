@@ -16,8 +16,9 @@ use crate::joints::springs::SpringRows;
 use crate::parameters::direct::{
     ACCEPTED_VELOCITY_ERROR, BUSY_ISLAND_PAUSE, CORRECTED_SLOP_FRACTION, CYCLIC_PENETRATION_FRACTION,
     CYCLIC_PENETRATION_SPEED, CYCLIC_VELOCITY_ERROR, DEPTH_NEWTON_LIMIT, EXACT_VELOCITY_ERROR,
-    FRICTIONLESS_SPEED_GAIN, LATERAL_SLIP_MIN_SPEED, MOVING_VELOCITY_ERROR, NEWTON_AVERAGE_UPDATES,
-    NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, RESTING_VELOCITY_ERROR, SOLVED_VELOCITY_ERROR,
+    FRICTIONLESS_SPEED_GAIN, LATERAL_SLIP_MIN_SPEED, MOVING_SOLUTION_NEWTON_STEPS, MOVING_VELOCITY_ERROR,
+    NEWTON_AVERAGE_UPDATES, NEWTON_LIMIT, NEWTON_LIMIT_PER_BODY, RESTING_VELOCITY_ERROR,
+    SOLUTION_NEWTON_STEPS, SOLVED_VELOCITY_ERROR,
 };
 use crate::scaled_parameters::{Parameters, StepContext};
 use crate::solver_choice::SolverChoice;
@@ -128,7 +129,7 @@ impl IslandSolver<'_> {
         let system = &mut island.system;
         system.contacts.iter_mut().for_each(|contact| contact.friction = 0.0);
         let residual = system.begin_solve(reader.dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
-        system.solve(&contact_tolerances(residual, unit));
+        system.solve(&contact_tolerances(residual, unit, SOLUTION_NEWTON_STEPS));
         let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
         system.members.iter().any(|member| {
             let [x0, y0, ..] = bodies.states[member.body].velocity.map(f64::from);
@@ -152,12 +153,16 @@ impl IslandSolver<'_> {
         }
         island.make_contacts(self.constraints, &reader, self.has_depth);
         let residual = island.system.begin_solve(reader.dt, [slop, LATERAL_SLIP_MIN_SPEED * unit]);
+        let has_budget = island.has_cyclic_budget(self.has_depth);
+        let max_newton_steps = match history.formed_by_motion && has_budget {
+            true => MOVING_SOLUTION_NEWTON_STEPS,
+            false => SOLUTION_NEWTON_STEPS,
+        };
         let stats = if residual > reader.velocity_tolerance {
-            island.system.solve(&contact_tolerances(residual, unit))
+            island.system.solve(&contact_tolerances(residual, unit, max_newton_steps))
         } else {
             SolveStats { newton_steps: 0, residual, is_solved: true }
         };
-        let has_budget = island.has_cyclic_budget(self.has_depth);
         island.is_released = self.is_release_allowed() && !stats.is_solved && !has_budget;
         if island.is_released {
             island.system.scale_down_impulses(|body| {
@@ -223,8 +228,8 @@ fn uncorrected_penetration(reader: &RowReader<'_>, is_correcting: bool) -> f64 {
 }
 
 /// Returns the tolerances of an island of contacts. `residual` is its velocity residual before the solution, length units/s,
-/// and `unit` the length unit.
-fn contact_tolerances(residual: f64, unit: f64) -> Tolerances {
+/// `unit` the length unit, and `max_newton_steps` the limit of Newton steps with contact cycles.
+fn contact_tolerances(residual: f64, unit: f64, max_newton_steps: usize) -> Tolerances {
     let acceptable = unit * ACCEPTED_VELOCITY_ERROR;
     Tolerances {
         initial_residual: residual,
@@ -233,7 +238,7 @@ fn contact_tolerances(residual: f64, unit: f64) -> Tolerances {
         exact: unit * EXACT_VELOCITY_ERROR,
         resting: unit * RESTING_VELOCITY_ERROR,
         moving_cycles: unit * CYCLIC_VELOCITY_ERROR,
-        max_newton_steps: 0,
+        max_newton_steps,
     }
 }
 

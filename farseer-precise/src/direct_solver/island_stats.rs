@@ -111,6 +111,8 @@ pub struct IslandStats {
     pub(super) has_heavy_on_light: bool,
     /// Whether a much heavier body may jam a light one in the island: see [`classify_load`](super::selection::SolverSelection::classify_load).
     pub(super) may_jam: bool,
+    /// Whether at most [`IMMEDIATE_RESELECTION_BODIES`](crate::parameters::direct::IMMEDIATE_RESELECTION_BODIES) bodies are awake.
+    pub(super) has_few_awake_bodies: bool,
     /// Index of the island in the list of the direct solver; `None` if the iterative solver has it.
     pub(super) island_index: Option<IslandIndex>,
 }

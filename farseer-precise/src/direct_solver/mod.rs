@@ -9,7 +9,7 @@
 //! |---|---|
 //! | over 400 bodies with more contacts than joints, much fill-in, restitution in action, unsupported joints | never |
 //! | 2D, with joints or springs | always, except moving piles from 40 bodies on; after a pause not while a joint has a gap |
-//! | 2D, [large mass ratio](mass_ratio) | always |
+//! | 2D, [large mass ratio](mass_ratio) | without contact cycles always, with them while few bodies are awake |
 //! | 2D, no contact cycles | if its bodies were calm when they came together, or from 16 bodies on |
 //! | 2D, contact cycles, from 40 bodies on | if its bodies were calm when they came together |
 //! | 2D, contact cycles, up to 39 bodies | if calm as above and standing by friction, or if friction slips |

@@ -118,6 +118,7 @@ impl SolverSelection<'_> {
             let index = BodyIndex::new(body.position());
             let (stats, history) = (census.stats_of(index), self.history[index]);
             stats.bodies += 1;
+            stats.has_few_awake_bodies = self.has_few_awake_bodies;
             stats.direct_bodies += u32::from(history.is_direct);
             stats.has_unsupported_joint |= self.has_depth && self.joints.has_joint(body);
             stats.was_paused |= history.back_off > 0;
