@@ -137,7 +137,7 @@ pub extern "C" fn farseer_body_set_angular_velocity(
     })
 }
 
-/// Writes the mass in mass units, > 0.
+/// Writes the mass in mass units, not 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn farseer_body_mass(
     simulator: Option<&FarseerSimulator>,
@@ -147,7 +147,7 @@ pub extern "C" fn farseer_body_mass(
     look(simulator, body, "mass", mass, Body::mass)
 }
 
-/// Sets the mass in mass units, > 0.
+/// Sets the mass in mass units, not 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn farseer_body_set_mass(
     simulator: Option<&FarseerSimulator>,

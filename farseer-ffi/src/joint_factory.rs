@@ -80,8 +80,6 @@ pub extern "C" fn farseer_joint_create_pin(
 /// The distance of two points stays in a range: a rope, a telescope. Anchors are in the frames of the bodies, all in length
 /// units.
 #[unsafe(no_mangle)]
-// The list of the C function.
-#[expect(clippy::too_many_arguments)]
 pub extern "C" fn farseer_joint_create_slider(
     simulator: Option<&FarseerSimulator>,
     body1: FarseerBody,
@@ -187,8 +185,6 @@ pub extern "C" fn farseer_joint_create_prismatic(
 /// The second body turns about a point on a sprung line of the first: a wheel with suspension. Anchor and axis are in the world,
 /// in length units; stiffness in mass units/s², damping in mass units/s. Under the precise methods.
 #[unsafe(no_mangle)]
-// The list of the C function.
-#[expect(clippy::too_many_arguments)]
 pub extern "C" fn farseer_joint_create_wheel(
     simulator: Option<&FarseerSimulator>,
     body1: FarseerBody,
@@ -224,8 +220,6 @@ pub extern "C" fn farseer_joint_create_angle_spring(
 /// A bounded force and torque bring the second body to a pose relative to the first: frequency in Hz, damping ratio, greatest
 /// force and torque. Under the precise methods.
 #[unsafe(no_mangle)]
-// The list of the C function.
-#[expect(clippy::too_many_arguments)]
 pub extern "C" fn farseer_joint_create_motor(
     simulator: Option<&FarseerSimulator>,
     body1: FarseerBody,
@@ -259,8 +253,6 @@ pub extern "C" fn farseer_joint_create_gear(
 /// A rope from the first body over two points of the world to the second, in length units, with a ratio of the two parts. Anchors
 /// are in the frames of the bodies. Under the precise methods.
 #[unsafe(no_mangle)]
-// The list of the C function.
-#[expect(clippy::too_many_arguments)]
 pub extern "C" fn farseer_joint_create_pulley(
     simulator: Option<&FarseerSimulator>,
     body1: FarseerBody,

@@ -65,8 +65,6 @@ fn set_target(objects: &mut Objects, spring: SpringId, target: f32) -> Outcome {
 
 /// A spring between points of two bodies, in their frames, in length units. Stiffness in mass units/s², damping in mass units/s.
 #[unsafe(no_mangle)]
-// The list of the C function.
-#[expect(clippy::too_many_arguments)]
 pub extern "C" fn farseer_spring_create_linear(
     simulator: Option<&FarseerSimulator>,
     body1: FarseerBody,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Folder of the crate.
-pub fn root() -> &'static Path {
+pub(crate) fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
@@ -36,7 +36,7 @@ fn output(command: &mut Command) -> String {
 }
 
 /// Output of a program in C; `None` without gcc.
-pub fn run_c(source: &Path, name: &str) -> Option<String> {
+pub(crate) fn run_c(source: &Path, name: &str) -> Option<String> {
     if !has("gcc") {
         return None;
     }
@@ -49,7 +49,7 @@ pub fn run_c(source: &Path, name: &str) -> Option<String> {
 }
 
 /// Output of a program in C#; `None` without mono.
-pub fn run_csharp(source: &Path, name: &str) -> Option<String> {
+pub(crate) fn run_csharp(source: &Path, name: &str) -> Option<String> {
     if !has("mcs") || !has("mono") {
         return None;
     }
