@@ -3,10 +3,10 @@
 //! The functions are those of `include/farseer.h`; `csharp/Farseer.cs` has the same for C#. This page is for readers of the source; the
 //! README has the rules for callers.
 //!
-//! - Every call runs inside of [`guard`], which turns a refusal or a panic into a [`FarseerStatus`].
+//! - Every call runs inside of `guard.rs`, which turns a refusal or a panic into a [`FarseerStatus`].
 //! - Pointers to one object are references that may be null (`Option<&T>`), so that null is noticed without `unsafe`.
 //! - Results are `MaybeUninit`: the caller's variable need not be initialised.
-//! - [`arrays`] alone reads and writes memory by address and length.
+//! - `arrays.rs` alone reads and writes memory by address and length.
 //! - Enums and flags come in as `i32`, since an unknown value of a Rust enum would be undefined behaviour.
 
 mod arguments;
