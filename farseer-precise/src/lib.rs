@@ -90,3 +90,8 @@ pub mod step;
 
 #[cfg(feature = "engine")]
 pub use solver::Solver;
+
+/// The example of the README is run with those of the documentation.
+#[cfg(all(doctest, feature = "engine"))]
+#[doc = include_str!("../README.md")]
+struct Readme;
