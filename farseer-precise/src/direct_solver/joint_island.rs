@@ -204,7 +204,7 @@ impl<'a> IslandSolver<'a> {
                 joints.add_servo_force(joint, rows.force_and_torque(f64::from(step.dt)));
             }
         }
-        island.store_solution(rows, f64::from(step.substeps), step.h);
+        island.store_solution(rows, (f64::from(step.substeps), step.h), f32::INFINITY);
     }
 }
 
