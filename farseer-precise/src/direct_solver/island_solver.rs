@@ -115,7 +115,7 @@ impl IslandSolver<'_> {
             },
             false => 0,
         };
-        let stats = self.solve_jointed_island(island, history.has_accepted_solution);
+        let stats = self.solve_jointed_island(island, history);
         SolveStats { newton_steps: steps + stats.newton_steps, ..stats }
     }
 
