@@ -95,6 +95,24 @@ impl ContactConstraint {
         1.0 / (mass_a + mass_b + turning)
     }
 
+    /// Reduces the normal impulses to the rest impulses, where these are smaller, and friction by the same ratio.
+    ///
+    /// The direct solver raises rest impulses to the normal impulses except in an update with an impact. The impulse of an
+    /// impact acted once, but the warm start of the iterative solver would repeat it in every substep.
+    pub(crate) fn forget_impacts(&mut self) {
+        let load = |points: &[ContactPoint; 2]| points[0].normal_impulse + points[1].normal_impulse;
+        let before = load(&self.points);
+        for point in &mut self.points {
+            if point.rest_impulse < point.normal_impulse {
+                point.normal_impulse = point.rest_impulse;
+            }
+        }
+        let after = load(&self.points);
+        if after < before {
+            self.tangent_impulse *= after / before;
+        }
+    }
+
     /// Returns whether load adaptation still raises the rest impulses of the points: see
     /// [`adapt_load`](crate::contact_solver::load_adaptation::adapt_load).
     pub(crate) fn is_adapting_load(&self, adaptation: &LoadAdaptation) -> bool {

@@ -11,7 +11,7 @@
 //! to the inertia changes it, too: the added inertia takes up spin in the solve, and is dropped after it. Energy is accurate to
 //! second order in the length of an interval. Steady motors and forces move bodies as far as in continuous time.
 
-use super::cost_model::max_newton_steps;
+use super::cost_model::{max_newton_steps, newton_steps_cost};
 use super::island_body::max_or_nan;
 use super::island_io::{DirectIsland, RowReader};
 use super::island_newton::{IslandSystem, SolveStats};
@@ -241,7 +241,8 @@ impl IslandSolver<'_> {
     /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted.
     ///
     /// A chain that snaps taut may need shorter intervals: a step whose solution gains energy or turns a body too far is repeated with
-    /// twice as many, up to [`MAX_INTERVAL_FACTOR`] times the planned number.
+    /// twice as many, up to [`MAX_INTERVAL_FACTOR`] times the planned number. There is no repetition whose modelled cost, twice that
+    /// of the last trial, exceeds the cost that other islands leave in the update.
     pub(super) fn solve_articulation(&mut self, island: &mut DirectIsland) -> SolveStats {
         let (mut factor, mut newton_steps) = (1, 0);
         loop {
@@ -249,7 +250,9 @@ impl IslandSolver<'_> {
             newton_steps += stats.newton_steps;
             factor *= 2;
             let has_residual = stats.residual > ACCEPTED_RESIDUAL * self.length_unit();
-            if stats.is_solved || has_residual || factor > MAX_INTERVAL_FACTOR {
+            let is_dear =
+                newton_steps_cost(island, newton_steps + 2 * stats.newton_steps) > island.cost_limit;
+            if stats.is_solved || has_residual || is_dear || factor > MAX_INTERVAL_FACTOR {
                 return SolveStats { newton_steps, ..stats };
             }
         }

@@ -101,6 +101,12 @@ pub(super) fn max_newton_steps(island: &DirectIsland) -> usize {
     (limit / step).clamp(min_steps, max_steps) as usize
 }
 
+/// Returns the modelled cost of `steps` Newton steps of `island`, in microseconds.
+pub(super) fn newton_steps_cost(island: &DirectIsland, steps: usize) -> f64 {
+    let constraints = island.contact_handles.len() + island.joint_count();
+    steps as f64 * newton_step_cost(&island.system.factor, constraints as f64)
+}
+
 /// Returns the modelled cost of one update of the iterative solver for `island`, in microseconds.
 fn iterative_update_cost(island: &DirectIsland) -> f64 {
     ITERATIVE_ISLAND_COST

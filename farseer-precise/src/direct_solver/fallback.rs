@@ -7,7 +7,7 @@
 //! Gauss-Seidel sweeps, until the budget is spent.
 
 use super::DirectSolver;
-use super::island_body::IslandBody;
+use super::island_body::{IslandBody, MemberIndex, dot, max_or_nan};
 use super::island_history::IslandHistory;
 use super::island_newton::IslandSystem;
 use super::island_stats::IslandIndex;
@@ -17,6 +17,7 @@ use crate::broad_phase::proxies::Proxies;
 use crate::constraint_graph::ConstraintGraph;
 use crate::index::{BodyIndex, DenseIndex};
 use crate::narrow_phase::constraint_lifetime::move_to_direct_solver;
+use crate::parameters::direct::{ACCEPTED_ENERGY_GAIN, ACCEPTED_SPEED_GAIN};
 use crate::scaled_parameters::LoadAdaptation;
 
 impl DirectSolver {
@@ -44,9 +45,13 @@ impl DirectSolver {
                 let IslandHistory { formed_by_motion, has_accepted_solution, .. } = self.history[body];
                 let may_rock = has_accepted_solution
                     || (formed_by_motion && self.census.stats_of(body).has_contact_cycles());
-                if was_direct && may_rock {
-                    let points = &mut constraints.direct_constraint_mut(handle).constraint.points;
-                    points.iter_mut().for_each(|point| point.rest_impulse *= adaptation.adapted_fraction);
+                if was_direct {
+                    let constraint = &mut constraints.direct_constraint_mut(handle).constraint;
+                    constraint.forget_impacts();
+                    if may_rock {
+                        let points = &mut constraint.points;
+                        points.iter_mut().for_each(|point| point.rest_impulse *= adaptation.adapted_fraction);
+                    }
                 }
                 move_to_direct_solver(pairs, constraints, pair, is_direct, h);
             }
@@ -78,13 +83,48 @@ impl DirectSolver {
 }
 
 impl IslandSystem {
+    /// Returns whether the solution of an island of contacts gains energy, or gives a body more speed than
+    /// [`ACCEPTED_SPEED_GAIN`] allows. `free` returns the velocity of a body without contact impulses (length units/s, length
+    /// units/s, radians/s). `dt` is the step in seconds, `unit` the length unit.
+    ///
+    /// The rows are linear, rigid and hold for a whole step. A heavy body that lands on a light wedge shoots it out as fast as
+    /// the wedge is slim, further than any of its contacts is valid; the soft rows of the iterative solver yield.
+    pub(super) fn exceeds_free_motion(&self, free: impl Fn(BodyIndex) -> Vec3, dt: f64, unit: f64) -> bool {
+        let fastest = self.members.iter().map(|member| member.squared_speed(member.velocity));
+        let is_bounded = fastest.fold(0.0, |most, squared| max_or_nan(squared, most))
+            <= self.speed_limit_squared(&free, unit);
+        let doubled_energy = |member: &IslandBody| {
+            let velocity = free(member.body);
+            dot(member.momentum(velocity), velocity)
+        };
+        let free_energy = self.members.iter().map(doubled_energy).sum();
+        !is_bounded || self.gains_energy(free_energy, dt, unit, ACCEPTED_ENERGY_GAIN)
+    }
+
+    /// Returns the square of the greatest speed that contacts may give a member, length units^2/s^2, from the velocities `free`
+    /// without contact impulses and from those of belts and kinematic bodies. `unit` is the length unit.
+    fn speed_limit_squared(&self, free: impl Fn(BodyIndex) -> Vec3, unit: f64) -> f64 {
+        let fastest = self.members.iter().fold(0.0, |most, member| {
+            let squared = member.squared_speed(free(member.body));
+            max_or_nan(squared, most)
+        });
+        let driven = self.contacts.iter().flat_map(|contact| contact.driven_velocity_error);
+        let fastest = driven.fold(fastest, |most, speed| max_or_nan(speed * speed, most));
+        let [gain, slack] = ACCEPTED_SPEED_GAIN;
+        gain * gain * fastest + slack * slack * unit * unit
+    }
+
     /// Multiplies the initial impulses of all contacts by one factor, 0..=1, with which they remove as much kinetic energy as
     /// possible. The products become the impulses of the contacts.
     ///
     /// Let l be the initial impulses of all rows, u the relative velocities of the rows without these impulses, and du the
     /// change of u by all of l. The kinetic energy is least at the factor p with l . (u + p du) = 0. `free` returns the
-    /// velocity of a body without contact impulses (length units/s, length units/s, radians/s).
-    pub(super) fn scale_down_impulses(&mut self, free: impl Fn(BodyIndex) -> Vec3) {
+    /// velocity of a body without contact impulses (length units/s, length units/s, radians/s). `unit` is the length unit.
+    ///
+    /// Impulses that would still give a body more speed than [`ACCEPTED_SPEED_GAIN`] allows become 0: the energy of a light
+    /// body hardly counts beside that of heavy ones.
+    pub(super) fn scale_down_impulses(&mut self, free: impl Fn(BodyIndex) -> Vec3, unit: f64) {
+        let limit = self.speed_limit_squared(&free, unit);
         let IslandSystem { members, contacts, lateral_frictions, negative_gradient, direction, .. } = self;
         negative_gradient.clear();
         direction.clear();
@@ -103,6 +143,15 @@ impl IslandSystem {
         }
         // NaN gives 0.
         let factor = if work > 0.0 && doubled_energy > 0.0 { (work / doubled_energy).min(1.0) } else { 0.0 };
+        let scaled = |at: MemberIndex| {
+            std::array::from_fn(|i| {
+                let before = negative_gradient[at][i];
+                before + factor * (direction[at][i] - before)
+            })
+        };
+        let max = members.enumerated().map(|(at, member)| member.squared_speed(scaled(at)));
+        let is_bounded = max.fold(0.0, |most, squared| max_or_nan(squared, most)) <= limit;
+        let factor = if is_bounded { factor } else { 0.0 };
         for contact in contacts {
             contact.impulses = contact.initial_impulses.map(|impulse| factor * impulse);
         }

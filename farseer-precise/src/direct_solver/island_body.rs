@@ -62,6 +62,12 @@ impl IslandBody {
         [self.mass, self.inertia].map(|weight| if weight < INFINITE_MASS { weight.recip() } else { 0.0 })
     }
 
+    /// Returns twice the kinetic energy of the body at a velocity (length units/s, length units/s, radians/s), divided by its mass:
+    /// the square of a speed, length units^2/s^2.
+    pub(super) fn squared_speed(&self, velocity: Vec3) -> f64 {
+        dot(self.momentum(velocity), velocity) / self.mass
+    }
+
     /// Returns the momentum of the body at a velocity (length units/s, length units/s, radians/s): M times the velocity. Unit:
     /// mass units * length units/s for x and y, mass units * length units^2/s for the angle.
     #[inline(always)]

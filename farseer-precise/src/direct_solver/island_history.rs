@@ -44,6 +44,11 @@ pub struct IslandHistory {
 }
 
 impl IslandHistory {
+    /// Returns whether the island had a pause lately.
+    pub(super) fn was_paused(&self) -> bool {
+        self.back_off > 0
+    }
+
     /// Starts the friction checks of the body; the first one is in the next update. Called for a new contact, and when solver
     /// selection leaves a small island with contact cycles to the iterative solver or puts it on trial.
     pub(super) fn begin_friction_checks(&mut self) {

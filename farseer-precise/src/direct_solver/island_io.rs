@@ -328,7 +328,8 @@ impl DirectIsland {
             let row = rows.direct_constraint_mut(handle);
             let scale = if row.h == step.h { 1.0 } else { f64::from(step.h / row.h) };
             let separations = row.constraint.points.each_ref().map(|point| f64::from(point.separation));
-            store_row(row, row.impulses().map(|impulse| impulse * scale), separations, substeps, step.h);
+            let impulses = row.impulses().map(|impulse| impulse * scale);
+            store_row(row, impulses, separations, (substeps, step.h), true);
         }
     }
 
@@ -366,10 +367,21 @@ impl DirectIsland {
 
     /// Stores the impulses of the solution, divided by `substeps`, and the separations in the contact constraints. `h` is the
     /// length of a substep in seconds.
-    pub(super) fn store_solution(&self, rows: &mut ConstraintGraph, substeps: f64, h: f32) {
+    ///
+    /// An update whose residual was above `impact_speed` (length units/s) had an impact: its impulses are no lasting load, and
+    /// rest impulses do not rise by them. It is infinite for islands with joints: their rest impulses are reduced when they leave
+    /// the direct solver.
+    pub(super) fn store_solution(
+        &self,
+        rows: &mut ConstraintGraph,
+        (substeps, h): (f64, f32),
+        impact_speed: f32,
+    ) {
+        let is_steady = self.system.initial_residual <= f64::from(impact_speed);
         for (contact, &handle) in self.system.contacts.iter().zip(&self.contact_handles) {
             let impulses = contact.impulses.map(|impulse| impulse / substeps);
-            store_row(rows.direct_constraint_mut(handle), impulses, contact.separations, substeps, h);
+            let row = rows.direct_constraint_mut(handle);
+            store_row(row, impulses, contact.separations, (substeps, h), is_steady);
         }
         for (friction, &handle) in self.system.lateral_frictions.iter().zip(&self.contact_handles) {
             friction.store(&mut rows.direct_constraint_mut(handle).constraint.depth, substeps);
@@ -404,9 +416,15 @@ pub(super) fn free_velocity(bodies: &BodySet, body: BodyIndex, substeps: f64) ->
 
 /// Stores the `impulses` of one substep (mass units * length units/s) and the separations (length units) in a contact
 /// constraint. The rest impulse of each point becomes its whole impulse, so that the contact does not sag if the iterative
-/// solver takes over. `h` is the length of the substep in seconds.
+/// solver takes over; unless the impulses are `is_steady` it does not rise. `h` is the length of the substep in seconds.
 #[inline(never)]
-fn store_row(row: &mut ParkedConstraint, impulses: Vec3, separations: [f64; 2], substeps: f64, h: f32) {
+fn store_row(
+    row: &mut ParkedConstraint,
+    impulses: Vec3,
+    separations: [f64; 2],
+    (substeps, h): (f64, f32),
+    is_steady: bool,
+) {
     row.h = h;
     row.exact_impulses = impulses.map(finite_or_zero);
     row.constraint.tangent_impulse = row.exact_impulses[FRICTION] as f32;
@@ -417,7 +435,8 @@ fn store_row(row: &mut ParkedConstraint, impulses: Vec3, separations: [f64; 2], 
         .for_each(|(total, impulse)| *total = finite_or_zero(impulse * substeps) as f32);
     for (at, point) in row.constraint.points.iter_mut().enumerate() {
         point.normal_impulse = row.exact_impulses[at] as f32;
-        point.rest_impulse = point.normal_impulse;
+        let is_raised = is_steady || point.rest_impulse > point.normal_impulse;
+        point.rest_impulse = if is_raised { point.normal_impulse } else { point.rest_impulse };
         point.separation = finite_or_zero(separations[at]) as f32;
     }
 }

@@ -128,6 +128,8 @@ pub(super) struct IslandSystem {
     full_steps_left: usize,
     /// Compliance of contact rows in the present round, as a fraction of their inverse effective mass, dimensionless.
     compliance: f64,
+    /// Velocity residual at the beginning of the last solution, with the initial impulses, length units/s.
+    pub(super) initial_residual: f64,
     /// Negative gradient of the augmented Lagrangian, one vector per member of the island: mass units * length units/s for x
     /// and y, mass units * length units^2/s for the angle. Before and after a solution it is scratch space.
     pub(super) negative_gradient: MemberVectors,
@@ -149,7 +151,7 @@ pub(super) struct SolutionScratch {
 
 reusing_clone! { SolutionScratch { contacts, joints, lateral_frictions, blocks, negative_gradient } }
 
-reusing_clone! { IslandSystem { members, contacts, joints, lateral_frictions, factor, is_factored, full_steps_left, compliance, negative_gradient, direction } }
+reusing_clone! { IslandSystem { members, contacts, joints, lateral_frictions, factor, is_factored, full_steps_left, compliance, initial_residual, negative_gradient, direction } }
 
 impl IslandSystem {
     /// Exchanges the memory of the rows and blocks with `scratch`: before a solution, and again after it.
@@ -195,7 +197,8 @@ impl IslandSystem {
         contacts.iter_mut().for_each(|contact| contact.add_relative_velocity(members, dt.recip(), slop));
         joints.iter_mut().for_each(|joint| joint.add_relative_velocity(members));
         self.apply_lateral_friction(min_slip_speed);
-        self.residual()
+        self.initial_residual = self.residual();
+        self.initial_residual
     }
 
     /// Finds impulses and velocities of the island whose residual is within the `tolerances`. The result is that of the round

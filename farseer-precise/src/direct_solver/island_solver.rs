@@ -11,6 +11,7 @@ use super::island_io::{DirectIsland, RowReader, free_velocity};
 use super::island_newton::{SolveStats, Tolerances};
 use crate::bodies::BodySet;
 use crate::constraint_graph::ConstraintGraph;
+use crate::index::BodyIndex;
 use crate::joints::JointSystem;
 use crate::joints::springs::SpringRows;
 use crate::parameters::direct::{
@@ -115,7 +116,7 @@ impl IslandSolver<'_> {
             },
             false => 0,
         };
-        let stats = self.solve_jointed_island(island, history.has_accepted_solution);
+        let stats = self.solve_jointed_island(island, history);
         SolveStats { newton_steps: steps + stats.newton_steps, ..stats }
     }
 
@@ -158,21 +159,26 @@ impl IslandSolver<'_> {
             true => MOVING_SOLUTION_NEWTON_STEPS,
             false => SOLUTION_NEWTON_STEPS,
         };
+        let free = |body: BodyIndex| {
+            let [x, y, spin, _] = free_velocity(self.bodies, body, reader.substeps);
+            [x, y, spin]
+        };
+        let mut is_unsound = false;
         let stats = if residual > reader.velocity_tolerance {
-            island.system.solve(&contact_tolerances(residual, unit, max_newton_steps))
+            let stats = island.system.solve(&contact_tolerances(residual, unit, max_newton_steps));
+            is_unsound = island.system.exceeds_free_motion(free, reader.dt, unit);
+            SolveStats { is_solved: stats.is_solved && !is_unsound, ..stats }
         } else {
             SolveStats { newton_steps: 0, residual, is_solved: true }
         };
-        island.is_released = self.is_release_allowed() && !stats.is_solved && !has_budget;
+        island.is_released = self.is_release_allowed() && !stats.is_solved && (is_unsound || !has_budget);
         if island.is_released {
-            island.system.scale_down_impulses(|body| {
-                let [x, y, spin, _] = free_velocity(self.bodies, body, reader.substeps);
-                [x, y, spin]
-            });
+            island.system.scale_down_impulses(free, unit);
         } else {
             self.correct_contact_positions(island, &reader, has_budget, history);
         }
-        island.store_solution(self.constraints, reader.substeps, self.step.h);
+        let impact_speed = self.parameters.load_adaptation_speed;
+        island.store_solution(self.constraints, (reader.substeps, self.step.h), impact_speed);
         stats
     }
 

@@ -5,12 +5,14 @@
 //! budget that the island soon goes to the iterative solver. During an impact that solver does worse than any direct result,
 //! because it starts from impulses that it cannot sustain.
 //!
-//! In four cases nothing is stored, and the island goes to the iterative solver at once:
+//! In five cases nothing is stored, and the island goes to the iterative solver at once:
 //!
 //! - the solution gains energy;
 //! - it diverges: a body rotates by more than `ACCEPTED_ROTATION`, a joint error exceeds `ACCEPTED_JOINT_ERROR`, and the
 //!   island has had no stored solution since the direct solver took it;
 //! - the island has no contacts, and the position solve hardly closes such an error (`JOINT_ERROR_PROGRESS`);
+//! - it returns from a pause in the iterative solver and has no accepted solution: a rough one would set a pile in motion that
+//!   has come to rest there;
 //! - a static or kinematic body stands in the way of joints, and a kinematic body drives them against it.
 //!
 //! With [`SolverChoice::Direct`] every solution is stored, even one that gains energy.
@@ -19,6 +21,7 @@ use super::constraint::{Constraint, FIXED};
 use super::constraint_list::add_constraint_impulses;
 use super::cost_model::max_newton_steps;
 use super::island_body::{IslandBody, MemberIndex, MemberVectors, dot, max_or_nan};
+use super::island_history::IslandHistory;
 use super::island_io::{DirectIsland, RestingBody, RowReader};
 use super::island_newton::{Correction, IslandSystem, SolveStats, Tolerances};
 use super::island_solver::IslandSolver;
@@ -60,9 +63,14 @@ impl PositionSolution {
 }
 
 impl<'a> IslandSolver<'a> {
-    /// Solves an island with joints. `was_solved` is its [`has_accepted_solution`](super::IslandHistory::has_accepted_solution).
-    /// Returns the number of Newton steps, the velocity residual and whether the solution is accepted.
-    pub(super) fn solve_jointed_island(&mut self, island: &mut DirectIsland, was_solved: bool) -> SolveStats {
+    /// Solves an island with joints and this history. Returns the number of Newton steps, the velocity residual and whether the
+    /// solution is accepted.
+    pub(super) fn solve_jointed_island(
+        &mut self,
+        island: &mut DirectIsland,
+        history: IslandHistory,
+    ) -> SolveStats {
+        let was_solved = history.has_accepted_solution;
         let unit = self.length_unit();
         if island.is_unchanged_at_rest(self.bodies, self.joints, self.constraints) {
             self.joints.mark_all_solved(&island.joints);
@@ -94,8 +102,9 @@ impl<'a> IslandSolver<'a> {
         let has_diverged = !was_solved && rotation > ACCEPTED_ROTATION && has_gap;
         let is_stuck = island.contact_handles.is_empty() && self.is_joint_stuck([error_before, error_after]);
         let is_contradiction = is_blocked && !stats.is_solved && self.is_pulled(island);
-        island.is_released =
-            self.is_release_allowed() && (gains_energy || has_diverged || is_stuck || is_contradiction);
+        let returns_unsolved = history.was_paused() && !was_solved && !stats.is_solved;
+        island.is_released = self.is_release_allowed()
+            && (gains_energy || has_diverged || is_stuck || is_contradiction || returns_unsolved);
         self.store_or_forget(island, is_contradiction);
         let is_closing = keeps_errors && !self.is_joint_stuck([error_before, error_after]);
         let has_failed = gains_energy || rotation > ACCEPTED_ROTATION;
@@ -204,7 +213,7 @@ impl<'a> IslandSolver<'a> {
                 joints.add_servo_force(joint, rows.force_and_torque(f64::from(step.dt)));
             }
         }
-        island.store_solution(rows, f64::from(step.substeps), step.h);
+        island.store_solution(rows, (f64::from(step.substeps), step.h), f32::INFINITY);
     }
 }
 

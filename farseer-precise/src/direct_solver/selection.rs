@@ -121,7 +121,7 @@ impl SolverSelection<'_> {
             stats.has_few_awake_bodies = self.has_few_awake_bodies;
             stats.direct_bodies += u32::from(history.is_direct);
             stats.has_unsupported_joint |= self.has_depth && self.joints.has_joint(body);
-            stats.was_paused |= history.back_off > 0;
+            stats.was_paused |= history.was_paused();
             stats.pause = stats.pause.max(history.pause);
             stats.moves |= self.exceeds_calm_speed(velocity(index));
             stats.formed_by_motion |= history.formed_by_motion;

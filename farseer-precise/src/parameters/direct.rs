@@ -74,6 +74,13 @@ pub(crate) const ACCEPTED_ROTATION: f64 = 0.5;
 /// not measured.
 pub(crate) const ACCEPTED_ENERGY_GAIN: [f64; 2] = [1.05, 0.01];
 
+/// Greatest speed of a body in an accepted solution of an island of contacts: a multiple of the greatest speed in the island
+/// without contacts, and an addition to it. Unit: dimensionless; length units/s.
+///
+/// Derived: a heavy body gives a light one at most twice its speed in an elastic impact. The addition is the speed at which
+/// contacts resolve penetration, [`PENETRATION_RECOVERY_MAX_SPEED`](super::contacts::PENETRATION_RECOVERY_MAX_SPEED).
+pub(crate) const ACCEPTED_SPEED_GAIN: [f64; 2] = [2.0, 3.0];
+
 /// As [`ACCEPTED_ENERGY_GAIN`], for an interval of a free articulation, where a repetition in shorter intervals may gain less.
 /// Unit: dimensionless; twice the energy divided by the mass of the island, length units^2/s^2.
 ///

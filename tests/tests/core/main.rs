@@ -89,6 +89,7 @@ mod precise_shapes;
 mod precise_sleep;
 mod precise_soft_joints;
 mod precise_spring_rows;
+mod precise_squeezed;
 mod precise_standing;
 mod precise_surfaces;
 mod precise_switches;
