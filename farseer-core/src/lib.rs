@@ -405,6 +405,8 @@
 //! | [`WheelJoint`] | a point on a sprung line: a wheel with suspension; under the precise set | two bodies |
 //! | [`AngleSpringJoint`] | nothing: a damped spring between the angles; under the precise set | two bodies |
 //! | [`MotorJoint`] | nothing: bounded force to a relative pose; under the precise set | two bodies |
+//! | [`GearJoint`] | an angle to a multiple of another; under the precise set | two bodies |
+//! | [`PulleyJoint`] | two lengths of a rope over two pulleys; under the precise set | two bodies |
 //! | [`AngleJoint`], [`FixedAngleJoint`] | an angle | two bodies, body and world |
 //! | [`AngleLimitJoint`], [`FixedAngleLimitJoint`] | an angle in a range | two bodies, body and world |
 //!

@@ -7,8 +7,11 @@
 //! pseudorandom number generators", 2014), a bijection of 64 bits. Two different shapes have the same fingerprint by chance
 //! only, with a probability of about 2^-64.
 
+#[cfg(feature = "engine")]
 use super::depth::interface::{DepthShape, VerticalShape, WorldBox};
+#[cfg(feature = "engine")]
 use super::shape::ShapeRef;
+#[cfg(feature = "engine")]
 use crate::edge_adjacency::Seam;
 
 /// Fingerprint of a shape while it is computed: hash of the 32-bit words added so far.
@@ -31,7 +34,11 @@ impl Fingerprint {
         mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         self.0 = mixed ^ (mixed >> 31);
     }
+}
 
+/// Shapes of the engine.
+#[cfg(feature = "engine")]
+impl Fingerprint {
     /// Adds `numbers` to the hash by their bits. -0 counts as 0, since the minima and maxima of platforms differ in the sign of
     /// zero.
     fn add_floats(&mut self, numbers: &[f32]) {

@@ -34,6 +34,7 @@
 
 pub mod convex_parts;
 pub mod edge_adjacency;
+pub mod fingerprint;
 pub mod footprint_corners;
 mod former_names;
 pub mod index;
@@ -59,8 +60,6 @@ pub mod continuous_collision;
 pub mod depth;
 #[cfg(feature = "engine")]
 pub mod direct_solver;
-#[cfg(feature = "engine")]
-pub mod fingerprint;
 #[cfg(feature = "engine")]
 pub mod integration;
 #[cfg(feature = "engine")]

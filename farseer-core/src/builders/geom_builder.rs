@@ -241,7 +241,8 @@ impl GeomBuilder {
 
     /// Speed at which the surface runs around the shape, clockwise on the screen, in length units/s. So the upper side of a conveyor
     /// belt carries things to the right, and the track of a tank drives it to the right. Friction brings what touches to this speed.
-    /// Default 0. Only with the precise set.
+    /// A [two-sided chain](Self::two_sided_chain) carries to the right on its upper side and to the left on its lower one, in whichever
+    /// direction its points are given. Default 0. Only with the precise set.
     #[doc(alias("conveyor", "tangent_speed"))]
     pub fn surface_speed(mut self, speed: f32) -> Self {
         self.surface.speed = speed;

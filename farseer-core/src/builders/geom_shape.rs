@@ -194,7 +194,11 @@ fn height_field(heights: &[f32], spacing: f32) -> Result<Vec<Vector2>> {
     positive("spacing", spacing)?;
     heights.iter().try_for_each(|&height| finite("heights", height).map(drop))?;
     if heights.len() < 2 {
-        return Err(Error::invalid("heights", heights.len(), "two numbers or more"));
+        return Err(Error::invalid(
+            "heights",
+            format_args!("a list of {}", heights.len()),
+            "two numbers or more",
+        ));
     }
     let middle = 0.5 * (heights.len() - 1) as f64;
     let x = |at: usize| ((at as f64 - middle) * f64::from(spacing)) as f32;

@@ -81,7 +81,11 @@ pub(super) fn of_geoms(geoms: &[GeomBuilder], mass: Option<f32>, methods: Method
         Some(mass) => Ok(MassProperties::sum(areas).with_mass(f64::from(mass)).or_square(unit)),
         None if geoms.is_empty() => Ok(MassProperties { mass: 1.0, ..total }.or_square(unit)),
         None if total.mass > 0.0 => Ok(total),
-        None => Err(Error::invalid("density", 0.0, "greater than 0 for a geom, or the body given a mass")),
+        None => Err(Error::invalid(
+            "density",
+            0.0,
+            "greater than 0 for a geom with an area, unless the body or a geom has a mass",
+        )),
     }
 }
 

@@ -17,7 +17,8 @@ use crate::objects::Objects;
 /// have the ratio -r1 / r2 of their radii, and wheels with a belt r1 / r2.
 ///
 /// The error counts over all turns, so that the ratio holds however long the gear runs. The torque on the second body is
-/// [`Joint::torque`]; that on the first is -ratio times as great. The bearings carry the difference.
+/// [`Joint::torque`], read by the [untyped id](crate::TypedJointId::id); that on the first is -ratio times as great. The bearings
+/// carry the difference.
 ///
 /// Only the [precise set](crate::Methods::Precise) supports it: under the faithful one it cannot be added. Its
 /// [error](crate::Joint::joint_error) is the angle by which the second body is away from its place. In `twohalf` it does not act

@@ -151,6 +151,7 @@ impl MotorAndLimits {
     }
 
     /// Whether there is neither a motor nor a limit nor a servo.
+    #[cfg(feature = "precise")]
     pub(crate) fn is_empty(&self) -> bool {
         self.motor.is_none() && self.limits.is_none() && self.servo.is_none()
     }

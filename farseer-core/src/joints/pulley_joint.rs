@@ -16,12 +16,16 @@ use crate::math::finite::{finite_vector, zero_or_more};
 /// has no mass, does not stretch, and only pulls. A ratio of 2 is a block and tackle: the second body moves by half of the way,
 /// with twice the force.
 ///
-/// Pulleys are points of the world. [`Joint::force`] is the force on the second body.
+/// Pulleys are points of the world, anchors points of the bodies. [`Joint::force`] is the force on the second body: read it, and the
+/// [error](crate::Joint::joint_error), by the [untyped id](crate::TypedJointId::id).
+///
+/// The lengths of rope are distances. A body that is pulled up to its pulley hangs there, and its force points to and fro. A floor
+/// below the other body stops it before.
 ///
 /// Only the [precise set](crate::Methods::Precise) supports it: under the faithful one it cannot be added. It is a row of the
-/// iterative solver; islands with a pulley are not solved by the [direct one](crate::guide::solvers). Its
-/// [error](crate::Joint::joint_error) is the length by which the rope is too long. In `twohalf` it does not act on bodies in a
-/// group of pins and sliders.
+/// iterative solver; islands with a pulley are not solved by the [direct one](crate::guide::solvers). Its error is the length by
+/// which the rope is too long: 0.01 px with masses of 4 and 7 under a gravity of 900 px/s². In `twohalf` it does not act on bodies
+/// in a group of pins and sliders.
 ///
 /// ```
 /// use farseer_core::math::Vector2;
@@ -35,10 +39,13 @@ use crate::math::finite::{finite_vector, zero_or_more};
 /// });
 /// let pulleys = [Vector2::new(-50.0, -100.0), Vector2::new(50.0, -100.0)];
 /// let (light, heavy) = (light?, heavy?);
-/// JointFactory::create_pulley_joint_in(&mut simulator, [light, heavy], pulleys, 1.0)?;
+/// let rope = JointFactory::create_pulley_joint_in(&mut simulator, [light, heavy], pulleys, 1.0)?;
 /// (0..30).for_each(|_| simulator.update(1.0 / 60.0));
 /// // Atwood's machine: a third of gravity.
 /// assert!((simulator[heavy.0].linear_velocity().y - 50.0).abs() < 1.0);
+/// // The rope pulls the heavy one up with 2 m1 m2 g / (m1 + m2).
+/// assert!((simulator[rope.id()].force().y + 400.0).abs() < 1.0);
+/// assert!(simulator[rope.id()].joint_error() < 0.05);
 /// # Ok::<(), farseer_core::Error>(())
 /// ```
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -118,7 +125,11 @@ impl PulleyJoint {
         self.length
     }
 
-    /// Sets the [length](Self::length): a winch.
+    /// Sets the [length](Self::length): a winch. Edit the joint by its typed id, `simulator[rope].set_length(...)`.
+    ///
+    /// The rope follows a length that shrinks in every update 1.4 updates behind. The correction moves the bodies but is no part of
+    /// their velocity. A length that grows lets them fall and catches them after some updates. A lift with a speed has a
+    /// [prismatic joint](crate::PrismaticJoint) with a motor, or a counterweight that drives it.
     ///
     /// # Errors
     /// A length that is not finite and 0 or more. The old length stays then.

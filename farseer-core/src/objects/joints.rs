@@ -250,7 +250,7 @@ impl Objects {
     /// A stale id; a joint of another kind; a speed that is not finite, an effort that is not finite and 0 or more; the
     /// faithful methods, which have no motors ([`Error::NotSupported`]).
     pub fn set_joint_motor(&mut self, joint: impl Into<JointId>, motor: Option<JointMotor>) -> Result<()> {
-        self.edit_motor_and_limits(joint.into(), |joint| {
+        self.edit_motor_and_limits(joint.into(), DRIVEN, |joint| {
             joint.motor_and_limits_mut().map(|drive| drive.set_motor(motor))
         })
     }
@@ -262,7 +262,7 @@ impl Objects {
     /// A stale id; a joint of another kind; limits that are not finite, or in the wrong order; the faithful methods, which
     /// have none for these joints ([`Error::NotSupported`]).
     pub fn set_joint_limits(&mut self, joint: impl Into<JointId>, limits: Option<JointLimits>) -> Result<()> {
-        self.edit_motor_and_limits(joint.into(), |joint| {
+        self.edit_motor_and_limits(joint.into(), LIMITED, |joint| {
             let has_limits = !matches!(joint.kind(), JointKind::Wheel(_));
             joint.motor_and_limits_mut().filter(|_| has_limits).map(|drive| drive.set_limits(limits))
         })
@@ -279,7 +279,7 @@ impl Objects {
     /// 0 or more; the faithful methods, which have no servos ([`Error::NotSupported`]). The old servo stays then.
     #[doc(alias("enableSpring", "SetSpringHertz", "set_motor_position", "SetTargetAngle"))]
     pub fn set_joint_servo(&mut self, joint: impl Into<JointId>, servo: Option<JointServo>) -> Result<()> {
-        self.edit_motor_and_limits(joint.into(), |joint| {
+        self.edit_motor_and_limits(joint.into(), DRIVEN, |joint| {
             joint.motor_and_limits_mut().map(|drive| drive.set_servo(servo))
         })
     }
@@ -315,16 +315,17 @@ impl Objects {
         MotorJoint::of_mut(self.joints.find_mut("joint", joint)?).ok_or_else(|| wrong_kind(MotorJoint::NAME))
     }
 
-    /// Edits a copy, so that the joint does not change if the edit is refused. Only adding or removing a motor,
+    /// Edits a copy, so that the joint does not change if the edit is refused; `expected` names the kinds that have it. Only adding or removing a motor,
     /// limits or a servo changes how joints are solved.
     fn edit_motor_and_limits(
         &mut self,
         joint: JointId,
+        expected: &'static str,
         edit: impl FnOnce(&mut Joint) -> Option<Result<()>>,
     ) -> Result<()> {
         let kept = self.joints.find_mut("joint", joint)?;
         let mut edited = kept.clone();
-        edit(&mut edited).ok_or_else(|| wrong_kind(DRIVEN))??;
+        edit(&mut edited).ok_or_else(|| wrong_kind(expected))??;
         self.methods.check_driven(&edited)?;
         let present = |joint: &Joint| joint.motor_and_limits().map(MotorAndLimits::present);
         self.has_edited_joints |= present(kept) != present(&edited);
@@ -435,9 +436,11 @@ fn body_of_joint<'a>(bodies: &'a Bodies, missing: &'static str, body: BodyId) ->
     Ok(&entry.body)
 }
 
-/// Kinds of joints with motor, limits or servo.
-const DRIVEN: &str =
-    "RevoluteJoint, FixedRevoluteJoint, PrismaticJoint, AngleSpringJoint or, but for limits, WheelJoint";
+/// Kinds of joints with a motor and a servo.
+const DRIVEN: &str = "RevoluteJoint, FixedRevoluteJoint, PrismaticJoint, AngleSpringJoint or WheelJoint";
+
+/// Kinds of joints with limits.
+const LIMITED: &str = "RevoluteJoint, FixedRevoluteJoint, PrismaticJoint or AngleSpringJoint";
 
 fn wrong_kind(expected: &'static str) -> Error {
     Error::WrongKind { argument: "joint", expected }

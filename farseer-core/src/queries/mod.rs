@@ -44,6 +44,7 @@ pub struct NearestPoint {
 /// Positions and motions are in the world, in length units, y down.
 impl PhysicsSimulator {
     /// The first geom that a ray from `start` to `end` enters; of several at the same distance, the first in list order.
+    /// A geom is found from the first update after it was added on.
     ///
     /// A geom that contains the start is hit only where the ray enters it again. Chains are hit from their free side. A ray that
     /// ends where it starts hits no geom.

@@ -39,7 +39,7 @@ impl PhysicsSimulator {
     /// Sets the largest speed of dynamic bodies. Each update scales the velocities, after forces and impulses of the game, that
     /// would be greater; contacts and joints may exceed it until the next update. Only with the [precise
     /// set](crate::Methods::Precise). As [limits](crate::Objects::set_limits), it is not saved: [`restore`](Self::restore) keeps
-    /// it.
+    /// it, and the replay of a [`Recording`](crate::Recording) begins without it.
     ///
     /// ```
     /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator};

@@ -14,7 +14,8 @@ const FORMAT: SnapshotFormat = SnapshotFormat { magic: Recording::MAGIC, version
 ///
 /// Each update is recorded by [`record`](Self::record). `input` is whatever the game needs to make the same calls again: keys,
 /// commands, random numbers. With a keyframe after every update no input is needed to look at any state. Replays run within the
-/// default [`Limits`](crate::Limits), which are no part of a snapshot.
+/// default [`Limits`](crate::Limits), which are no part of a snapshot, and without a
+/// [largest speed](PhysicsSimulator::set_largest_speed): `play` sets it if the run had one.
 ///
 /// ```
 /// use farseer_core::{BodyBuilder, GeomBuilder, PhysicsSimulator, Recording, math::Vector2};

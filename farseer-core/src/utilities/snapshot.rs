@@ -16,6 +16,7 @@ use serde::de::DeserializeOwned;
 
 use super::checksum::crc32;
 use super::packed;
+use super::recording::Recording;
 use crate::simulator::{LoadedMovingSimulator, PhysicsSimulator, SavedSimulator};
 use crate::{Error, Result};
 
@@ -64,7 +65,7 @@ impl SnapshotFormat {
     pub fn read<T: DeserializeOwned>(&self, bytes: &[u8]) -> Result<T> {
         let damaged = |reason| Err(Error::DamagedSave { reason });
         if bytes.len() < MAGIC_LENGTH || bytes[..MAGIC_LENGTH] != self.magic {
-            return damaged("it is not a snapshot of such a simulator");
+            return damaged(reason_of_other_magic(bytes));
         }
         if bytes.len() < HEADER_LENGTH {
             return damaged("it is cut short");
@@ -89,6 +90,17 @@ impl SnapshotFormat {
             Err(_) => damaged("its content cannot be read or contradicts itself"),
         }
     }
+}
+
+/// Reason why bytes with the magic of another format are refused. It names the call that reads them, if there is one here.
+fn reason_of_other_magic(bytes: &[u8]) -> &'static str {
+    let others = [
+        (SIMULATOR.magic, "it is a snapshot of a whole simulator, which `PhysicsSimulator::restore` reads"),
+        (MOVING.magic, "it is a snapshot without geoms, which `PhysicsSimulator::restore_moving` reads"),
+        (Recording::MAGIC, "it is a recording, which `Recording::from_bytes` reads"),
+    ];
+    let found = others.iter().find(|(magic, _)| bytes.starts_with(magic));
+    found.map_or("it is not a snapshot of such a simulator", |&(_, reason)| reason)
 }
 
 /// A number of at most eight bytes, least significant first.
@@ -156,7 +168,8 @@ impl PhysicsSimulator {
     /// [`snapshot`](Self::snapshot).
     ///
     /// All of a snapshot but shapes, materials, filters and other settings of geoms: bodies, joints, springs, contacts, sleep,
-    /// edits since the last update.
+    /// edits since the last update. Another simulator takes it, too, if the same calls have made its geoms and it has had an
+    /// update since: only then are they in its list.
     pub fn snapshot_moving(&self) -> Vec<u8> {
         MOVING.write(&self.moving())
     }

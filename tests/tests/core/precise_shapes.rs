@@ -400,7 +400,7 @@ fn impossible_shapes_are_refused_by_name() {
     assert!(reason(GeomBuilder::rounded_polygon(arrow, 1.0)).starts_with("corners is"));
     assert!(reason(GeomBuilder::rounded_polygon([[0.0, 0.0], [1.0, 0.0]], 1.0)).starts_with("corners is"));
     assert!(reason(GeomBuilder::segment([1.0, 1.0], [1.0, 1.0])).starts_with("points is"));
-    assert!(reason(GeomBuilder::height_field([0.0], 1.0)).starts_with("heights is"));
+    assert!(reason(GeomBuilder::height_field([0.0], 1.0)).starts_with("heights is a list of 1,"));
     assert!(reason(GeomBuilder::height_field([0.0, f32::NAN], 1.0)).starts_with("heights is NaN"));
     assert_eq!(
         reason(GeomBuilder::height_field([0.0, 1.0], -1.0)),

@@ -380,6 +380,8 @@ fn bad_arguments_are_refused_by_name() {
     refuse(wheel_joint(&mut simulator, chassis, chassis, origin, down, 1.0, 1.0), "body2");
     let limits = Some(JointLimits { lower: 0.0, upper: 1.0 });
     assert!(matches!(simulator.set_joint_limits(axles[0], limits), Err(Error::WrongKind { .. })));
+    let error = simulator.set_joint_limits(axles[0], limits).unwrap_err().to_string();
+    assert!(!error.contains("WheelJoint"), "{error}");
     let bad = PoseServo { frequency: -1.0, ..PoseServo::default() };
     let error = JointFactory::create_motor_joint(&mut simulator, chassis, wheel, bad).unwrap_err();
     assert!(error.to_string().contains("frequency"), "{error}");

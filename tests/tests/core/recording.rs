@@ -80,6 +80,25 @@ fn replay_with_another_call_diverges_in_the_update_of_the_call() {
 }
 
 #[test]
+fn a_replay_has_the_largest_speed_that_play_sets() {
+    let mut simulator = pile(Methods::PRECISE);
+    simulator.set_largest_speed(Some(20.0)).unwrap();
+    let mut recording = Recording::new(&simulator, 30).unwrap();
+    for _ in 0..60 {
+        simulator.update(DT);
+        recording.record(&simulator, DT, &[]);
+    }
+    let without = |simulator: &mut PhysicsSimulator, _: &[u8], dt: f32| simulator.update(dt);
+    assert_ne!(recording.first_divergence(without).unwrap(), None);
+    let with = |simulator: &mut PhysicsSimulator, _: &[u8], dt: f32| {
+        simulator.set_largest_speed(Some(20.0)).unwrap();
+        simulator.update(dt);
+    };
+    assert_eq!(recording.first_divergence(with).unwrap(), None);
+    assert!(recording.state_after(45, with).is_ok());
+}
+
+#[test]
 fn first_difference_is_the_first_update_with_another_state_or_input() {
     let (recording, _) = recorded(Methods::PRECISE, 30);
     assert_eq!(recording.first_difference(&recording.clone()), None);

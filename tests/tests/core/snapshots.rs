@@ -6,10 +6,10 @@ use conformance::fixtures::plane::{
 };
 use farseer_core::snapshot::SnapshotFormat;
 use farseer_core::{
-    Aabb, AabbFluidContainer, BodyFactory, BodyId, ComplexFactory, Controller, ControllerId, ControllerKind,
-    Error, FluidContainerRef, FluidDragController, GravityController, InactivityController, JointFactory,
-    JointKind, LinkType, Methods, NarrowPhaseCollider, PhysicsSimulator, ScalingController, SpringFactory,
-    SpringKind, WaveController,
+    Aabb, AabbFluidContainer, BodyBuilder, BodyFactory, BodyId, ComplexFactory, Controller, ControllerId,
+    ControllerKind, Error, FluidContainerRef, FluidDragController, GeomBuilder, GravityController,
+    InactivityController, JointFactory, JointKind, LinkType, Methods, NarrowPhaseCollider, PhysicsSimulator,
+    ScalingController, SpringFactory, SpringKind, WaveController,
 };
 use flate2::Crc;
 use twohalf::TwoHalfPhysicsSimulator;
@@ -230,7 +230,12 @@ fn a_snapshot_without_geoms_is_refused_by_other_geoms() {
     };
     assert!(refused(&mut PhysicsSimulator::default(), &moving).contains("other geoms"));
     let whole = simulator.snapshot();
-    assert!(refused(&mut simulator, &whole).contains("not a snapshot of such"));
+    assert!(refused(&mut simulator, &whole).contains("which `PhysicsSimulator::restore` reads"));
+    let error = simulator.restore(&moving).unwrap_err().to_string();
+    assert!(error.contains("which `PhysicsSimulator::restore_moving` reads"), "{error}");
+    let recording = farseer_core::Recording::new(&simulator, 1).unwrap().to_bytes();
+    assert!(refused(&mut simulator, &recording).contains("which `Recording::from_bytes` reads"));
+    assert!(refused(&mut simulator, b"MyGame01").contains("not a snapshot of such"));
     for end in (0..moving.len()).step_by(997) {
         refused(&mut simulator, &moving[..end]);
     }
@@ -238,6 +243,28 @@ fn a_snapshot_without_geoms_is_refused_by_other_geoms() {
     simulator.dispose(geom).unwrap();
     simulator.update(0.01);
     assert!(refused(&mut simulator, &moving).contains("other geoms"));
+}
+
+#[test]
+fn a_snapshot_without_geoms_fits_a_simulator_of_the_same_calls_after_its_first_update() {
+    let mut simulator = PhysicsSimulator::precise([0.0, 300.0]).unwrap();
+    let floor = BodyBuilder::fixed().position([0.0, 20.0]);
+    simulator.add_body(floor, [GeomBuilder::rectangle(400.0, 40.0)]).unwrap();
+    for x in [-20.0, 0.0, 15.0] {
+        let body = BodyBuilder::dynamic().position([x, -30.0 - x]);
+        simulator.add_body(body, [GeomBuilder::rectangle(20.0, 20.0)]).unwrap();
+    }
+    let mut peer = simulator.clone();
+    (0..20).for_each(|_| simulator.update(0.01));
+    let moving = simulator.snapshot_moving();
+    assert!(peer.restore_moving(&moving).is_err(), "its geoms wait for an update");
+    peer.update(0.01);
+    peer.restore_moving(&moving).unwrap();
+    for _ in 0..30 {
+        simulator.update(0.01);
+        peer.update(0.01);
+        assert_eq!(peer.state_hash(), simulator.state_hash());
+    }
 }
 
 #[test]

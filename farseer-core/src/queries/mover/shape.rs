@@ -29,7 +29,11 @@ impl MoverShape {
         let at = Placement::new(shape.offset_and_rotation()?);
         let pieces = shape.pieces()?;
         let [piece] = &pieces[..] else {
-            return Err(Error::invalid("shape", pieces.len(), "one convex shape"));
+            return Err(Error::invalid(
+                "shape",
+                format_args!("{} convex pieces", pieces.len()),
+                "one convex shape",
+            ));
         };
         let local = Convex::of_piece(piece, |point| at.apply(point));
         if matches!(piece, Piece::Edge { .. }) {

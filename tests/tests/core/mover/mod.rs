@@ -354,7 +354,8 @@ fn invalid_options_inputs_and_shapes_are_refused_without_effect() {
     };
     let options = MoverOptions::default();
     let notched = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [4.0, 3.0], [0.0, 9.0]];
-    assert!(refused(GeomBuilder::polygon(notched), options).contains("one convex shape"));
+    let error = refused(GeomBuilder::polygon(notched), options);
+    assert!(error.contains("3 convex pieces, but must be one convex shape"), "{error}");
     assert!(refused(GeomBuilder::chain([[0.0, 0.0], [9.0, 0.0]]), options).contains("one convex shape"));
     assert!(refused(GeomBuilder::circle(-1.0), options).contains("radius"));
     let circle = GeomBuilder::circle(9.0);
