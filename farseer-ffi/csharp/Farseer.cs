@@ -9,7 +9,7 @@ using System.Text;
 
 namespace FarseerFfi
 {
-    /// <summary>Result of a call. All but `FARSEER_STATUS_OK` are refusals, which have changed nothing.</summary>
+    /// <summary>Result of a call. All but `FARSEER_STATUS_OK`, `_PANICKED` and `_BUFFER_TOO_SMALL` are refusals, which have changed nothing.</summary>
     public enum Status
     {
         /// <summary>The call was carried out.</summary>
@@ -58,7 +58,7 @@ namespace FarseerFfi
         SpatialHash = 3,
     }
 
-    /// <summary>Which pairs may touch: the broad phase of the faithful methods. All four find the same pairs, in other orders. epr(C)] erive(Debug, Clone, Copy, PartialEq, Eq)] enum FarseerBroadPhase { /// Sweeps along the better axis. The default. SelectiveSweep = 0, /// Sorted lists that are kept from update to update. SweepAndPrune = 1, /// Tests all pairs. BruteForce = 2, /// A hashed grid, whose cells follow the sizes of the geoms. SpatialHash = 3,   Where pairs touch: the narrow phase of the faithful methods.</summary>
+    /// <summary>Where pairs touch: the narrow phase of the faithful methods.</summary>
     public enum NarrowPhase
     {
         /// <summary>A grid of distances for each outline. The default.</summary>
@@ -67,7 +67,7 @@ namespace FarseerFfi
         Sat = 1,
     }
 
-    /// <summary>Which pairs may touch: the broad phase of the faithful methods. All four find the same pairs, in other orders. epr(C)] erive(Debug, Clone, Copy, PartialEq, Eq)] enum FarseerBroadPhase { /// Sweeps along the better axis. The default. SelectiveSweep = 0, /// Sorted lists that are kept from update to update. SweepAndPrune = 1, /// Tests all pairs. BruteForce = 2, /// A hashed grid, whose cells follow the sizes of the geoms. SpatialHash = 3,   Where pairs touch: the narrow phase of the faithful methods. epr(C)] erive(Debug, Clone, Copy, PartialEq, Eq)] enum FarseerNarrowPhase { /// A grid of distances for each outline. The default. DistanceGrid = 0, /// Separating axes, for convex outlines. Sat = 1,   The friction coefficient of a pair.</summary>
+    /// <summary>The friction coefficient of a pair.</summary>
     public enum Friction
     {
         /// <summary>The mean of both coefficients. The default.</summary>
@@ -106,7 +106,7 @@ namespace FarseerFfi
         RoundedPolygon = 6,
     }
 
-    /// <summary>Shapes of geoms. epr(C)] erive(Debug, Clone, Copy, PartialEq, Eq)] enum FarseerShape { /// `width` by `height`. Rectangle = 0, /// `radius`. Circle = 1, /// Upright: `height` from tip to tip, `radius` of its ends. Capsule = 2, /// The corners `points`, convex or not. Polygon = 3, /// Edges between the `points`, solid from one side, on a static body; under the precise methods. Chain = 4, /// Edges between the `points`, solid from both sides, on a static body; under the precise methods. TwoSidedChain = 5, /// The corners `points`, rounded by `radius`; under the precise methods. RoundedPolygon = 6,   Events that a geom wants, to be added up.</summary>
+    /// <summary>Events that a geom wants, to be added up.</summary>
     [Flags]
     public enum WantedEvents
     {
@@ -370,11 +370,11 @@ namespace FarseerFfi
         public ulong Other;
         /// <summary>The point in the world, in length units.</summary>
         public Vector2 Point;
-        /// <summary>Unit normal from the body to the other one.</summary>
+        /// <summary>Unit normal from the other geom to the body: up for a body that stands.</summary>
         public Vector2 Normal;
         /// <summary>Separation in length units, negative for penetration.</summary>
         public float Separation;
-        /// <summary>Normal impulse of the last update in mass units · length units/s.</summary>
+        /// <summary>Normal impulse of the last update, under the precise methods of its last substep, in mass units · length units/s.</summary>
         public float NormalImpulse;
     }
 

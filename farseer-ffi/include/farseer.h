@@ -16,7 +16,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-// Result of a call. All but `FARSEER_STATUS_OK` are refusals, which have changed nothing.
+// Result of a call. All but `FARSEER_STATUS_OK`, `_PANICKED` and `_BUFFER_TOO_SMALL` are refusals, which have changed nothing.
 typedef enum {
   // The call was carried out.
   FARSEER_STATUS_OK = 0,
@@ -319,11 +319,11 @@ typedef struct {
   FarseerGeom other;
   // The point in the world, in length units.
   FarseerVector2 point;
-  // Unit normal from the body to the other one.
+  // Unit normal from the other geom to the body: up for a body that stands.
   FarseerVector2 normal;
   // Separation in length units, negative for penetration.
   float separation;
-  // Normal impulse of the last update in mass units · length units/s.
+  // Normal impulse of the last update, under the precise methods of its last substep, in mass units · length units/s.
   float normal_impulse;
 } FarseerBodyContact;
 
@@ -606,8 +606,9 @@ FarseerStatus farseer_body_apply_angular_impulse(const FarseerSimulator *simulat
 // Removes the forces, torques and impulses that wait for the next update.
 FarseerStatus farseer_body_clear_forces(const FarseerSimulator *simulator, FarseerBody body);
 
-// Stops the body, and removes the forces that wait, as Farseer's ResetDynamics.
-FarseerStatus farseer_body_reset_dynamics(const FarseerSimulator *simulator, FarseerBody body);
+// Puts the body at the origin, at rest and without rotation, and removes the forces that wait, as Farseer's ResetDynamics.
+FarseerStatus farseer_body_reset_dynamics(const FarseerSimulator *simulator,
+                                          FarseerBody body);
 
 // Moves a kinematic body to a position in length units and a rotation in radians in the next update.
 FarseerStatus farseer_body_move_to(const FarseerSimulator *simulator,
@@ -772,7 +773,7 @@ FarseerStatus farseer_geom_set_wanted_events(const FarseerSimulator *simulator,
                                              FarseerGeom geom,
                                              int32_t wanted_events);
 
-// Makes a geom solid from one side alone, under the precise methods. `direction` points to the open side, in the geom's own frame;
+// Makes a geom solid from one side alone, under the precise methods. `direction` points out of the solid side, in the body's frame;
 // (0, 0) makes it solid from all sides.
 FarseerStatus farseer_geom_set_one_way(const FarseerSimulator *simulator,
                                        FarseerGeom geom,
@@ -1284,8 +1285,9 @@ FarseerStatus farseer_simulator_methods(const FarseerSimulator *simulator, int32
 // Writes a hash of the complete state. Equal states have equal hashes, on every platform.
 FarseerStatus farseer_simulator_state_hash(const FarseerSimulator *simulator, uint64_t *hash);
 
-// Takes a snapshot of the complete simulator, keeps it until the next one, and writes its length in bytes.
-FarseerStatus farseer_simulator_take_snapshot(const FarseerSimulator *simulator, size_t *length);
+// Takes a snapshot of the simulator without its largest speed and hit speed, keeps it until the next one, and writes its length in bytes.
+FarseerStatus farseer_simulator_take_snapshot(const FarseerSimulator *simulator,
+                                              size_t *length);
 
 // Copies the snapshot that was taken last, and writes its length in bytes.
 //

@@ -111,7 +111,7 @@ pub extern "C" fn farseer_body_clear_forces(
     })
 }
 
-/// Stops the body, and removes the forces that wait, as Farseer's ResetDynamics.
+/// Puts the body at the origin, at rest and without rotation, and removes the forces that wait, as Farseer's ResetDynamics.
 #[unsafe(no_mangle)]
 pub extern "C" fn farseer_body_reset_dynamics(
     simulator: Option<&FarseerSimulator>,

@@ -163,11 +163,11 @@ pub struct FarseerBodyContact {
     pub other: FarseerGeom,
     /// The point in the world, in length units.
     pub point: FarseerVector2,
-    /// Unit normal from the body to the other one.
+    /// Unit normal from the other geom to the body: up for a body that stands.
     pub normal: FarseerVector2,
     /// Separation in length units, negative for penetration.
     pub separation: f32,
-    /// Normal impulse of the last update in mass units · length units/s.
+    /// Normal impulse of the last update, under the precise methods of its last substep, in mass units · length units/s.
     pub normal_impulse: f32,
 }
 

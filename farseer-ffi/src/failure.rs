@@ -7,7 +7,7 @@ use std::fmt::Display;
 
 use farseer_core::Error;
 
-/// Result of a call. All but `FARSEER_STATUS_OK` are refusals, which have changed nothing.
+/// Result of a call. All but `FARSEER_STATUS_OK`, `_PANICKED` and `_BUFFER_TOO_SMALL` are refusals, which have changed nothing.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FarseerStatus {

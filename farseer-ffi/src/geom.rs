@@ -253,7 +253,7 @@ pub extern "C" fn farseer_geom_set_wanted_events(
     })
 }
 
-/// Makes a geom solid from one side alone, under the precise methods. `direction` points to the open side, in the geom's own frame;
+/// Makes a geom solid from one side alone, under the precise methods. `direction` points out of the solid side, in the body's frame;
 /// (0, 0) makes it solid from all sides.
 #[unsafe(no_mangle)]
 pub extern "C" fn farseer_geom_set_one_way(

@@ -262,6 +262,9 @@ pub extern "C" fn farseer_simulator_set_narrow_phase(
     narrow_phase: i32,
 ) -> FarseerStatus {
     set(simulator, |simulator| {
+        if methods_of(simulator) == FarseerMethods::Precise {
+            return Err(Error::NotSupported { what: "narrow phase", methods: "precise" }.into());
+        }
         let choices = [NarrowPhaseCollider::DistanceGrid, NarrowPhaseCollider::Sat];
         simulator.set_narrow_phase_collider(choose("narrow_phase", narrow_phase, &choices)?);
         Ok(())

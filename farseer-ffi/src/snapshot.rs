@@ -15,7 +15,7 @@ pub extern "C" fn farseer_simulator_state_hash(
     write(simulator, "hash", hash, |world| Ok(world.simulator.state_hash()))
 }
 
-/// Takes a snapshot of the complete simulator, keeps it until the next one, and writes its length in bytes.
+/// Takes a snapshot of the simulator without its largest speed and hit speed, keeps it until the next one, and writes its length in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn farseer_simulator_take_snapshot(
     simulator: Option<&FarseerSimulator>,

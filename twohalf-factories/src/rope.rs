@@ -116,8 +116,8 @@ impl Rope {
     /// one that comes to rest soonest, which is the default. From 1 on it creeps to rest.
     ///
     /// The beads have a [linear drag](twohalf::farseer_core::Body::set_linear_drag_coefficient) of twice this ratio times the
-    /// frequency of the slowest swing under the present gravity. Bodies at its ends have their own drag alone: a
-    /// heavy load swings on until it has one.
+    /// frequency of the slowest swing under the present gravity. A rope with two free ends has none and falls freely; one
+    /// that tears keeps it. Bodies at its ends have their own drag alone: a heavy load swings on until it has one.
     pub fn damping_ratio(mut self, ratio: f32) -> Self {
         self.damping_ratio = ratio;
         self
@@ -126,8 +126,9 @@ impl Rope {
     /// Sets the greatest angle between neighbouring parts, radians, 0.5 to pi: a thick rope or a cable does not fold. Pi, the
     /// default, lets it bend freely.
     ///
-    /// Parts of such a rope have one length, and joints keep each body at a distance from the next but one. Where the rope
-    /// hits something it may bend by a quarter more.
+    /// Parts of such a rope have one length, and joints keep each body at a distance from the next but one. So it may be no
+    /// longer than the distance of its ends. Where it hits something it may bend by a third more. The joints of
+    /// [`bends`](SpawnedRope::bends) outlast a tear: a game disposes of those about the torn joint.
     pub fn greatest_bend(mut self, angle: f32) -> Self {
         self.greatest_bend = angle;
         self
@@ -135,6 +136,9 @@ impl Rope {
 
     /// Fraction of its velocity that drag takes from a bead per second, 1/s. `gravity` in px/s², `length` of the rope in px.
     fn drag_rate(&self, gravity: f32, length: f32) -> Result<f32> {
+        if self.ends.iter().all(|end| matches!(end, RopeEnd::Free(_))) {
+            return Ok(0.0);
+        }
         let rate = 2.0 * self.damping_ratio * SWING_FREQUENCY * (gravity / length).sqrt();
         if !rate.is_finite() {
             Err(Error::invalid("damping_ratio", self.damping_ratio, "small enough for a finite drag"))?;
@@ -221,6 +225,10 @@ pub fn spawn_rope(simulator: &mut TwoHalfPhysicsSimulator, rope: Rope) -> Result
     let length = rope.length.unwrap_or((to - from).norm());
     if !(length.is_finite() && length > 0.0) {
         Err(Error::invalid("length", length, "finite and greater than 0"))?;
+    }
+    // Parts of one length have no room for a slack rope between its ends.
+    if rope.greatest_bend < PI && length > 1.0001 * (to - from).norm() {
+        Err(Error::invalid("length", length, "at most the distance of the ends, if its bend is limited"))?;
     }
     let mut made = SpawnedRope { bodies: Vec::new(), joints: Vec::new(), bends: Vec::new() };
     let mut own = Vec::new();

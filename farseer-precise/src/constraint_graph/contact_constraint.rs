@@ -97,7 +97,7 @@ impl ContactConstraint {
 
     /// Reduces the normal impulses to the rest impulses, where these are smaller, and friction by the same ratio.
     ///
-    /// The direct solver raises rest impulses to the normal impulses except in an update with an impact. The impulse of an
+    /// The direct solver raises rest impulses to the normal impulses except in an update that begins far from its solution. The impulse of an
     /// impact acted once, but the warm start of the iterative solver would repeat it in every substep.
     pub(crate) fn forget_impacts(&mut self) {
         let load = |points: &[ContactPoint; 2]| points[0].normal_impulse + points[1].normal_impulse;
@@ -110,6 +110,7 @@ impl ContactConstraint {
         let after = load(&self.points);
         if after < before {
             self.tangent_impulse *= after / before;
+            self.depth.across_impulse *= after / before;
         }
     }
 

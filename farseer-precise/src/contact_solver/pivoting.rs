@@ -147,8 +147,8 @@ impl PivotingPolygon<'_> {
     }
 
     /// Integrates the rotation about the vertex on the face until the impact at `angle` radians, for at most `remaining`
-    /// seconds. Returns the seconds of the step that remain after it. `None` if the polygon stops or the reaction leaves the
-    /// friction cone.
+    /// seconds. Returns the seconds of the step that remain after it. `None` if the polygon stops and turns back, or if the
+    /// reaction leaves the friction cone.
     ///
     /// The angle after a time is that of an angular acceleration linear in time, whose value at the end is taken where a constant
     /// one would end. The speed at an angle is exact: it follows from the energy.
@@ -159,6 +159,9 @@ impl PivotingPolygon<'_> {
         let last = self.angular_acceleration_about_vertex(rotate(rotation_by(uniform), state.arm));
         let free = (spin + (2.0 * first + last) / 6.0 * remaining) * remaining;
         let is_impact = free * side >= angle;
+        // The energy does not tell in which direction the polygon turns.
+        let turns_back = (spin + 0.5 * (first + last) * remaining) * side <= 0.0;
+        (is_impact || !turns_back).then_some(())?;
         let turned = if is_impact { side * angle } else { free };
         self.turn(state, turned)?;
         if !is_impact {
@@ -265,7 +268,7 @@ fn rotation_by(angle: f32) -> Rot {
 mod tests {
     use super::{PivotingPolygon, rotate_inverse};
     use crate::contact_solver::rolling::incident_edge;
-    use crate::shape::VertexPool;
+    use crate::shape::{Shape, ShapeRef, VertexPool};
     use std::f64::consts::PI;
 
     /// Radius of the wheels, length units, and their square of the radius of gyration divided by the square of this radius.
@@ -295,16 +298,19 @@ mod tests {
         rotation
     }
 
-    /// Returns the rotation, in radians, of the same wheel by [`PivotingPolygon::advance`] in 36 steps.
-    fn rotation_of_wheel(count: usize) -> f64 {
-        let mut pool = VertexPool::default();
+    /// Adds the wheel of `count` vertices, lying on an edge, to a pool.
+    fn wheel_in(pool: &mut VertexPool, count: usize) -> Shape {
         let corner = |at: usize| {
             let angle = (2.0 * at as f64 + 1.0) * PI / count as f64 - PI / 2.0;
             [angle.cos(), angle.sin()].map(|part| (RADIUS * part) as f32)
         };
-        let wheel = pool.add_hull(&(0..count).map(corner).collect::<Vec<_>>());
-        let mut polygon = PivotingPolygon {
-            outline: pool.shape_ref(wheel),
+        pool.add_hull(&(0..count).map(corner).collect::<Vec<_>>())
+    }
+
+    /// Returns a wheel on the slope, whose axes are those of the world.
+    fn polygon_on_slope(outline: ShapeRef<'_>) -> PivotingPolygon<'_> {
+        PivotingPolygon {
+            outline,
             rotation: [1.0, 0.0],
             normal: [0.0, 1.0],
             gyration_squared: (GYRATION * RADIUS * RADIUS) as f32,
@@ -312,11 +318,22 @@ mod tests {
             angular_acceleration: 0.0,
             friction: 10.0,
             restitution_threshold: f32::MAX,
-        };
-        // Clockwise about the vertex at the front, down the slope.
+        }
+    }
+
+    /// Returns x, y and angular velocity of a wheel of `count` vertices on an edge that rolls down the slope at `spin` rad/s.
+    fn velocity_of_roll(count: usize, spin: f64) -> [f32; 3] {
         let [cosine, sine] = [(PI / count as f64).cos(), (PI / count as f64).sin()];
-        let mut velocity = [SPIN * RADIUS * cosine, SPIN * RADIUS * sine, -SPIN].map(|part| part as f32);
-        let mut rotation = 0.0;
+        // About the vertex ahead.
+        [spin * RADIUS * cosine, spin.abs() * RADIUS * sine, -spin].map(|part| part as f32)
+    }
+
+    /// Returns the rotation, in radians, of the same wheel by [`PivotingPolygon::advance`] in 36 steps.
+    fn rotation_of_wheel(count: usize) -> f64 {
+        let mut pool = VertexPool::default();
+        let wheel = wheel_in(&mut pool, count);
+        let mut polygon = polygon_on_slope(pool.shape_ref(wheel));
+        let (mut velocity, mut rotation) = (velocity_of_roll(count, SPIN), 0.0);
         for _ in 0..36 {
             let ends = incident_edge(polygon.outline, rotate_inverse(polygon.rotation, polygon.normal));
             let after = polygon.advance(ends, velocity, (SECONDS / 36.0) as f32).expect("the wheel rolls on");
@@ -325,6 +342,19 @@ mod tests {
             (velocity, polygon.rotation) = ([x, y, after.angular_velocity], after.rotation);
         }
         rotation
+    }
+
+    #[test]
+    fn a_wheel_that_would_turn_back_within_the_step_is_left_to_the_iterative_solver() {
+        let mut pool = VertexPool::default();
+        let wheel = wheel_in(&mut pool, 96);
+        let polygon = polygon_on_slope(pool.shape_ref(wheel));
+        let ends = incident_edge(polygon.outline, rotate_inverse(polygon.rotation, polygon.normal));
+        // Gravity stops a slow roll up the slope within a hundredth of a second.
+        for spin in [0.01, 0.003] {
+            assert!(polygon.advance(ends, velocity_of_roll(96, -spin), 1.0 / 60.0).is_none(), "{spin} rad/s");
+        }
+        assert!(polygon.advance(ends, velocity_of_roll(96, SPIN), 1.0 / 60.0).is_some());
     }
 
     #[test]

@@ -241,8 +241,8 @@ impl IslandSolver<'_> {
     /// Newton steps, residual and acceptance. Joint forces are stored only if the solution is accepted.
     ///
     /// A chain that snaps taut may need shorter intervals: a step whose solution gains energy or turns a body too far is repeated with
-    /// twice as many, up to [`MAX_INTERVAL_FACTOR`] times the planned number. There is no repetition whose modelled cost, twice that
-    /// of the last trial, exceeds the cost that other islands leave in the update.
+    /// twice as many, up to [`MAX_INTERVAL_FACTOR`] times the planned number. There is no repetition if its modelled cost, twice that
+    /// of the last trial, and the cost of all trials exceed what the islands before this one have left of the update's.
     pub(super) fn solve_articulation(&mut self, island: &mut DirectIsland) -> SolveStats {
         let (mut factor, mut newton_steps) = (1, 0);
         loop {

@@ -77,7 +77,8 @@ pub(crate) const ACCEPTED_ENERGY_GAIN: [f64; 2] = [1.05, 0.01];
 /// Greatest speed of a body in an accepted solution of an island of contacts: a multiple of the greatest speed in the island
 /// without contacts, and an addition to it. Unit: dimensionless; length units/s.
 ///
-/// Derived: a heavy body gives a light one at most twice its speed in an elastic impact. The addition is the speed at which
+/// Derived for a central impact: a heavy body gives a light one at most twice its speed, if it is elastic. A lever may give more,
+/// and then goes to the iterative solver. The addition is the speed at which
 /// contacts resolve penetration, [`PENETRATION_RECOVERY_MAX_SPEED`](super::contacts::PENETRATION_RECOVERY_MAX_SPEED).
 pub(crate) const ACCEPTED_SPEED_GAIN: [f64; 2] = [2.0, 3.0];
 
@@ -418,6 +419,9 @@ pub(crate) const RESELECTION_PERIOD: u8 = 16;
 /// Most awake bodies at which changes in islands of the iterative solver select solvers at once instead of after
 /// [`RESELECTION_PERIOD`]. Selection at once also needs joints, springs, a heavy body on a light one, or calm bodies only.
 /// Unit: dimensionless, a count. Value chosen; its sensitivity is not measured.
+///
+/// Up to this number, contact cycles with mass ratios above [`JAMMING_MASS_RATIO`] go to the direct solver, too. In larger worlds
+/// they took more than half of an update.
 pub(crate) const IMMEDIATE_RESELECTION_BODIES: usize = 64;
 
 /// Modelled cost of a Newton step without the terms by size. Unit: microseconds. Measured, as are the next five values; see the

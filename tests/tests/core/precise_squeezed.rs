@@ -41,8 +41,8 @@ fn light_bodies_under_a_heavy_one_are_not_shot_out() {
             simulator.update(1.0 / 60.0);
             let speeds = bodies.iter().map(|&one| simulator[one].linear_velocity().norm());
             let fastest = speeds.fold(0.0, f32::max);
-            // Measured: 2.02 times the speed of the heavy body at most.
-            assert!(fastest < 3.0 * FALL, "seed {seed}, update {update}: {fastest} px/s");
+            // An elastic impact gives twice the speed; the rest is the speed of penetration recovery, 96 px/s. Measured: 2.02 times.
+            assert!(fastest < 2.2 * FALL, "seed {seed}, update {update}: {fastest} px/s");
             let now = energy(&simulator, &bodies, GRAVITY);
             assert!(now < 1.02 * first, "seed {seed}, update {update}: energy {now} after {first}");
         }
