@@ -4,7 +4,7 @@
 //! method converges. The contact constraints of such an island move back to the graph colours. One factor scales their
 //! warm-start impulses down so far that they do not add energy. Unscaled impulses would throw apart bodies that just leave a
 //! jam. Contact cycles with a [budget](super::cost_model) are an exception. They stay in the direct solver with the result of
-//! Gauss-Seidel sweeps, until the budget is spent or a result exceeds [`ACCEPTED_SPEED_GAIN`] or [`ACCEPTED_ENERGY_GAIN`].
+//! Gauss-Seidel sweeps, until the budget is spent or a result gains energy or shoots a body out.
 
 use super::DirectSolver;
 use super::island_body::{IslandBody, MemberIndex, dot, max_or_nan};
