@@ -28,7 +28,8 @@ fn packages() -> Vec<Package> {
             Package { folder, manifest: manifest.clone() }
         })
         .collect();
-    assert_eq!(found.len(), 5, "farseer-precise, farseer-core, twohalf, its factories and its renderer");
+    let names = "farseer-precise, farseer-core, farseer-ffi, twohalf, its factories and its renderer";
+    assert_eq!(found.len(), 6, "{names}");
     found
 }
 
@@ -74,8 +75,13 @@ fn links_of_a_readme_lead_to_files_of_the_same_package_or_to_the_web() {
 }
 
 #[test]
-fn every_package_forbids_unsafe_code() {
-    for Package { folder, .. } in packages() {
+fn every_package_forbids_unsafe_code_but_the_c_abi_which_gives_a_reason_for_each_block() {
+    for Package { folder, manifest } in packages() {
+        if manifest["name"] == "farseer-ffi" {
+            let rules = read(&folder.join("Cargo.toml"));
+            assert!(rules.contains("undocumented_unsafe_blocks = \"deny\""));
+            continue;
+        }
         let library = read(&folder.join("src/lib.rs"));
         assert!(library.lines().any(|line| line == "#![forbid(unsafe_code)]"), "{}", folder.display());
     }
