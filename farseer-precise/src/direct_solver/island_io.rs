@@ -368,9 +368,9 @@ impl DirectIsland {
     /// Stores the impulses of the solution, divided by `substeps`, and the separations in the contact constraints. `h` is the
     /// length of a substep in seconds.
     ///
-    /// An update whose residual was above `impact_speed` (length units/s) had an impact: its impulses are no lasting load, and
-    /// rest impulses do not rise by them. It is infinite for islands with joints: their rest impulses are reduced when they leave
-    /// the direct solver.
+    /// Rest impulses do not rise in an update that began with a residual above `impact_speed` (length units/s). There was an impact
+    /// somewhere in the island, or a load has just come or gone: the impulses may be no lasting load. `impact_speed` is infinite for
+    /// islands with joints: their rest impulses are reduced when they leave the direct solver.
     pub(super) fn store_solution(
         &self,
         rows: &mut ConstraintGraph,
